@@ -1,0 +1,117 @@
+#include "bendlab/mesh/files.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "bendlab/mesh/readers.hpp"
+
+namespace bendlab {
+namespace {
+
+using Kind = MeshFileError::Kind;
+
+[[noreturn]] void fail(Kind kind, const std::filesystem::path& path, std::string_view what) {
+  throw MeshFileError(kind, fmt::format("mesh file '{}': {}", path.string(), what));
+}
+
+std::string extension_of(const std::filesystem::path& path) {
+  std::string extension = path.extension().string();
+  for (char& c : extension)
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+  return extension;
+}
+
+std::string read_bytes(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) fail(Kind::unreadable, path, "is a folder, not a file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(Kind::unreadable, path, fmt::format("can't be opened: {}", std::strerror(errno)));
+  std::string bytes(std::istreambuf_iterator<char>(file), {});
+  if (file.bad()) fail(Kind::unreadable, path, "can't be read to its end");
+  return bytes;
+}
+
+PolygonSoup parse(const std::string& extension, const std::string& bytes) {
+  if (extension == ".obj") return parse_obj(bytes);
+  if (extension == ".off") return parse_off(bytes);
+  if (extension == ".ply") return parse_ply(bytes);
+  if (extension == ".stl") return parse_stl(bytes);
+  throw std::invalid_argument(
+      fmt::format("extension '{}' is not known; allowed are .obj, .ply, .off, .stl", extension));
+}
+
+void write_obj(std::ostream& out, const TriangleMesh& mesh) {
+  const bool textured = mesh.texture_coordinates.rows() > 0;
+  for (const auto& p : mesh.positions.rowwise()) fmt::print(out, "v {} {} {}\n", p(0), p(1), p(2));
+  for (const auto& t : mesh.texture_coordinates.rowwise()) fmt::print(out, "vt {} {}\n", t(0), t(1));
+  for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
+    fmt::print(out, "f");
+    for (int c = 0; c < 3; ++c)
+      if (textured)
+        fmt::print(out, " {}/{}", mesh.triangles(t, c) + 1, 3 * t + c + 1);
+      else
+        fmt::print(out, " {}", mesh.triangles(t, c) + 1);
+    fmt::print(out, "\n");
+  }
+}
+
+// The part that OFF and PLY have in common.
+void write_lists(std::ostream& out, const TriangleMesh& mesh) {
+  for (const auto& p : mesh.positions.rowwise()) fmt::print(out, "{} {} {}\n", p(0), p(1), p(2));
+  for (const auto& t : mesh.triangles.rowwise()) fmt::print(out, "3 {} {} {}\n", t(0), t(1), t(2));
+}
+
+constexpr std::string_view ply_header =
+    "ply\nformat ascii 1.0\nelement vertex {}\nproperty double x\nproperty double y\nproperty double z\n"
+    "element face {}\nproperty list uchar int vertex_indices\nend_header\n";
+
+}  // namespace
+
+PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
+  const std::string bytes = read_bytes(path);
+  try {
+    return parse(extension_of(path), bytes);
+  } catch (const std::invalid_argument& error) {
+    fail(Kind::refused, path, error.what());
+  }
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
+  const PolygonSoup soup = read_polygon_soup(path);
+  std::string refusal;
+  for (const MeshProblem& problem : diagnose(soup)) {
+    if (!problem.harmless())
+      refusal += "\n  " + describe(problem);
+    else if (notes != nullptr)
+      notes->push_back("left out, which shifts the indices of later vertices: " + describe(problem));
+  }
+  if (!refusal.empty())
+    fail(Kind::refused, path,
+         "can't be simulated until it is repaired, in a mesh editor for instance (indices count from 0):" +
+             refusal);
+  return to_mesh(soup);
+}
+
+void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {
+  const std::string extension = extension_of(path);
+  if (extension != ".obj" && extension != ".off" && extension != ".ply")
+    fail(Kind::refused, path, "can't be written: allowed are .obj, .ply, .off");
+  std::ofstream out(path, std::ios::binary);
+  if (extension == ".obj") {
+    write_obj(out, mesh);
+  } else {
+    if (extension == ".off") fmt::print(out, "OFF\n{} {} 0\n", mesh.vertex_count(), mesh.triangle_count());
+    if (extension == ".ply") fmt::print(out, ply_header, mesh.vertex_count(), mesh.triangle_count());
+    write_lists(out, mesh);
+  }
+  out.close();  // a full disk shows only now
+  if (!out) fail(Kind::unreadable, path, fmt::format("can't be written: {}", std::strerror(errno)));
+}
+
+}  // namespace bendlab

@@ -1,0 +1,43 @@
+// Flat rest meshes: in the plane z = 0, centred at the origin, every triangle counter-clockwise. Lengths in
+// m. All throw std::invalid_argument for a size or count that is not allowed.
+#pragma once
+
+#include <cstdint>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// Which diagonal splits a cell.
+///      same          alternating        both
+///    +---+---+       +---+---+       +---+---+
+///    | / | / |       | \ | / |       | X | X |      both: the diagonals cross at a vertex in the cell's
+///    centre
+///    +---+---+       +---+---+       +---+---+
+///    | / | / |       | / | \ |       | X | X |
+///    +---+---+       +---+---+       +---+---+
+enum class Diagonal { same, alternating, both };
+
+/// Cells along x and y. Corners are numbered row by row from the lower left (x inner, y outer); with `both`
+/// each row of cell centres follows the row of corners below it.
+TriangleMesh grid(double width, double height, int cells_x, int cells_y, Diagonal diagonal = Diagonal::same);
+
+/// Direction of an equilateral lattice's rows of edges against the long side (x if width >= height).
+enum class Rows { parallel, perpendicular };
+
+/// Equilateral triangles of edge a = long side / cells_along (at least 2), numbered row by row. Every second
+/// row is set in by a/2 at both ends, so two sides of the outline zigzag. Exactly equilateral triangles can't
+/// fill every rectangle: along the rows the size is the nearest whole number of edges (`parallel`: the long
+/// side itself), across them the nearest whole number of strips of height a √3/2.
+TriangleMesh equilateral(double width, double height, int cells_along, Rows rows = Rows::parallel);
+
+/// Irregular: the boundary's points evenly spaced by s ≈ width / cells, the interior's at random but no two
+/// closer than 0.79 s (Poisson-disc darts, about one point per s²), Delaunay triangulated. Equal seeds give
+/// equal points on every platform. Numbered in rows of height s, left to right.
+TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed);
+
+/// Concentric rings around a centre vertex, ring r with 6 r vertices at radius r / rings · radius; numbered
+/// from the centre outward, each ring from angle 0.
+TriangleMesh disc(double radius, int rings);
+
+}  // namespace bendlab

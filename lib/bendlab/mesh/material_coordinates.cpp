@@ -1,0 +1,69 @@
+#include "bendlab/mesh/material_coordinates.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <stdexcept>
+
+namespace bendlab {
+namespace {
+
+struct RestTriangle {
+  Vector3 e1, e2, normal;
+
+  RestTriangle(const TriangleMesh& mesh, Eigen::Index t)
+      : e1((mesh.positions.row(mesh.triangles(t, 1)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
+        e2((mesh.positions.row(mesh.triangles(t, 2)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
+        normal(e1.cross(e2).normalized()) {}
+
+  // Q⁻¹ for the warp axis nearest to `warp` in the triangle's plane.
+  InverseRest inverse_along(const Vector3& warp) const {
+    constexpr double perpendicular =
+        1e-6;  // of |warp|: below it the projection has no direction worth the name
+    Vector3 axis = warp - warp.dot(normal) * normal;
+    if (axis.norm() <= perpendicular * warp.norm()) axis = e1;
+    const Vector3 u = axis.normalized(), v = normal.cross(u);
+    Eigen::Matrix2d q;
+    q << u.dot(e1), u.dot(e2), v.dot(e1), v.dot(e2);
+    const Eigen::Matrix2d inverse = q.inverse();
+    return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
+  }
+};
+
+}  // namespace
+
+std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction) {
+  std::vector<InverseRest> inverses;
+  inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
+  for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
+    inverses.push_back(RestTriangle(mesh, t).inverse_along(warp_direction));
+  return inverses;
+}
+
+std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
+  if (mesh.texture_coordinates.rows() != 3 * mesh.triangle_count())
+    throw std::invalid_argument(
+        "the mesh has no texture coordinates: use an OBJ with vt entries, or material coordinates from the "
+        "warp "
+        "direction");
+  std::vector<InverseRest> inverses;
+  inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
+  for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
+    const RestTriangle triangle(mesh, t);
+    const auto corner = mesh.texture_coordinates.middleRows<3>(3 * t);
+    Eigen::Matrix2d texture;
+    texture.col(0) = (corner.row(1) - corner.row(0)).transpose();
+    texture.col(1) = (corner.row(2) - corner.row(0)).transpose();
+    const double longest = texture.colwise().squaredNorm().maxCoeff();
+    constexpr double degenerate = 1e-12;  // of the longest texture edge squared
+    if (!(std::abs(texture.determinant()) > degenerate * longest))
+      throw std::invalid_argument(fmt::format(
+          "triangle {} has degenerate texture coordinates: mend the texture or use the warp direction", t));
+    // [t_u, t_v] = [e1, e2] texture⁻¹: t_u is where u grows.
+    const Eigen::Vector2d first = texture.inverse().col(0);
+    inverses.push_back(triangle.inverse_along(first(0) * triangle.e1 + first(1) * triangle.e2));
+  }
+  return inverses;
+}
+
+}  // namespace bendlab

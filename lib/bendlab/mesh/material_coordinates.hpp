@@ -1,0 +1,24 @@
+// Material coordinates of each triangle: orthonormal axes (warp, weft) in its rest plane, and the inverse of
+// Q = [q1 - q0, q2 - q0], so that the deformation gradient is F = P Q⁻¹ (SBD 2014, eqs. 5-11).
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// Q⁻¹ row by row: {(0,0), (0,1), (1,0), (1,1)}, 1/m.
+using InverseRest = std::array<double, 4>;
+
+/// One per triangle, the warp axis being `warp_direction` projected into the triangle's rest plane (where it
+/// is perpendicular to the plane, the triangle's first edge). Entries of a zero-area triangle are not finite.
+std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction);
+
+/// One per triangle, the warp axis being the texture's u direction in the rest plane; stretched textures are
+/// allowed, because only the direction is used (SBD 2014, appendix). Throws std::invalid_argument if the mesh
+/// has no texture coordinates or a triangle's are degenerate.
+std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh);
+
+}  // namespace bendlab

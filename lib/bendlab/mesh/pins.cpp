@@ -1,0 +1,73 @@
+#include "bendlab/mesh/pins.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <stdexcept>
+
+#include "bendlab/mesh/rings.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 9> selectors = {
+    "upper_right", "upper_left", "lower_right", "lower_left", "top", "bottom", "left", "right", "centre"};
+
+int nearest_vertex(const RestMesh& rest, const Vector2& target) {
+  Eigen::Index nearest = 0;
+  (rest.positions().leftCols<2>().rowwise() - target.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<int>(nearest);
+}
+
+// Vertices on the side of the rest box where coordinate `axis` has the value `level`.
+std::vector<int> side_vertices(const RestMesh& rest, int axis, double level) {
+  constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
+  std::vector<int> side;
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (std::abs(rest.positions()(v, axis) - level) <= relative_tolerance * rest.size()) side.push_back(v);
+  return side;
+}
+
+}  // namespace
+
+Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings) {
+  std::sort(seeds.begin(), seeds.end());
+  seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
+  Pins pins;
+  pins.is_pinned.assign(static_cast<std::size_t>(rest.vertex_count()), 0);
+  RingWalker walker(rest.one_ring());
+  for (const int seed : seeds) {
+    if (seed < 0 || seed >= rest.vertex_count())
+      throw std::out_of_range(fmt::format("vertex {} cannot be pinned: the mesh has vertices 0 to {}", seed,
+                                          rest.vertex_count() - 1));
+    walker.walk(seed, rings);
+    for (int r = 0; r <= rings; ++r)
+      for (const int vertex : walker.ring(r)) pins.is_pinned[static_cast<std::size_t>(vertex)] = 1;
+  }
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (pins.pinned(v)) pins.all.push_back(v);
+  pins.seeds = std::move(seeds);
+  return pins;
+}
+
+std::vector<int> select_vertices(const RestMesh& rest, std::string_view name) {
+  const Vector3 low = rest.box_min(), high = rest.box_max();
+  if (name == "upper_right") return {nearest_vertex(rest, {high.x(), high.y()})};
+  if (name == "upper_left") return {nearest_vertex(rest, {low.x(), high.y()})};
+  if (name == "lower_right") return {nearest_vertex(rest, {high.x(), low.y()})};
+  if (name == "lower_left") return {nearest_vertex(rest, {low.x(), low.y()})};
+  if (name == "centre") return {nearest_vertex(rest, rest.centre().head<2>())};
+  if (name == "top") return side_vertices(rest, 1, high.y());
+  if (name == "bottom") return side_vertices(rest, 1, low.y());
+  if (name == "left") return side_vertices(rest, 0, low.x());
+  if (name == "right") return side_vertices(rest, 0, high.x());
+  throw std::invalid_argument(
+      fmt::format("'{}' names no vertices; allowed: {}", name, fmt::join(selectors, ", ")));
+}
+
+std::span<const std::string_view> vertex_selectors() {
+  return selectors;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,32 @@
+// Which vertices are held: the ones the scene names, and the rings around them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bendlab/mesh/rest_mesh.hpp"
+
+namespace bendlab {
+
+struct Pins {
+  std::vector<int> seeds;       ///< the vertices the scene names, ascending
+  std::vector<int> all;         ///< seeds and the rings pinned with them, ascending
+  std::vector<char> is_pinned;  ///< #V
+
+  bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
+};
+
+/// Pins `seeds` and their first `rings` rings (0: the seeds alone; the paper pins 1).
+/// Throws std::out_of_range for a seed that is not a vertex.
+Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings);
+
+/// Vertices by name: `upper_right`, `upper_left`, `lower_right`, `lower_left` (the vertex nearest to that
+/// corner of the rest box's x-y face), `top`, `bottom`, `left`, `right` (all vertices within 10⁻⁶ of the size
+/// of that side), `centre` (nearest to the centre of the box). Throws std::invalid_argument for another name.
+std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
+
+/// The names that select_vertices() knows.
+std::span<const std::string_view> vertex_selectors();
+
+}  // namespace bendlab

@@ -1,0 +1,180 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <functional>
+#include <optional>
+#include <stdexcept>
+
+#include "bendlab/mesh/readers.hpp"
+#include "bendlab/mesh/text_lines.hpp"
+
+namespace bendlab {
+namespace {
+
+enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+
+struct Property {
+  std::string_view name;
+  Scalar type;
+  std::optional<Scalar> count_type;  // of a list
+};
+
+struct Element {
+  std::string_view name;
+  std::size_t count;
+  std::vector<Property> properties;
+};
+
+struct Header {
+  std::string_view format;
+  std::vector<Element> elements;
+};
+
+using ValueSource = std::function<double(Scalar)>;  // the file's next value; every type fits into a double
+
+Scalar scalar_of(const TextLines& lines, std::size_t word) {
+  constexpr std::array<std::array<std::string_view, 2>, 8> names = {{{"char", "int8"},
+                                                                     {"uchar", "uint8"},
+                                                                     {"short", "int16"},
+                                                                     {"ushort", "uint16"},
+                                                                     {"int", "int32"},
+                                                                     {"uint", "uint32"},
+                                                                     {"float", "float32"},
+                                                                     {"double", "float64"}}};
+  for (std::size_t type = 0; type < names.size(); ++type)
+    if (lines.word(word) == names[type][0] || lines.word(word) == names[type][1])
+      return static_cast<Scalar>(type);
+  lines.fail(lines.quoted(word) + " is no PLY type");
+}
+
+Header read_header(TextLines& lines) {
+  Header header;
+  lines.need_next("'ply'");
+  if (lines.word(0) != "ply") lines.fail("a PLY file starts with 'ply'");
+  while (true) {
+    lines.need_next("'end_header'");
+    const std::string_view key = lines.word(0);
+    if (key == "end_header") return header;
+    if (key == "format") header.format = lines.word(1);
+    if (key == "element") header.elements.push_back({lines.word(1), lines.count(2), {}});
+    if (key != "property") continue;
+    if (header.elements.empty()) lines.fail("a property before the first element");
+    if (lines.word(1) == "list")
+      header.elements.back().properties.push_back({lines.word(4), scalar_of(lines, 3), scalar_of(lines, 2)});
+    else
+      header.elements.back().properties.push_back({lines.word(2), scalar_of(lines, 1), std::nullopt});
+  }
+}
+
+ValueSource text_source(TextLines& lines) {
+  return [&lines, word = std::size_t{0}, words = std::size_t{0}](Scalar) mutable {
+    if (word == words) {
+      lines.need_next("its last element");
+      word = 0, words = lines.word_count();
+    }
+    return lines.real(word++);
+  };
+}
+
+template <class Type>
+double read_scalar(std::string_view& bytes, bool swap) {
+  std::array<char, sizeof(Type)> raw;
+  if (bytes.size() < raw.size()) throw std::invalid_argument("the file ends before its last element");
+  std::copy_n(bytes.begin(), raw.size(), raw.begin());
+  bytes.remove_prefix(raw.size());
+  if (swap) std::reverse(raw.begin(), raw.end());
+  return static_cast<double>(std::bit_cast<Type>(raw));
+}
+
+ValueSource binary_source(std::string_view bytes, bool little_endian) {
+  return [bytes, swap = little_endian != (std::endian::native == std::endian::little)](Scalar type) mutable {
+    switch (type) {
+      case Scalar::int8:
+        return read_scalar<std::int8_t>(bytes, swap);
+      case Scalar::uint8:
+        return read_scalar<std::uint8_t>(bytes, swap);
+      case Scalar::int16:
+        return read_scalar<std::int16_t>(bytes, swap);
+      case Scalar::uint16:
+        return read_scalar<std::uint16_t>(bytes, swap);
+      case Scalar::int32:
+        return read_scalar<std::int32_t>(bytes, swap);
+      case Scalar::uint32:
+        return read_scalar<std::uint32_t>(bytes, swap);
+      case Scalar::float32:
+        return read_scalar<float>(bytes, swap);
+      case Scalar::float64:
+        return read_scalar<double>(bytes, swap);
+    }
+    return 0.0;
+  };
+}
+
+std::int64_t whole(double value) {
+  if (value != std::floor(value) || std::abs(value) > 0x1p53)
+    throw std::invalid_argument(fmt::format("{} is not a whole number", value));
+  return static_cast<std::int64_t>(value);
+}
+
+// The values of a property of one item: one, or a list's.
+void read_property(const Property& property, const ValueSource& next, std::vector<double>& values) {
+  values.clear();
+  const std::int64_t count = property.count_type ? whole(next(*property.count_type)) : 1;
+  if (count < 0) throw std::invalid_argument(fmt::format("a list of {} values", count));
+  for (std::int64_t i = 0; i < count; ++i) values.push_back(next(property.type));
+}
+
+void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup) {
+  if (element.properties.empty()) return;
+  std::vector<double> values;
+  std::vector<std::int64_t> corners;
+  for (std::size_t item = 0; item < element.count; ++item) {
+    std::array<double, 3> point{};
+    for (const Property& property : element.properties) {
+      read_property(property, next, values);
+      const std::size_t axis = std::string_view("xyz").find(property.name);
+      if (element.name == "vertex" && !property.count_type && property.name.size() == 1 && axis < 3)
+        point[axis] = values[0];
+      if (element.name != "face" || (property.name != "vertex_indices" && property.name != "vertex_index"))
+        continue;
+      corners.clear();
+      for (const double value : values) corners.push_back(whole(value));
+      add_polygon(soup, corners);
+    }
+    if (element.name == "vertex") soup.points.push_back(point);
+  }
+}
+
+void require(const Header& header, std::string_view element_name, std::string_view property_name) {
+  for (const Element& element : header.elements)
+    for (const Property& property : element.properties)
+      if (element.name == element_name && property.name.starts_with(property_name)) return;
+  throw std::invalid_argument(
+      fmt::format("element {} with property {} is missing", element_name, property_name));
+}
+
+}  // namespace
+
+PolygonSoup parse_ply(std::string_view bytes) {
+  TextLines lines(bytes);
+  const Header header = read_header(lines);
+  for (const std::string_view axis : {"x", "y", "z"}) require(header, "vertex", axis);
+  require(header, "face", "vertex_ind");
+
+  ValueSource next;
+  if (header.format == "ascii")
+    next = text_source(lines);
+  else if (header.format == "binary_little_endian" || header.format == "binary_big_endian")
+    next = binary_source(lines.rest(), header.format == "binary_little_endian");
+  else
+    throw std::invalid_argument(fmt::format(
+        "format '{}'; allowed are ascii, binary_little_endian, binary_big_endian", header.format));
+  PolygonSoup soup;
+  for (const Element& element : header.elements) read_element(element, next, soup);
+  return soup;
+}
+
+}  // namespace bendlab

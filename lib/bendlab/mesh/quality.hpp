@@ -1,0 +1,55 @@
+// Shape of triangles: seven measures and how many triangles are bad. Cheap enough for every recorded frame.
+#pragma once
+
+#include <array>
+#include <span>
+#include <string_view>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// From where on a triangle counts as bad.
+struct QualityThresholds {
+  double needle_ratio = 4;  ///< longest to shortest edge, at least 1
+  double cap_angle = 160;   ///< degrees, 90 to 180
+  double small_angle = 10;  ///< degrees, 0 to 60
+};
+
+struct QualityMeasure {
+  std::string_view name, unit, meaning;
+};
+
+/// The measures, in the order of MeshQuality::measures. Formulas: Verdict library reference manual,
+/// SAND2007-1751. With edges a, b, c and area A:
+///   edge_ratio     longest / shortest edge
+///   aspect_ratio   longest edge · (a + b + c) / (4√3 A)
+///   radius_ratio   circumradius / (2 inradius) = abc (a + b + c) / (16 A²)
+///   shape          4√3 A / (a² + b² + c²), 0 to 1
+///   minimum_angle, maximum_angle in degrees
+///   condition      κ₂ of Q weighted by the equilateral triangle: x + √(x² - 1) with x = 1 / shape
+/// All are 1 for an equilateral triangle, but for the angles.
+std::span<const QualityMeasure> quality_measures();
+
+/// Over all triangles. A percentile is the value of the nearest rank, without interpolation: infinity stays
+/// infinity. A triangle without area has the worst value of every measure but the edge ratio (infinity, shape
+/// 0, angles 0 and 180), one with a position that is not finite also of the edge ratio.
+struct MeasureSummary {
+  double minimum, percentile_1, median, percentile_99, maximum;
+};
+
+struct MeshQuality {
+  std::array<MeasureSummary, 7> measures{};  ///< all 0 if there are no triangles
+  int needles = 0;       ///< longest edge >= needle_ratio · shortest (CGAL's is_needle_triangle_face)
+  int caps = 0;          ///< an angle >= cap_angle and no edge of length 0 (CGAL's is_cap_triangle_face)
+  int collinear = 0;     ///< the three points are exactly collinear (CGAL's exact predicate)
+  int non_finite = 0;    ///< a coordinate is not finite, or so large that its square is not
+  int small_angles = 0;  ///< an angle < small_angle
+  int degenerate_triangles = 0;  ///< needle, cap, collinear or not finite; each triangle counts once
+};
+
+/// `triangles` index into `positions`. Nothing is thrown; positions may be anything.
+MeshQuality measure_quality(const Positions& positions, const Triangles& triangles,
+                            const QualityThresholds& thresholds = {});
+
+}  // namespace bendlab

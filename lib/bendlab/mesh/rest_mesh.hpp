@@ -1,0 +1,69 @@
+// The rest state of a cloth: the mesh and what follows from it once (edges, one-rings, hinges, areas, size).
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+///        opposite[0]
+///           /  \          The two triangles that share an interior edge.
+///   edge[0] ---- edge[1]
+///           \  /
+///        opposite[1]
+struct Hinge {
+  std::array<int, 2> edge;
+  std::array<int, 2> opposite;
+};
+
+/// Vertices adjacent to a vertex as compressed rows: neighbours of v are `targets[offsets[v] ..
+/// offsets[v+1])`, ascending.
+struct Adjacency {
+  std::vector<int> offsets;  ///< #V + 1
+  std::vector<int> targets;
+
+  std::span<const int> operator[](int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return std::span(targets).subspan(static_cast<std::size_t>(offsets[v]),
+                                      static_cast<std::size_t>(offsets[v + 1] - offsets[v]));
+  }
+};
+
+class RestMesh {
+ public:
+  /// Expects a mesh that was diagnosed (see files.hpp): indices in range, finite positions. An edge with more
+  /// than two triangles gives no hinge.
+  explicit RestMesh(TriangleMesh mesh);
+
+  const TriangleMesh& mesh() const { return mesh_; }
+  const Positions& positions() const { return mesh_.positions; }
+  const Triangles& triangles() const { return mesh_.triangles; }
+  const Edges& edges() const { return edges_; }
+  const Adjacency& one_ring() const { return one_ring_; }
+  const std::vector<Hinge>& hinges() const { return hinges_; }  ///< in the order of their edges
+  const std::vector<double>& areas() const { return areas_; }   ///< #T, m²
+
+  int vertex_count() const { return static_cast<int>(mesh_.positions.rows()); }
+  int triangle_count() const { return static_cast<int>(mesh_.triangles.rows()); }
+
+  Vector3 box_min() const { return box_min_; }
+  Vector3 box_max() const { return box_max_; }
+  Vector3 centre() const { return 0.5 * (box_min_ + box_max_); }
+  double size() const { return (box_max_ - box_min_).norm(); }   ///< diagonal of the rest box, m
+  double mean_edge_length() const { return mean_edge_length_; }  ///< m
+  Vector3 position(int vertex) const { return mesh_.positions.row(vertex).transpose(); }
+
+ private:
+  TriangleMesh mesh_;
+  Edges edges_;
+  Adjacency one_ring_;
+  std::vector<Hinge> hinges_;
+  std::vector<double> areas_;
+  Vector3 box_min_, box_max_;
+  double mean_edge_length_ = 0;
+};
+
+}  // namespace bendlab

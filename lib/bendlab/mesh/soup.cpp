@@ -1,0 +1,278 @@
+#include "bendlab/mesh/soup.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+
+namespace bendlab {
+namespace {
+
+constexpr std::size_t listed_offenders = 5;
+
+struct KindText {
+  std::string_view one, many;
+};
+
+KindText text_of(MeshProblemKind kind) {
+  switch (kind) {
+    case MeshProblemKind::empty:
+      return {"no triangles", "no triangles"};
+    case MeshProblemKind::non_finite_vertex:
+      return {"vertex with a coordinate that is not a finite number",
+              "vertices with a coordinate that is not a finite number"};
+    case MeshProblemKind::index_out_of_range:
+      return {"triangle with a vertex index out of range", "triangles with a vertex index out of range"};
+    case MeshProblemKind::repeated_vertex:
+      return {"triangle with a repeated vertex", "triangles with a repeated vertex"};
+    case MeshProblemKind::zero_area:
+      return {"triangle with zero area", "triangles with zero area"};
+    case MeshProblemKind::duplicate_triangle:
+      return {"duplicate triangle", "duplicate triangles"};
+    case MeshProblemKind::non_manifold_edge:
+      return {"edge shared by more than two triangles", "edges shared by more than two triangles"};
+    case MeshProblemKind::non_manifold_vertex:
+      return {"vertex where parts of the mesh touch in a point",
+              "vertices where parts of the mesh touch in a point"};
+    case MeshProblemKind::inconsistent_orientation:
+      return {"edge whose triangles are oriented differently",
+              "edges whose triangles are oriented differently"};
+    case MeshProblemKind::isolated_vertex:
+      return {"vertex in no triangle", "vertices in no triangle"};
+  }
+  return {};
+}
+
+// A triangle's edge; `ascending` if the triangle runs along it from `low` to `high`.
+struct HalfEdge {
+  std::int64_t low, high;
+  std::size_t triangle;
+  bool ascending;
+};
+
+// Sets of elements that grow together; the representative of each is its lowest element.
+class DisjointSets {
+ public:
+  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
+  std::size_t find(std::size_t element) {
+    while (parent_[element] != element) element = parent_[element] = parent_[parent_[element]];
+    return element;
+  }
+  void join(std::size_t a, std::size_t b) {
+    a = find(a), b = find(b);
+    parent_[std::max(a, b)] = std::min(a, b);
+  }
+
+ private:
+  std::vector<std::size_t> parent_;
+};
+
+class Diagnosis {
+ public:
+  explicit Diagnosis(const PolygonSoup& soup) : soup_(soup) {}
+
+  std::vector<MeshProblem> run() {
+    if (soup_.triangles.empty()) report(MeshProblemKind::empty, "");
+    check_vertices();
+    check_indices();
+    check_areas();
+    drop_duplicates();
+    check_edges();
+    check_fans();
+    std::sort(problems_.begin(), problems_.end(),
+              [](const auto& l, const auto& r) { return l.kind < r.kind; });
+    return std::move(problems_);
+  }
+
+ private:
+  void report(MeshProblemKind kind, std::string offender) {
+    auto problem =
+        std::find_if(problems_.begin(), problems_.end(), [&](const auto& p) { return p.kind == kind; });
+    if (problem == problems_.end()) problem = problems_.insert(problem, {kind, 0, {}});
+    if (++problem->count <= listed_offenders && !offender.empty())
+      problem->offenders.push_back(std::move(offender));
+  }
+
+  void report_triangle(MeshProblemKind kind, std::size_t t) {
+    report(kind, fmt::format("triangle {} ({})", t, fmt::join(soup_.triangles[t], ", ")));
+  }
+
+  bool is_point(std::int64_t index) const {
+    return index >= 0 && index < static_cast<std::int64_t>(soup_.points.size());
+  }
+
+  Vector3 point(std::int64_t index) const {
+    return Eigen::Map<const Vector3>(soup_.points[static_cast<std::size_t>(index)].data());
+  }
+
+  void check_vertices() {
+    for (std::size_t v = 0; v < soup_.points.size(); ++v) {
+      const Vector3 p = point(static_cast<std::int64_t>(v));
+      if (p.allFinite())
+        box_min_ = box_min_.cwiseMin(p), box_max_ = box_max_.cwiseMax(p);
+      else
+        report(MeshProblemKind::non_finite_vertex,
+               fmt::format("vertex {} ({})", v, fmt::join(soup_.points[v], ", ")));
+    }
+  }
+
+  void check_indices() {
+    std::vector<char> used(soup_.points.size(), 0);
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t) {
+      const auto& [a, b, c] = soup_.triangles[t];
+      for (const std::int64_t v : {a, b, c})
+        if (is_point(v)) used[static_cast<std::size_t>(v)] = 1;
+      if (!is_point(a) || !is_point(b) || !is_point(c))
+        report_triangle(MeshProblemKind::index_out_of_range, t);
+      else if (a == b || b == c || c == a)
+        report_triangle(MeshProblemKind::repeated_vertex, t);
+      else
+        sound_.push_back(t);
+    }
+    for (std::size_t v = 0; v < used.size(); ++v)
+      if (used[v] == 0) report(MeshProblemKind::isolated_vertex, fmt::format("vertex {}", v));
+  }
+
+  void check_areas() {
+    const double thickness = zero_area_thickness * (box_max_ - box_min_).norm();
+    for (const std::size_t t : sound_) {
+      const Vector3 p = point(soup_.triangles[t][0]), q = point(soup_.triangles[t][1]),
+                    r = point(soup_.triangles[t][2]);
+      const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+      const double twice_area = (q - p).cross(r - p).norm();
+      if (twice_area <= thickness * longest)
+        report_triangle(MeshProblemKind::zero_area, t);  // false with a NaN
+    }
+  }
+
+  void drop_duplicates() {
+    const auto key = [&](std::size_t t) {
+      auto corners = soup_.triangles[t];
+      std::sort(corners.begin(), corners.end());
+      return corners;
+    };
+    std::vector<std::pair<std::array<std::int64_t, 3>, std::size_t>> keyed;
+    for (const std::size_t t : sound_) keyed.emplace_back(key(t), t);
+    std::sort(keyed.begin(), keyed.end());
+    std::vector<std::size_t> copies;
+    for (std::size_t i = 1; i < keyed.size(); ++i)
+      if (keyed[i].first == keyed[i - 1].first) copies.push_back(keyed[i].second);
+    std::sort(copies.begin(), copies.end());
+    for (const std::size_t t : copies) report_triangle(MeshProblemKind::duplicate_triangle, t);
+    std::erase_if(sound_, [&](std::size_t t) { return std::binary_search(copies.begin(), copies.end(), t); });
+  }
+
+  // Edges, and the fans of triangles around vertices: corners of one vertex that an edge connects belong
+  // together.
+  void check_edges() {
+    std::vector<HalfEdge> half_edges;
+    for (const std::size_t t : sound_)
+      for (std::size_t c = 0; c < 3; ++c) {
+        const std::int64_t from = soup_.triangles[t][c], to = soup_.triangles[t][(c + 1) % 3];
+        half_edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
+      }
+    std::stable_sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& l, const HalfEdge& r) {
+      return l.low != r.low ? l.low < r.low : l.high < r.high;
+    });
+    for (std::size_t first = 0, last; first < half_edges.size(); first = last) {
+      const HalfEdge& edge = half_edges[first];
+      for (last = first + 1;
+           last < half_edges.size() && half_edges[last].low == edge.low && half_edges[last].high == edge.high;
+           ++last)
+        for (const std::int64_t end : {edge.low, edge.high})
+          fans_.join(corner_at(edge.triangle, end), corner_at(half_edges[last].triangle, end));
+      if (last - first > 2)
+        report(MeshProblemKind::non_manifold_edge,
+               fmt::format("edge {}-{} ({} triangles)", edge.low, edge.high, last - first));
+      if (last - first == 2 && edge.ascending == half_edges[first + 1].ascending)
+        report(MeshProblemKind::inconsistent_orientation,
+               fmt::format("edge {}-{} (triangles {} and {})", edge.low, edge.high, edge.triangle,
+                           half_edges[first + 1].triangle));
+    }
+  }
+
+  std::size_t corner_at(std::size_t triangle, std::int64_t vertex) const {
+    const auto& corners = soup_.triangles[triangle];
+    return 3 * triangle +
+           static_cast<std::size_t>(std::find(corners.begin(), corners.end(), vertex) - corners.begin());
+  }
+
+  void check_fans() {
+    std::vector<int> fan_count(soup_.points.size(), 0);
+    for (const std::size_t t : sound_)
+      for (std::size_t c = 0; c < 3; ++c)
+        if (fans_.find(3 * t + c) == 3 * t + c) ++fan_count[static_cast<std::size_t>(soup_.triangles[t][c])];
+    for (std::size_t v = 0; v < fan_count.size(); ++v)
+      if (fan_count[v] > 1)
+        report(MeshProblemKind::non_manifold_vertex, fmt::format("vertex {} ({} fans)", v, fan_count[v]));
+  }
+
+  const PolygonSoup& soup_;
+  std::vector<MeshProblem> problems_;
+  std::vector<std::size_t> sound_;  // triangles with three different vertices that exist
+  Vector3 box_min_ = Vector3::Constant(std::numeric_limits<double>::infinity());
+  Vector3 box_max_ = -box_min_;
+  DisjointSets fans_{3 * soup_.triangles.size()};  // of triangle corners
+};
+
+}  // namespace
+
+void add_polygon(PolygonSoup& soup, std::span<const std::int64_t> corners) {
+  if (corners.size() < 3)
+    throw std::invalid_argument(
+        fmt::format("polygon {} has {} corners; it needs at least 3", soup.triangles.size(), corners.size()));
+  for (std::size_t c = 2; c < corners.size(); ++c)
+    soup.triangles.push_back({corners[0], corners[c - 1], corners[c]});
+}
+
+std::vector<MeshProblem> diagnose(const PolygonSoup& soup) {
+  return Diagnosis(soup).run();
+}
+
+std::vector<MeshProblem> diagnose(const TriangleMesh& mesh) {
+  PolygonSoup soup;
+  for (Eigen::Index v = 0; v < mesh.vertex_count(); ++v)
+    soup.points.push_back({mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2)});
+  for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
+    soup.triangles.push_back({mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)});
+  return diagnose(soup);
+}
+
+std::string describe(const MeshProblem& problem) {
+  const KindText text = text_of(problem.kind);
+  if (problem.kind == MeshProblemKind::empty) return std::string(text.one);
+  std::string line = fmt::format("{} {}: {}", problem.count, problem.count == 1 ? text.one : text.many,
+                                 fmt::join(problem.offenders, ", "));
+  if (problem.count > problem.offenders.size()) line += ", …";
+  return line;
+}
+
+TriangleMesh to_mesh(const PolygonSoup& soup) {
+  std::vector<int> new_index(soup.points.size(), -1);
+  for (const auto& triangle : soup.triangles)
+    for (const std::int64_t v : triangle) new_index[static_cast<std::size_t>(v)] = 0;
+  int kept = 0;
+  for (int& index : new_index)
+    if (index == 0) index = kept++;
+
+  TriangleMesh mesh;
+  mesh.positions.resize(kept, 3);
+  for (std::size_t v = 0; v < soup.points.size(); ++v)
+    if (new_index[v] >= 0)
+      mesh.positions.row(new_index[v]) = Eigen::Map<const Eigen::RowVector3d>(soup.points[v].data());
+  mesh.triangles.resize(static_cast<Eigen::Index>(soup.triangles.size()), 3);
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c)
+      mesh.triangles(static_cast<Eigen::Index>(t), static_cast<Eigen::Index>(c)) =
+          new_index[static_cast<std::size_t>(soup.triangles[t][c])];
+  mesh.texture_coordinates.resize(static_cast<Eigen::Index>(soup.texture_coordinates.size()), 2);
+  for (std::size_t c = 0; c < soup.texture_coordinates.size(); ++c)
+    mesh.texture_coordinates.row(static_cast<Eigen::Index>(c)) =
+        Eigen::Map<const Eigen::RowVector2d>(soup.texture_coordinates[c].data());
+  return mesh;
+}
+
+}  // namespace bendlab

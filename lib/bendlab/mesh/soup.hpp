@@ -1,0 +1,65 @@
+// A mesh as a file gives it, nothing checked, and what is wrong with it. All indices count from 0.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+struct PolygonSoup {
+  std::vector<std::array<double, 3>> points;           ///< m; may be anything
+  std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices into `points`; may be out of range
+  /// One per triangle corner (3t + c), or empty; texture coordinates are finite.
+  std::vector<std::array<double, 2>> texture_coordinates;
+};
+
+/// Adds the fan of triangles around the polygon's first corner. Throws std::invalid_argument below three
+/// corners.
+void add_polygon(PolygonSoup& soup, std::span<const std::int64_t> corners);
+
+enum class MeshProblemKind {
+  empty,                     ///< no triangles
+  non_finite_vertex,         ///< a coordinate is infinite or not a number
+  index_out_of_range,        ///< a triangle names a vertex that does not exist
+  repeated_vertex,           ///< a triangle names a vertex twice
+  zero_area,                 ///< thinner than zero_area_thickness of the mesh's size
+  duplicate_triangle,        ///< the same three vertices as an earlier triangle
+  non_manifold_edge,         ///< more than two triangles share it
+  non_manifold_vertex,       ///< its triangles form several fans that touch in the vertex alone ("bow tie")
+  inconsistent_orientation,  ///< the two triangles of an edge run along it in the same direction
+  isolated_vertex,           ///< in no triangle; harmless: to_mesh() drops it
+};
+
+struct MeshProblem {
+  MeshProblemKind kind;
+  std::size_t count = 0;
+  std::vector<std::string> offenders;  ///< the first five, "triangle 12 (3, 4, 9)", "edge 3-4", "vertex 7"
+
+  bool harmless() const { return kind == MeshProblemKind::isolated_vertex; }
+};
+
+/// A triangle has zero area if its smallest height is at most this times the diagonal of the mesh's box.
+/// Single precision rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size: below that, whether by a float file or
+/// by a float run, the vertices can't be told from collinear ones and Q⁻¹ is noise. Relative, so that units
+/// don't matter; a height and not an area, because that is what Q⁻¹ divides by. Thin triangles above it are
+/// counted by measure_quality().
+inline constexpr double zero_area_thickness = 1e-7;
+
+/// Everything that is wrong, a problem per kind, in the order of the kinds; empty if the mesh can be
+/// simulated. Triangles with a bad index or a repeated vertex, and duplicates, are left out of the checks
+/// that follow.
+std::vector<MeshProblem> diagnose(const PolygonSoup& soup);
+std::vector<MeshProblem> diagnose(const TriangleMesh& mesh);
+
+/// "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)": a line, without line break.
+std::string describe(const MeshProblem& problem);
+
+/// The soup without its isolated vertices (the others keep their order). Indices have to be in range.
+TriangleMesh to_mesh(const PolygonSoup& soup);
+
+}  // namespace bendlab

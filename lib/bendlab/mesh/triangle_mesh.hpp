@@ -1,0 +1,27 @@
+// Positions and triangles, nothing else: what files, generators, metrics and figures exchange.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace bendlab {
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+
+using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  ///< #V by 3, m
+using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     ///< #T by 3, vertex indices
+using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;         ///< #E by 2, first < second
+using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  ///< 3#T by 2, or empty
+
+struct TriangleMesh {
+  Positions positions;
+  Triangles triangles;
+  /// One row per triangle corner (row 3t + c), because a seam gives one vertex several; empty if there are
+  /// none.
+  TextureCoordinates texture_coordinates;
+
+  Eigen::Index vertex_count() const { return positions.rows(); }
+  Eigen::Index triangle_count() const { return triangles.rows(); }
+};
+
+}  // namespace bendlab

@@ -1,0 +1,174 @@
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bendlab/bending/levels.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/pins.hpp"
+#include "bendlab/mesh/rest_mesh.hpp"
+#include "bendlab/mesh/rings.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+std::vector<int> list(std::span<const int> vertices) {
+  return {vertices.begin(), vertices.end()};
+}
+
+//   3 --- 4 --- 5
+//   | b / | d / |
+//   | / a | / c |
+//   0 --- 1 --- 2
+RestMesh two_cells() {
+  return RestMesh(grid(2, 1, 2, 1));
+}
+
+Levels default_levels(const RestMesh& rest) {
+  return adaptive_levels(rest, ParameterValues(level_parameters));
+}
+
+}  // namespace
+
+TEST_CASE("the edges and neighbours of two cells, by hand", "[mesh]") {
+  const RestMesh rest = two_cells();
+  Edges edges(9, 2);
+  edges << 0, 1, 0, 3, 0, 4, 1, 2, 1, 4, 1, 5, 2, 5, 3, 4, 4, 5;
+  CHECK(rest.edges() == edges);
+  const std::vector<std::vector<int>> neighbours = {{1, 3, 4}, {0, 2, 4, 5}, {1, 5},
+                                                    {0, 4},    {0, 1, 3, 5}, {1, 2, 4}};
+  for (int v = 0; v < 6; ++v) CHECK(list(rest.one_ring()[v]) == neighbours[static_cast<std::size_t>(v)]);
+  for (const double area : rest.areas()) CHECK(area == 0.5);
+  // Seven edges of length 1, two diagonals; one rounding per addition.
+  CHECK_THAT(rest.mean_edge_length(), WithinRel((7 + 2 * std::sqrt(2.0)) / 9, 1e-15));
+  CHECK_THAT(rest.size(), WithinRel(std::sqrt(5.0), 1e-15));
+}
+
+TEST_CASE("every interior edge is one hinge, with the two vertices across it", "[mesh]") {
+  const RestMesh rest = two_cells();
+  REQUIRE(rest.hinges().size() == 3);
+  const std::array<std::array<int, 4>, 3> expected = {
+      {{0, 4, 1, 3}, {1, 4, 0, 5}, {1, 5, 2, 4}}};  // edge, opposites
+  for (std::size_t h = 0; h < 3; ++h) {
+    auto [edge, opposite] = rest.hinges()[h];
+    std::sort(opposite.begin(), opposite.end());
+    CHECK(std::array{edge[0], edge[1], opposite[0], opposite[1]} == expected[h]);
+  }
+
+  for (const TriangleMesh& mesh :
+       {grid(1, 1, 7, 5), grid(1, 1, 4, 6, Diagonal::both), disc(1, 5), equilateral(2, 1, 6)}) {
+    const RestMesh any(mesh);
+    const auto boundary = 2 * any.edges().rows() - 3 * any.triangle_count();  // 3 T = 2 E - E_boundary
+    CHECK(static_cast<Eigen::Index>(any.hinges().size()) == any.edges().rows() - boundary);
+  }
+}
+
+TEST_CASE("ring r of an interior vertex of a triangular lattice has 6 r vertices", "[mesh]") {
+  struct Case {
+    TriangleMesh mesh;
+    int centre;
+  };
+  const int cells = 16, middle = cells / 2 * (cells + 1) + cells / 2;
+  const std::vector<Case> cases = {
+      {grid(1, 1, cells, cells), middle},
+      {disc(1, 8), 0},
+      {equilateral(1, 1, 16), select_vertices(RestMesh(equilateral(1, 1, 16)), "centre")[0]}};
+  for (const auto& [mesh, centre] : cases) {
+    const RestMesh rest(mesh);
+    RingWalker walker(rest.one_ring());
+    walker.walk(centre, 8);
+    CHECK(list(walker.ring(0)) == std::vector{centre});
+    for (int r = 1; r <= 7; ++r) CHECK(walker.ring(r).size() == static_cast<std::size_t>(6 * r));
+  }
+}
+
+TEST_CASE("rings end where the mesh ends and hold every vertex once", "[mesh]") {
+  const RestMesh rest(grid(1, 1, 3, 3));
+  RingWalker walker(rest.one_ring());
+  for (int centre = 0; centre < rest.vertex_count();
+       ++centre) {  // one walker for all: its marks have to hold
+    walker.walk(centre, 100);
+    std::vector<int> seen;
+    for (int r = 0; r <= 101; ++r)
+      for (const int v : walker.ring(r)) seen.push_back(v);
+    std::sort(seen.begin(), seen.end());
+    REQUIRE(seen.size() == 16);
+    for (int v = 0; v < 16; ++v) CHECK(seen[static_cast<std::size_t>(v)] == v);
+  }
+  walker.walk(0, 3);  // along the diagonals (0, 5, 10, 15) the far corner is 3 edges away
+  CHECK(list(walker.ring(1)) == std::vector{1, 4, 5});
+  CHECK(walker.ring(3).size() == 7);  // top and right side
+}
+
+TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  const std::vector<int> corner = select_vertices(rest, "upper_right");
+  REQUIRE(corner == std::vector{24});
+  CHECK(make_pins(rest, corner, 0).all == std::vector{24});
+  const Pins pins =
+      make_pins(rest, corner, 1);  // two triangles meet there: left, below and diagonal neighbour
+  CHECK(pins.seeds == std::vector{24});
+  CHECK(pins.all == std::vector{18, 19, 23, 24});
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    CHECK(pins.pinned(v) == std::binary_search(pins.all.begin(), pins.all.end(), v));
+  CHECK(make_pins(rest, select_vertices(rest, "lower_right"), 1).all ==
+        std::vector{3, 4, 9});  // one triangle
+
+  CHECK(make_pins(rest, {6, 2, 6}, 0).seeds == std::vector{2, 6});
+  CHECK_THROWS_AS(make_pins(rest, {25}, 1), std::out_of_range);
+  CHECK_THROWS_AS(make_pins(rest, {-1}, 1), std::out_of_range);
+}
+
+TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
+  const RestMesh rest(grid(3, 2, 3, 2));  // rows 0 … 3, 4 … 7, 8 … 11
+  CHECK(select_vertices(rest, "lower_left") == std::vector{0});
+  CHECK(select_vertices(rest, "upper_left") == std::vector{8});
+  CHECK(select_vertices(rest, "bottom") == std::vector{0, 1, 2, 3});
+  CHECK(select_vertices(rest, "top") == std::vector{8, 9, 10, 11});
+  CHECK(select_vertices(rest, "left") == std::vector{0, 4, 8});
+  CHECK(select_vertices(rest, "right") == std::vector{3, 7, 11});
+  CHECK(select_vertices(RestMesh(disc(1, 3)), "centre") == std::vector{0});
+  CHECK_THROWS_AS(select_vertices(rest, "middle"), std::invalid_argument);
+}
+
+TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {
+  SECTION("unit square grid") {
+    struct Case {
+      int cells;
+      double unrounded;
+      int m;
+    };
+    for (const auto& [cells, unrounded, m] :
+         {Case{16, 1.50, 1}, Case{32, 2.00, 1}, Case{64, 2.99, 2}, Case{128, 4.98, 4}}) {
+      const Levels levels = default_levels(RestMesh(grid(1, 1, cells, cells)));
+      CHECK_THAT(levels.m_unrounded, WithinAbs(unrounded, 0.005));  // known to two decimals
+      // 2 N (N + 1) sides of length 1 / N and N² diagonals; a few thousand additions round by less than
+      // 10⁻¹².
+      const double n = cells, mean_edge = (2 * (n + 1) + std::sqrt(2.0) * n) / (3 * n * n + 2 * n);
+      CHECK_THAT(levels.m_unrounded, WithinRel(std::sqrt(2.0) / 4 / mean_edge * 0.1 + 1, 1e-12));
+      CHECK(levels.m == m);
+      CHECK(levels.n == 2 * m + 1);
+    }
+  }
+  SECTION("equilateral lattice: every edge 1/32, 37 strips of height √3/64") {
+    const Levels levels = default_levels(RestMesh(equilateral(1, 1, 32)));
+    const double height = 37 * std::sqrt(3.0) / 64;
+    CHECK_THAT(levels.m_unrounded, WithinRel(std::hypot(1, height) / 4 * 32 * 0.1 + 1, 1e-12));
+    CHECK(levels.m == 2);
+    CHECK(levels.n == 5);
+  }
+  SECTION("a 3-4-5 triangle: box diagonal 5, mean edge 4") {
+    TriangleMesh mesh;
+    mesh.positions.resize(3, 3);
+    mesh.positions << 0, 0, 0, 3, 0, 0, 0, 4, 0;
+    mesh.triangles.resize(1, 3);
+    mesh.triangles << 0, 1, 2;
+    const Levels levels = default_levels(RestMesh(mesh));
+    CHECK_THAT(levels.m_unrounded, WithinRel(1.25 / 4 * 0.1 + 1, 1e-15));
+    CHECK(levels.m == 1);
+    CHECK(levels.n == 3);
+  }
+}
