@@ -1,0 +1,63 @@
+#include "bendlab/constraints/batches.hpp"
+
+namespace bendlab {
+namespace {
+
+// Index of corner `corner` in lane `lane`: the constraint's vertex, or the lane's own dummy.
+template <std::size_t arity>
+std::vector<int> corner_indices(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
+                                int corner, int vertex_count) {
+  std::vector<int> indices(order.constraint_of_lane.size());
+  for (std::size_t lane = 0; lane < indices.size(); ++lane) {
+    const int constraint = order.constraint_of_lane[lane];
+    indices[lane] = constraint >= 0
+                        ? vertices[static_cast<std::size_t>(constraint)][static_cast<std::size_t>(corner)]
+                        : vertex_count + corner * max_lanes + static_cast<int>(lane) % max_lanes;
+  }
+  return indices;
+}
+
+// Rest data of every lane; a padded lane gets `padding`.
+template <class Real, class Get>
+std::vector<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
+  std::vector<Real> values(order.constraint_of_lane.size(), padding);
+  for (std::size_t lane = 0; lane < values.size(); ++lane)
+    if (order.constraint_of_lane[lane] >= 0)
+      values[lane] = static_cast<Real>(get(static_cast<std::size_t>(order.constraint_of_lane[lane])));
+  return values;
+}
+
+}  // namespace
+
+template <class Real>
+DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count) {
+  DistanceBatch<Real> batch;
+  batch.count = list.size();
+  batch.a = corner_indices(list.vertices, order, 0, vertex_count);
+  batch.b = corner_indices(list.vertices, order, 1, vertex_count);
+  batch.rest_length = lane_values<Real>(order, 1, [&](std::size_t c) { return list.rest_length[c]; });
+  batch.order = std::move(order);
+  return batch;
+}
+
+template <class Real>
+StrainBatch<Real> make_strain_batch(const StrainConstraints& list, BatchOrder order, int vertex_count) {
+  StrainBatch<Real> batch;
+  batch.count = list.size();
+  batch.a = corner_indices(list.vertices, order, 0, vertex_count);
+  batch.b = corner_indices(list.vertices, order, 1, vertex_count);
+  batch.c = corner_indices(list.vertices, order, 2, vertex_count);
+  const auto entry = [&](std::size_t e, Real padding) {
+    return lane_values<Real>(order, padding, [&](std::size_t c) { return list.inverse_rest[c][e]; });
+  };
+  batch.q00 = entry(0, 1), batch.q01 = entry(1, 0), batch.q10 = entry(2, 0), batch.q11 = entry(3, 1);
+  batch.order = std::move(order);
+  return batch;
+}
+
+template DistanceBatch<float> make_distance_batch(const DistanceConstraints&, BatchOrder, int);
+template DistanceBatch<double> make_distance_batch(const DistanceConstraints&, BatchOrder, int);
+template StrainBatch<float> make_strain_batch(const StrainConstraints&, BatchOrder, int);
+template StrainBatch<double> make_strain_batch(const StrainConstraints&, BatchOrder, int);
+
+}  // namespace bendlab

@@ -1,0 +1,25 @@
+// The hot loops: project a range of lanes of a batch, all lanes of a pack at once. The range must lie within
+// one colour and begin and end on whole packs. `substep` is h in s, used by XPBD only.
+#pragma once
+
+#include "bendlab/constraints/batches.hpp"
+
+namespace bendlab {
+
+template <class Real>
+void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first_lane, std::size_t last_lane,
+             Real substep);
+template <class Real>
+void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first_lane, std::size_t last_lane,
+             Real substep);
+
+/// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
+/// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Of a triangle
+/// the normalised warp, weft and shear terms are damped. The batch must be conflict-free (else see
+/// damp_reference()).
+template <class Real>
+void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch, Real k);
+template <class Real>
+void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch, Real k);
+
+}  // namespace bendlab

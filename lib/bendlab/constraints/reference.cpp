@@ -1,0 +1,94 @@
+#include "bendlab/constraints/reference.hpp"
+
+namespace bendlab {
+namespace {
+
+// Calls `project(lane)` for every lane that holds a constraint.
+template <class Project>
+void for_lanes(const BatchOrder& order, bool backwards, Project project) {
+  const std::size_t count = order.constraint_of_lane.size();
+  for (std::size_t step = 0; step < count; ++step) {
+    const std::size_t lane = backwards ? count - 1 - step : step;
+    if (order.constraint_of_lane[lane] >= 0) project(lane);
+  }
+}
+
+template <class Real, class P, std::size_t N>
+std::array<Vector3Of<Real>, N> vectors_of(const std::array<P*, N>& points) {
+  std::array<Vector3Of<Real>, N> vectors;
+  for (std::size_t i = 0; i < N; ++i) vectors[i] = points[i]->vector();
+  return vectors;
+}
+
+}  // namespace
+
+template <class Real>
+void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards) {
+  const Real alpha = batch.compliance / (substep * substep);
+  for_lanes(batch.order, backwards, [&](std::size_t lane) {
+    const std::array<Point<Real>*, 2> p = {points + batch.a[lane], points + batch.b[lane]};
+    const bool compliant = batch.kind == StiffnessKind::compliance;
+    project_reference(p, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), batch.k,
+                      compliant ? &batch.multiplier[lane] : nullptr, compliant ? alpha : Real(0));
+  });
+}
+
+template <class Real>
+void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards) {
+  const std::size_t count = batch.order.constraint_of_lane.size();
+  const bool compliant = batch.kind == StiffnessKind::compliance;
+  for_lanes(batch.order, backwards, [&](std::size_t lane) {
+    const std::array<Point<Real>*, 3> p = {points + batch.a[lane], points + batch.b[lane],
+                                           points + batch.c[lane]};
+    const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
+    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
+    const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
+    const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
+    const auto apply = [&](std::size_t term, const ConstraintValue<Real, 3>& c, Real k, Real term_alpha) {
+      if (k == 0) return;
+      project_reference(p, c, k, compliant ? &batch.multiplier[term * count + lane] : nullptr,
+                        compliant ? term_alpha : Real(0));
+    };
+    apply(0, stretch_constraint(vectors_of<Real>(p), q, 0, batch.form), batch.warp, stretch_alpha);
+    apply(1, stretch_constraint(vectors_of<Real>(p), q, 1, batch.form), batch.weft, stretch_alpha);
+    apply(2, shear_constraint(vectors_of<Real>(p), q, batch.form), batch.shear, alpha);
+    apply(3, area_constraint(vectors_of<Real>(p), q), batch.area, alpha);
+  });
+}
+
+template <class Real>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+                    Real k) {
+  for_lanes(batch.order, false, [&](std::size_t lane) {
+    const std::array<const Point<Real>*, 2> p = {points + batch.a[lane], points + batch.b[lane]};
+    const std::array<Point<Real>*, 2> v = {velocities + batch.a[lane], velocities + batch.b[lane]};
+    damp_reference(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
+  });
+}
+
+template <class Real>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+                    Real k) {
+  for_lanes(batch.order, false, [&](std::size_t lane) {
+    const std::array<const Point<Real>*, 3> p = {points + batch.a[lane], points + batch.b[lane],
+                                                 points + batch.c[lane]};
+    const std::array<Point<Real>*, 3> v = {velocities + batch.a[lane], velocities + batch.b[lane],
+                                           velocities + batch.c[lane]};
+    const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
+    const auto x = vectors_of<Real>(p);
+    if (batch.warp != 0) damp_reference(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);
+    if (batch.weft != 0) damp_reference(p, v, stretch_constraint(x, q, 1, StrainForm::normalised), k);
+    if (batch.shear != 0) damp_reference(p, v, shear_constraint(x, q, StrainForm::normalised), k);
+  });
+}
+
+template void damp_reference(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
+template void damp_reference(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
+template void damp_reference(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
+template void damp_reference(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
+template void project_reference(Point<float>*, DistanceBatch<float>&, float, bool);
+template void project_reference(Point<double>*, DistanceBatch<double>&, double, bool);
+template void project_reference(Point<float>*, StrainBatch<float>&, float, bool);
+template void project_reference(Point<double>*, StrainBatch<double>&, double, bool);
+
+}  // namespace bendlab

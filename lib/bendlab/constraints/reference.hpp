@@ -1,0 +1,135 @@
+// The oracle: every constraint as a value and its gradient, one at a time, with Eigen 3-vectors, straight
+// from the papers. The kernels must agree with it to rounding; the solver's order `mesh` runs on it.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+
+#include "bendlab/constraints/batches.hpp"
+
+namespace bendlab {
+
+/// C and ∇C of a constraint on N vertices; `defined` is false where the gradient has no direction (a
+/// collapsed element), and then nothing is corrected.
+template <class Real, std::size_t N>
+struct ConstraintValue {
+  Real value = 0;
+  std::array<Vector3Of<Real>, N> gradient;
+  bool defined = true;
+};
+
+/// |p_a - p_b| - rest_length (Müller et al. 2007, §3.2).
+template <class Real>
+ConstraintValue<Real, 2> distance_constraint(const std::array<Vector3Of<Real>, 2>& p, Real rest_length) {
+  const Vector3Of<Real> d = p[0] - p[1];
+  const Real length = d.norm();
+  if (!(length > collapsed_ratio<Real> * rest_length)) return {.gradient = {}, .defined = false};
+  const Vector3Of<Real> n = d / length;
+  return {length - rest_length, {n, -n}};
+}
+
+/// Columns f1, f2 of the deformation gradient F = P Q⁻¹ (3 by 2); `q` is Q⁻¹ row by row.
+template <class Real>
+std::array<Vector3Of<Real>, 2> deformation_gradient(const std::array<Vector3Of<Real>, 3>& p,
+                                                    const std::array<Real, 4>& q) {
+  const Vector3Of<Real> e1 = p[1] - p[0], e2 = p[2] - p[0];
+  return {e1 * q[0] + e2 * q[2], e1 * q[1] + e2 * q[3]};
+}
+
+namespace detail {
+template <class Real>
+std::array<Vector3Of<Real>, 3> with_first_from_rest(const Vector3Of<Real>& g1, const Vector3Of<Real>& g2) {
+  return {-g1 - g2, g1, g2};
+}
+}  // namespace detail
+
+/// Stretch along material axis `i` (0 warp, 1 weft): √S_ii - 1 (SBD 2014, eq. 14) or S_ii - 1 (eq. 9).
+template <class Real>
+ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>& p,
+                                            const std::array<Real, 4>& q, int i, StrainForm form) {
+  const Vector3Of<Real> f = deformation_gradient(p, q)[static_cast<std::size_t>(i)];
+  const Real length = f.norm();
+  if (!(length > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+  const bool normalised = form == StrainForm::normalised;
+  const Vector3Of<Real> direction = normalised ? Vector3Of<Real>(f / length) : Vector3Of<Real>(2 * f);
+  const auto column = static_cast<std::size_t>(i);
+  return {normalised ? length - 1 : length * length - 1,
+          detail::with_first_from_rest<Real>(q[column] * direction, q[2 + column] * direction)};
+}
+
+/// Shear: S_12 / (|f1| |f2|) (SBD 2014, eq. 15) or S_12 (eq. 10).
+template <class Real>
+ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& p,
+                                          const std::array<Real, 4>& q, StrainForm form) {
+  const auto [f1, f2] = deformation_gradient(p, q);
+  if (form == StrainForm::green) {
+    const Real scale = f1.squaredNorm() + f2.squaredNorm();
+    if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+    return {f1.dot(f2), detail::with_first_from_rest<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
+  }
+  const Real l1 = f1.norm(), l2 = f2.norm();
+  if (!(l1 > collapsed_ratio<Real> && l2 > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+  const Vector3Of<Real> n1 = f1 / l1, n2 = f2 / l2;
+  const Real cosine = n1.dot(n2);
+  if (!(1 - cosine * cosine > parallel_sine_squared<Real>)) return {.gradient = {}, .defined = false};
+  const Vector3Of<Real> a1 = (n2 - cosine * n1) / l1, a2 = (n1 - cosine * n2) / l2;
+  return {cosine, detail::with_first_from_rest<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
+}
+
+/// Area ratio: A / A0 - 1 (SBD 2014, eqs. 17 and 19).
+template <class Real>
+ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p,
+                                         const std::array<Real, 4>& q) {
+  const Vector3Of<Real> e1 = p[1] - p[0], e2 = p[2] - p[0], normal = e1.cross(e2);
+  const Real twice_area = normal.norm(), inverse_rest = std::abs(q[0] * q[3] - q[1] * q[2]);
+  if (!(twice_area * inverse_rest > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+  const Vector3Of<Real> n = normal / twice_area;
+  return {twice_area * inverse_rest - 1,
+          detail::with_first_from_rest<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
+}
+
+/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is given (α̃ = `compliance_over_h2`).
+template <class Real, std::size_t N>
+void project_reference(std::array<Point<Real>*, N> points, const ConstraintValue<Real, N>& c, Real k,
+                       Real* multiplier = nullptr, Real compliance_over_h2 = 0) {
+  Real sum = compliance_over_h2;
+  for (std::size_t i = 0; i < N; ++i)
+    if (c.defined) sum += points[i]->w * c.gradient[i].squaredNorm();
+  if (!c.defined || !(sum > 0)) return;
+  const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / sum : -k * c.value / sum;
+  if (multiplier) *multiplier += change;
+  for (std::size_t i = 0; i < N; ++i)
+    points[i]->set(points[i]->vector() + points[i]->w * change * c.gradient[i]);
+}
+
+/// Removes the fraction `k` of Ċ from the velocities: Δv = -k Ċ / Σ w|∇C|² w ∇C.
+template <class Real, std::size_t N>
+void damp_reference(const std::array<const Point<Real>*, N>& points,
+                    const std::array<Point<Real>*, N>& velocities, const ConstraintValue<Real, N>& c,
+                    Real k) {
+  if (!c.defined) return;
+  Real sum = 0, rate = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    sum += points[i]->w * c.gradient[i].squaredNorm();
+    rate += c.gradient[i].dot(velocities[i]->vector());
+  }
+  if (!(sum > 0)) return;
+  for (std::size_t i = 0; i < N; ++i)
+    velocities[i]->set(velocities[i]->vector() - k * rate / sum * points[i]->w * c.gradient[i]);
+}
+
+template <class Real>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+                    Real k);
+template <class Real>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+                    Real k);
+
+/// All constraints of a batch once, in the order of their lanes, or backwards.
+template <class Real>
+void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards = false);
+template <class Real>
+void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards = false);
+
+}  // namespace bendlab

@@ -1,0 +1,54 @@
+// What a step works on: the cloth's state, the ordered constraints, and the passes that act on them.
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "bendlab/constraints/batches.hpp"
+#include "bendlab/constraints/point.hpp"
+
+namespace bendlab {
+
+/// Positions and velocities of a cloth, coordinates relative to `origin` so that float keeps its digits.
+/// The point arrays hold #V points and then the dummies that padded lanes of a batch point to.
+template <class Real>
+struct State {
+  int vertex_count = 0;
+  Points<Real> position;     ///< w holds the inverse mass, 1/kg (0: pinned)
+  Points<Real> previous;     ///< positions at the start of the substep
+  Points<Real> velocity;     ///< m/s
+  std::vector<double> mass;  ///< #V, kg, pinned vertices too
+  Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+};
+
+/// The scene's constraints, ordered: one batch per kind.
+template <class Real>
+struct Constraints {
+  StrainBatch<Real> strain;
+  DistanceBatch<Real> distance;
+};
+
+template <class Real>
+struct PassContext {
+  State<Real>& state;
+  const Constraints<Real>& constraints;
+  Real substep;  ///< h, s
+};
+
+/// Where in a substep an effect's pass runs. Projection of constraints lies between `damp` and `velocity`.
+enum class Stage {
+  force,     ///< before prediction: v += h a
+  damp,      ///< before prediction, on the velocities with forces
+  velocity,  ///< after the velocities were updated from the projected positions
+};
+
+template <class Real>
+struct Pass {
+  std::string name;
+  Stage stage = Stage::force;
+  std::function<void(PassContext<Real>&)> run;
+};
+
+}  // namespace bendlab

@@ -1,0 +1,19 @@
+// What a stiffness number means.
+#pragma once
+
+#include <cmath>
+
+namespace bendlab {
+
+enum class StiffnessKind {
+  k,           ///< plain PBD: every projection removes the fraction k (depends on iterations)
+  k_per_step,  ///< k' = 1 - (1 - k)^(1/n), n projections per substep (Müller et al. 2007, §3.3)
+  compliance,  ///< XPBD (Macklin et al. 2016): inverse stiffness, α̃ = α / h²
+};
+
+/// The fraction one projection removes so that `projections` of an isolated constraint leave 1 - k.
+inline double k_of_projection(StiffnessKind kind, double k, int projections) {
+  return kind == StiffnessKind::k_per_step ? 1 - std::pow(1 - k, 1.0 / projections) : k;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,48 @@
+// Scenes and random states that several tests share.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <random>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/solver/simulation.hpp"
+
+namespace bendlab::test {
+
+inline double uniform(std::mt19937_64& random, double low, double high) {
+  return std::uniform_real_distribution<double>(low, high)(random);
+}
+
+inline Vector3 random_vector(std::mt19937_64& random, double size = 1) {
+  return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+/// A cloth with its bending model's springs, at rest in its rest shape, without effects.
+inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string_view model,
+                             double density = 0.2) {
+  const BendingModel& bending = *find_bending_model(model);
+  SimulationInput input;
+  input.positions = rest.positions();
+  input.origin = rest.centre();
+  input.size = rest.size();
+  input.mass = lumped_masses(rest, density);
+  input.is_pinned = pins.is_pinned;
+  input.strain = strain_constraints(rest, pins, inverse_rest_from_warp(rest.mesh(), Vector3::UnitX()));
+  input.distance = bending.build({rest, pins, ParameterValues(bending.parameters)}).distance;
+  return input;
+}
+
+/// The passes of an effect with one setting changed from its default (or none).
+template <class Real>
+std::vector<Pass<Real>> effect_passes(std::string_view name, std::string_view setting = {},
+                                      Value value = {}) {
+  const Effect& effect = *find_effect(name);
+  ParameterValues values(effect.parameters);
+  if (!setting.empty()) values.set(setting, std::move(value));
+  return effect.compile<Real>(values);
+}
+
+}  // namespace bendlab::test
