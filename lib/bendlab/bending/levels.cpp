@@ -1,0 +1,35 @@
+#include "bendlab/bending/levels.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bendlab {
+
+Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
+  const double omega = rest.size() / 2 * 0.5;
+  Levels levels;
+  levels.m_unrounded = std::max(omega / rest.mean_edge_length() * 0.1 + 1, 1.0);
+  const std::string& rounding = values.text("m_rounding");
+  const double rounded = rounding == "floor"   ? std::floor(levels.m_unrounded)
+                         : rounding == "round" ? std::round(levels.m_unrounded)
+                                               : std::ceil(levels.m_unrounded);
+  levels.m = std::max(static_cast<int>(rounded), static_cast<int>(values.integer("m_min")));
+  levels.n = (2 * levels.m + 1) * static_cast<int>(values.integer("n_multiplier"));
+  return levels;
+}
+
+std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const ParameterValues& values,
+                                   int free_level, int pinned_level) {
+  std::vector<int> levels(static_cast<std::size_t>(rest.vertex_count()), free_level);
+  const std::vector<int>& counted = values.boolean("pinned_ring_is_pinned") ? pins.all : pins.seeds;
+  for (const int vertex : counted) levels[static_cast<std::size_t>(vertex)] = pinned_level;
+  return levels;
+}
+
+std::vector<BendingFact> facts_of(const Levels& levels) {
+  return {{"m_unrounded", levels.m_unrounded, "Ω / e_avg · 0.1 + 1"},
+          {"m", static_cast<double>(levels.m), "level of free vertices"},
+          {"n", static_cast<double>(levels.n), "level of pinned vertices"}};
+}
+
+}  // namespace bendlab

@@ -1,0 +1,50 @@
+// The interface of a bending model: a pure function from the rest mesh to constraints, called once per scene.
+// A new model is one file in models/, one line in models.def, one test and one config.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bendlab/constraints/lists.hpp"
+#include "bendlab/mesh/pins.hpp"
+#include "bendlab/mesh/rest_mesh.hpp"
+#include "bendlab/parameters/parameter.hpp"
+
+namespace bendlab {
+
+/// A number the model wants reported beside its results (its levels m and n, for example).
+struct BendingFact {
+  std::string name;
+  double value = 0;
+  std::string meaning;
+};
+
+struct BendingConstraints {
+  DistanceConstraints distance;
+  std::vector<BendingFact> facts;
+};
+
+struct BendingInput {
+  const RestMesh& rest;
+  const Pins& pins;
+  const ParameterValues& parameters;  ///< the model's own table, defaults filled in
+};
+
+struct BendingModel {
+  std::string_view name;
+  std::string_view summary;  ///< one line: what is joined to what
+  std::string_view source;   ///< paper and equation
+  std::string_view limits;   ///< what it cannot do
+  std::span<const Parameter> parameters;
+  BendingConstraints (*build)(const BendingInput&);
+};
+
+/// Every registered bending model, in the order of models.def.
+std::span<const BendingModel* const> bending_models();
+
+/// The model of that name, or nullptr.
+const BendingModel* find_bending_model(std::string_view name);
+
+}  // namespace bendlab

@@ -1,0 +1,35 @@
+// The paper's adaptive springs: levels from the mesh, tight around the pins, loose elsewhere.
+#include "bendlab/bending/levels.hpp"
+#include "bendlab/bending/ring_springs.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr auto parameters = joined(level_parameters, ring_fill_parameter, ring_rule_parameters);
+
+BendingConstraints build(const BendingInput& input) {
+  const Levels levels = adaptive_levels(input.rest, input.parameters);
+  RingRule rule = ring_rule(input.parameters);
+  rule.fill = ring_fill(input.parameters);
+  return {.distance = ring_springs(
+              input.rest, input.pins,
+              level_of_vertices(input.rest, input.pins, input.parameters, levels.m, levels.n), rule),
+          .facts = facts_of(levels)};
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel adaptive{
+    .name = "adaptive",
+    .summary =
+        "springs to rings 1 … m of free and 1 … n of pinned vertices, levels from the mesh's resolution",
+    .source = "Kim, eqs. 6-8 and Fig. 3",
+    .limits =
+        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; with m = 1 (coarse "
+        "meshes) free vertices have no bending at all",
+    .parameters = parameters,
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

@@ -1,0 +1,98 @@
+// Tensile crossover springs: the usual bending springs that the paper compares with (Fig. 2).
+//
+//      o              o---o---o
+//     / \                \ | /        opposite: over every interior edge, between the two triangles' far
+//     vertices
+//    o---o    or           v          straight: over every vertex, between neighbours that lie on a line
+//    through it
+//     \ /                / | \                                     .
+//      o              o---o---o
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> pair_choices = {"opposite", "straight"};
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "pairs",
+        .type = ParameterType::text,
+        .default_value = "opposite",
+        .meaning =
+            "what a spring joins: the two vertices opposite an interior edge, or two neighbours of a vertex "
+            "on a straight line through it (two edges apart)",
+        .choices = pair_choices},
+};
+
+std::vector<std::array<int, 2>> opposite_pairs(const RestMesh& rest) {
+  std::vector<std::array<int, 2>> pairs;
+  for (const Hinge& hinge : rest.hinges())
+    pairs.push_back(
+        {std::min(hinge.opposite[0], hinge.opposite[1]), std::max(hinge.opposite[0], hinge.opposite[1])});
+  return pairs;
+}
+
+// Two edges can lie between the same two vertices (where both diagonals cross, for example): one spring,
+// because a second would only double k. The first of each pair stays in its place.
+std::vector<std::array<int, 2>> without_repeats(std::vector<std::array<int, 2>> pairs) {
+  std::set<std::array<int, 2>> seen;
+  std::erase_if(pairs, [&](const std::array<int, 2>& pair) { return !seen.insert(pair).second; });
+  return pairs;
+}
+
+// The neighbour of `vertex` that best continues the line from `from` through it, or -1 if none is within 30
+// degrees.
+int straight_ahead(const RestMesh& rest, int vertex, int from) {
+  const double least_straight = std::cos(30 * 3.14159265358979323846 / 180);
+  const Vector3 direction = (rest.position(vertex) - rest.position(from)).normalized();
+  int best = -1;
+  double best_cosine = least_straight;
+  for (const int neighbour : rest.one_ring()[vertex]) {
+    const double cosine = direction.dot((rest.position(neighbour) - rest.position(vertex)).normalized());
+    if (cosine > best_cosine) best = neighbour, best_cosine = cosine;
+  }
+  return best;
+}
+
+std::vector<std::array<int, 2>> straight_pairs(const RestMesh& rest) {
+  std::vector<std::array<int, 2>> pairs;
+  for (int vertex = 0; vertex < rest.vertex_count(); ++vertex)
+    for (const int neighbour : rest.one_ring()[vertex]) {
+      const int far = straight_ahead(rest, vertex, neighbour);
+      if (far >= 0) pairs.push_back({std::min(neighbour, far), std::max(neighbour, far)});
+    }
+  return pairs;
+}
+
+BendingConstraints build(const BendingInput& input) {
+  const bool opposite = input.parameters.text("pairs") == "opposite";
+  BendingConstraints constraints;
+  for (const auto& [a, b] :
+       without_repeats(opposite ? opposite_pairs(input.rest) : straight_pairs(input.rest))) {
+    if (input.pins.pinned(a) && input.pins.pinned(b)) continue;
+    constraints.distance.vertices.push_back({a, b});
+    constraints.distance.rest_length.push_back((input.rest.position(a) - input.rest.position(b)).norm());
+  }
+  return constraints;
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel crossover{
+    .name = "crossover",
+    .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
+    .source = "Kim, Fig. 2; Choi and Ko 2002; Bridson et al. 2003; Kang and Cho 2002",
+    .limits =
+        "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction, softer on finer "
+        "meshes",
+    .parameters = parameters,
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

@@ -1,0 +1,15 @@
+// No bending: the control.
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab::models {
+
+extern constinit const BendingModel none{
+    .name = "none",
+    .summary = "no bending constraints; the control beside every other model",
+    .source = "control",
+    .limits = "resists no bending, but for what the membrane resists by itself on some meshes",
+    .parameters = {},
+    .build = [](const BendingInput&) { return BendingConstraints{}; },
+};
+
+}  // namespace bendlab::models

@@ -1,0 +1,117 @@
+#include "bendlab/bending/ring_springs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "bendlab/mesh/rings.hpp"
+
+namespace bendlab {
+namespace {
+
+bool reaches(RingFill fill, int level, int ring) {
+  switch (fill) {
+    case RingFill::all:
+      return ring <= level;
+    case RingFill::beyond_edges:
+      return ring >= 2 && ring <= level;
+    case RingFill::last:
+      return ring == level;
+  }
+  return false;
+}
+
+double edge_length(const RestMesh& rest, int a, int b) {
+  return (rest.position(a) - rest.position(b)).norm();
+}
+
+// Path lengths from the centre of the last walk, along paths with the fewest edges.
+class PathLengths {
+ public:
+  explicit PathLengths(const RestMesh& rest)
+      : rest_(rest),
+        length_(static_cast<std::size_t>(rest.vertex_count())),
+        ring_(static_cast<std::size_t>(rest.vertex_count()), -1) {}
+
+  // `length_` is valid where `ring_` says so; rings are marked from the inside out and unmarked at the end.
+  void measure(const RingWalker& walker, int rings) {
+    for (const int vertex : visited_) ring_[static_cast<std::size_t>(vertex)] = -1;
+    visited_.clear();
+    for (int r = 0; r <= rings; ++r)
+      for (const int vertex : walker.ring(r)) {
+        double shortest = r == 0 ? 0 : std::numeric_limits<double>::infinity();
+        for (const int neighbour : rest_.one_ring()[vertex])
+          if (ring_[static_cast<std::size_t>(neighbour)] == r - 1 && r > 0)
+            shortest = std::min(shortest, length_[static_cast<std::size_t>(neighbour)] +
+                                              edge_length(rest_, neighbour, vertex));
+        length_[static_cast<std::size_t>(vertex)] = shortest;
+        ring_[static_cast<std::size_t>(vertex)] = r;
+        visited_.push_back(vertex);
+      }
+  }
+  double operator()(int vertex) const { return length_[static_cast<std::size_t>(vertex)]; }
+
+ private:
+  const RestMesh& rest_;
+  std::vector<double> length_;
+  std::vector<int> ring_;
+  std::vector<int> visited_;
+};
+
+// Hops that cover `level` mean edge lengths on this mesh: no edge is shorter than the shortest.
+int hops_within(const RestMesh& rest, int level) {
+  double shortest = std::numeric_limits<double>::infinity();
+  for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)
+    shortest = std::min(shortest, edge_length(rest, rest.edges()(e, 0), rest.edges()(e, 1)));
+  const double hops = std::ceil(level * rest.mean_edge_length() / shortest);
+  return static_cast<int>(std::min(hops, static_cast<double>(rest.vertex_count())));
+}
+
+int euclidean_ring(const RestMesh& rest, int a, int b) {
+  constexpr double rounding = 1e-9;  // a vertex exactly r edge lengths away belongs to ring r, not r + 1
+  return std::max(1,
+                  static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
+}
+
+}  // namespace
+
+DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
+                                 const RingRule& rule) {
+  DistanceConstraints springs;
+  RingWalker walker(rest.one_ring());
+  PathLengths path(rest);
+  const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
+  const int most_hops = rule.euclidean_rings ? hops_within(rest, highest) : highest;
+  for (int centre = 0; centre < rest.vertex_count(); ++centre) {
+    const int level = levels[static_cast<std::size_t>(centre)];
+    if (level == 0) continue;
+    const int hops = rule.euclidean_rings ? most_hops : level;
+    walker.walk(centre, hops);
+    if (rule.path_rest_length) path.measure(walker, hops);
+    for (int r = 1; r <= hops; ++r)
+      for (const int vertex : walker.ring(r)) {
+        const int ring = rule.euclidean_rings ? euclidean_ring(rest, centre, vertex) : r;
+        if (!reaches(rule.fill, level, ring)) continue;
+        const bool from_both = reaches(rule.fill, levels[static_cast<std::size_t>(vertex)], ring);
+        if (from_both && !rule.shared_pairs_twice && vertex < centre) continue;
+        if (!rule.keep_pinned_pairs && pins.pinned(centre) && pins.pinned(vertex)) continue;
+        springs.vertices.push_back({centre, vertex});
+        springs.rest_length.push_back(rule.path_rest_length ? path(vertex)
+                                                            : edge_length(rest, centre, vertex));
+      }
+  }
+  return springs;
+}
+
+RingFill ring_fill(const ParameterValues& values) {
+  const std::string& name = values.text("rings");
+  return name == "all" ? RingFill::all : name == "last" ? RingFill::last : RingFill::beyond_edges;
+}
+
+RingRule ring_rule(const ParameterValues& values) {
+  return {.euclidean_rings = values.text("distance") == "euclidean",
+          .path_rest_length = values.text("rest_length") == "path",
+          .shared_pairs_twice = values.text("shared_pairs") == "twice",
+          .keep_pinned_pairs = values.text("pinned_pairs") == "keep"};
+}
+
+}  // namespace bendlab

@@ -1,0 +1,76 @@
+// Springs from a vertex to the rings around it: what k_ring, adaptive and lod share.
+#pragma once
+
+#include <array>
+#include <functional>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+
+namespace choices {
+inline constexpr std::array<std::string_view, 3> fills = {"all", "beyond_edges", "last"};
+inline constexpr std::array<std::string_view, 2> ring_distances = {"hops", "euclidean"};
+inline constexpr std::array<std::string_view, 2> rest_lengths = {"euclidean", "path"};
+inline constexpr std::array<std::string_view, 2> shared_pairs = {"once", "twice"};
+inline constexpr std::array<std::string_view, 2> pinned_pairs = {"drop", "keep"};
+}  // namespace choices
+
+/// Which rings of a vertex with level L get springs.
+enum class RingFill {
+  all,           ///< rings 1 … L
+  beyond_edges,  ///< rings 2 … L: ring 1 is the mesh's own edges
+  last,          ///< ring L alone
+};
+
+struct RingRule {
+  RingFill fill = RingFill::all;
+  bool euclidean_rings =
+      false;  ///< ring r = vertices at (r - 1, r] mean edge lengths, instead of r edges away
+  bool path_rest_length = false;    ///< along mesh edges (the shortest of the paths with the fewest edges)
+  bool shared_pairs_twice = false;  ///< a pair reached from both ends gives two springs
+  bool keep_pinned_pairs = false;   ///< springs between two pinned vertices, which move nothing
+};
+
+/// The springs of every vertex v to its rings as `rule` says, with level `levels[v]` (0: none). Ordered by
+/// vertex, then breadth-first.
+DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
+                                 const RingRule& rule);
+
+/// The settings behind RingRule, but for `fill`, and how they are read.
+inline constexpr std::array ring_rule_parameters = {
+    Parameter{
+        .name = "distance",
+        .type = ParameterType::text,
+        .default_value = "hops",
+        .meaning = "a vertex's ring: edges away (breadth-first), or straight distance in mean edge lengths",
+        .choices = choices::ring_distances},
+    Parameter{.name = "rest_length",
+              .type = ParameterType::text,
+              .default_value = "euclidean",
+              .meaning = "a spring's rest length: straight in the rest shape, or along mesh edges",
+              .choices = choices::rest_lengths},
+    Parameter{.name = "shared_pairs",
+              .type = ParameterType::text,
+              .default_value = "once",
+              .meaning = "a pair reached from both ends gives one spring or two",
+              .choices = choices::shared_pairs},
+    Parameter{.name = "pinned_pairs",
+              .type = ParameterType::text,
+              .default_value = "drop",
+              .meaning = "springs between two pinned vertices, which cannot move anything",
+              .choices = choices::pinned_pairs},
+};
+RingRule ring_rule(const ParameterValues& values);
+
+/// The setting `rings` and how it is read.
+inline constexpr std::array ring_fill_parameter = {
+    Parameter{.name = "rings",
+              .type = ParameterType::text,
+              .default_value = "all",
+              .meaning = "which rings of a vertex of level L get springs: 1 … L, 2 … L (ring 1 is the mesh's "
+                         "own edges), or L alone",
+              .choices = choices::fills}};
+RingFill ring_fill(const ParameterValues& values);
+
+}  // namespace bendlab

@@ -1,0 +1,184 @@
+// What every registered model must do on every shape, and spring counts by hand.
+#include <algorithm>
+#include <set>
+
+#include "bendlab/mesh/rings.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab {
+namespace {
+
+ParameterValues settings(std::string_view model,
+                         std::initializer_list<std::pair<std::string_view, Value>> changed) {
+  ParameterValues values(find_bending_model(model)->parameters);
+  for (const auto& [name, value] : changed) values.set(name, value);
+  return values;
+}
+
+BendingConstraints built(std::string_view model, const RestMesh& rest, const Pins& pins,
+                         std::initializer_list<std::pair<std::string_view, Value>> changed = {}) {
+  const ParameterValues values = settings(model, changed);
+  return find_bending_model(model)->build({rest, pins, values});
+}
+
+std::size_t count(std::string_view model, const RestMesh& rest, const Pins& pins,
+                  std::initializer_list<std::pair<std::string_view, Value>> changed = {}) {
+  return built(model, rest, pins, changed).distance.size();
+}
+
+Pins no_pins(const RestMesh& rest) {
+  return make_pins(rest, {}, 0);
+}
+Pins corner_pin(const RestMesh& rest, int ring) {
+  return make_pins(rest, select_vertices(rest, "upper_right"), ring);
+}
+
+std::set<std::array<int, 2>> pair_set(const DistanceConstraints& springs) {
+  std::set<std::array<int, 2>> pairs;
+  for (const auto& [a, b] : springs.vertices) pairs.insert({std::min(a, b), std::max(a, b)});
+  return pairs;
+}
+
+}  // namespace
+
+TEST_CASE("every model keeps its contract on every shape", "[bending]") {
+  for (const TriangleMesh& mesh :
+       {grid(1, 1, 9, 9), grid(1, 1, 5, 5, Diagonal::both), grid(2, 1, 8, 4, Diagonal::alternating),
+        equilateral(1, 1, 9), delaunay(1, 1, 9, 7), disc(0.5, 5), grid(3, 1, 3, 1)}) {
+    const RestMesh rest(mesh);
+    for (const int ring : {0, 1}) {
+      const Pins pins = corner_pin(rest, ring);
+      for (const BendingModel* model : bending_models()) {
+        INFO(model->name);
+        const ParameterValues values(model->parameters);
+        const BendingConstraints constraints = model->build({rest, pins, values});
+        const DistanceConstraints& springs = constraints.distance;
+        REQUIRE(springs.rest_length.size() == springs.size());
+        CHECK(pair_set(springs).size() == springs.size());  // no pair twice
+        for (std::size_t s = 0; s < springs.size(); ++s) {
+          const auto [a, b] = springs.vertices[s];
+          REQUIRE((a >= 0 && b >= 0 && a < rest.vertex_count() && b < rest.vertex_count()));
+          CHECK(a != b);
+          CHECK_FALSE((pins.pinned(a) && pins.pinned(b)));
+          // At rest nothing is corrected: the rest length is the distance.
+          CHECK_THAT(springs.rest_length[s],
+                     Catch::Matchers::WithinRel((rest.position(a) - rest.position(b)).norm(), 1e-14));
+        }
+        CHECK(model->build({rest, pins, values}).distance.vertices == springs.vertices);  // a pure function
+        CHECK_FALSE(model->summary.empty());
+        CHECK_FALSE(model->source.empty());
+        CHECK_FALSE(model->limits.empty());
+      }
+    }
+  }
+}
+
+TEST_CASE("spring counts by hand", "[bending]") {
+  for (const int n : {3, 8, 16}) {
+    const RestMesh rest(grid(1, 1, n, n));
+    const auto cells = static_cast<std::size_t>(n);
+    const std::size_t edges = 3 * cells * cells + 2 * cells, boundary = 4 * cells;
+    CHECK(count("none", rest, no_pins(rest)) == 0);
+    CHECK(count("crossover", rest, no_pins(rest)) == edges - boundary);  // one per interior edge
+    CHECK(count("k_ring", rest, no_pins(rest), {{"k", std::int64_t{1}}}) == edges);
+    CHECK(count("k_ring", rest, no_pins(rest),
+                {{"k", std::int64_t{1}}, {"rings", std::string("beyond_edges")}}) == 0);
+    // Wider than the mesh: every pair once.
+    const std::size_t vertices = (cells + 1) * (cells + 1);
+    CHECK(count("k_ring", rest, no_pins(rest), {{"k", std::int64_t{1000}}}) == vertices * (vertices - 1) / 2);
+    // Lines through an interior vertex: its three edge directions; along the boundary its one.
+    const std::size_t interior = (cells - 1) * (cells - 1);
+    CHECK(count("crossover", rest, no_pins(rest), {{"pairs", std::string("straight")}}) ==
+          3 * interior + 4 * (cells - 1));
+  }
+}
+
+TEST_CASE("rings of a hexagonal neighbourhood have 3 r springs per vertex", "[bending]") {
+  // On a disc of triangles the centre sees 6 r vertices in ring r.
+  const RestMesh rest(disc(1, 6));
+  for (const std::int64_t k : {1, 2, 3, 5}) {
+    const auto springs =
+        built("k_ring", rest, no_pins(rest), {{"k", k}, {"rings", std::string("last")}}).distance;
+    const auto of_centre = std::count_if(springs.vertices.begin(), springs.vertices.end(),
+                                         [](const auto& pair) { return pair[0] == 0 || pair[1] == 0; });
+    CHECK(of_centre == 6 * k);
+  }
+}
+
+TEST_CASE("adaptive and LOD counts agree with an independent implementation", "[bending]") {
+  // Spring counts of a separate sketch of the paper (unit square, one diagonal, one corner and its 1-ring
+  // pinned).
+  struct Case {
+    const char* model;
+    int cells;
+    std::size_t springs;
+    double m, n;
+  };
+  for (const Case& c : {Case{"adaptive", 32, 3185, 1, 3}, Case{"adaptive", 64, 36849, 2, 5},
+                        Case{"lod", 64, 24366, 2, 5}, Case{"adaptive", 128, 484179, 4, 9}}) {
+    const RestMesh rest(grid(1, 1, c.cells, c.cells));
+    const BendingConstraints constraints = built(c.model, rest, corner_pin(rest, 1));
+    CHECK(constraints.distance.size() == c.springs);
+    CHECK(constraints.facts[1].value == c.m);
+    CHECK(constraints.facts[2].value == c.n);
+  }
+}
+
+TEST_CASE("levels follow their settings", "[bending]") {
+  const RestMesh rest(grid(1, 1, 16, 16));  // unrounded m = 1.50
+  const auto levels = [&](std::initializer_list<std::pair<std::string_view, Value>> changed) {
+    const auto facts = built("adaptive", rest, no_pins(rest), changed).facts;
+    return std::pair(static_cast<int>(facts[1].value), static_cast<int>(facts[2].value));
+  };
+  CHECK(levels({}) == std::pair(1, 3));
+  CHECK(levels({{"m_rounding", std::string("ceil")}}) == std::pair(2, 5));
+  CHECK(levels({{"m_min", std::int64_t{3}}}) == std::pair(3, 7));
+  CHECK(levels({{"n_multiplier", std::int64_t{4}}}) == std::pair(1, 12));
+}
+
+TEST_CASE("ring options change what they say", "[bending]") {
+  const RestMesh rest(grid(1, 1, 8, 8));
+  const Pins pins = corner_pin(rest, 1);
+  const auto k = std::pair<std::string_view, Value>{"k", std::int64_t{2}};
+  const DistanceConstraints plain = built("k_ring", rest, pins, {k}).distance;
+
+  const DistanceConstraints twice =
+      built("k_ring", rest, pins, {k, {"shared_pairs", std::string("twice")}}).distance;
+  CHECK(twice.size() == 2 * plain.size());
+  CHECK(pair_set(twice) == pair_set(plain));
+
+  // Corner, its two boundary neighbours and the one across its diagonal: C(4, 2) pairs, all within two rings.
+  const std::size_t pinned = pins.all.size();
+  const DistanceConstraints kept =
+      built("k_ring", rest, pins, {k, {"pinned_pairs", std::string("keep")}}).distance;
+  CHECK(kept.size() == plain.size() + pinned * (pinned - 1) / 2);
+
+  // Straight distance: all pairs within two mean edge lengths.
+  const DistanceConstraints straight =
+      built("k_ring", rest, no_pins(rest), {k, {"distance", std::string("euclidean")}}).distance;
+  std::size_t expected = 0;
+  for (int a = 0; a < rest.vertex_count(); ++a)
+    for (int b = a + 1; b < rest.vertex_count(); ++b)
+      expected += (rest.position(a) - rest.position(b)).norm() <= 2 * rest.mean_edge_length();
+  CHECK(straight.size() == expected);
+
+  // Along edges: never shorter than straight, and a knight's move is an edge and a diagonal.
+  const DistanceConstraints path =
+      built("k_ring", rest, no_pins(rest), {k, {"rest_length", std::string("path")}}).distance;
+  const double cell = 1.0 / 8;
+  for (std::size_t s = 0; s < path.size(); ++s) {
+    const Vector3 d = (rest.position(path.vertices[s][0]) - rest.position(path.vertices[s][1])) / cell;
+    CHECK(path.rest_length[s] >= d.norm() * cell * (1 - 1e-12));
+    if (std::abs(std::abs(d.x() * d.y()) - 2) < 1e-9 && d.x() * d.y() > 0)
+      CHECK_THAT(path.rest_length[s], Catch::Matchers::WithinRel((1 + std::sqrt(2.0)) * cell, 1e-12));
+  }
+}
+
+TEST_CASE("the pinned ring counts as pinned, or only the pin", "[bending]") {
+  const RestMesh rest(grid(1, 1, 32, 32));
+  const Pins pins = corner_pin(rest, 1);
+  CHECK(count("adaptive", rest, pins) > count("adaptive", rest, pins, {{"pinned_ring_is_pinned", false}}));
+}
+
+}  // namespace bendlab
