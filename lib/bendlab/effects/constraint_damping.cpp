@@ -1,0 +1,53 @@
+// Constraint damping: removes part of the rate of change of every constraint from the velocities.
+#include <array>
+#include <cmath>
+
+#include "bendlab/constraints/kernels.hpp"
+#include "bendlab/constraints/reference.hpp"
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "rate",
+        .type = ParameterType::number,
+        .unit = "1/s",
+        .default_value = 1.0,
+        .meaning = "γ: the fraction 1 - exp(-γ h) of each constraint's rate of change is removed per substep",
+        .minimum = 0},
+};
+
+template <class Real, class Batch>
+void damp_any(const Point<Real>* points, Point<Real>* velocities, const Batch& batch, Real k) {
+  batch.order.conflict_free ? damp(points, velocities, batch, k)
+                            : damp_reference(points, velocities, batch, k);
+}
+
+template <class Real>
+std::vector<Pass<Real>> compile(const ParameterValues& values) {
+  const double rate = values.number("rate");
+  return {{"constraint_damping", Stage::velocity, [rate](PassContext<Real>& context) {
+             const auto k = static_cast<Real>(-std::expm1(-rate * static_cast<double>(context.substep)));
+             const Point<Real>* const points = context.state.position.data();
+             Point<Real>* const velocities = context.state.velocity.data();
+             const Constraints<Real>& constraints = context.constraints;
+             damp_any(points, velocities, constraints.strain, k);
+             damp_any(points, velocities, constraints.distance, k);
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect constraint_damping{
+    .name = "constraint_damping",
+    .summary = "damps the rate of change of every strain and distance constraint; keeps both momenta",
+    .source = "Müller et al. 2014, eq. 23 (the same for equal masses; dissipates for any masses)",
+    .parameters = parameters,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,101 @@
+// Rigid-mode damping: pulls every free vertex's velocity towards that of the rigid motion with the same
+// linear and angular momentum, so that both are kept and only deformation is damped.
+#include <Eigen/Dense>
+#include <array>
+#include <cmath>
+
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab {
+namespace {
+
+using Vector3d = Eigen::Vector3d;
+using Matrix3d = Eigen::Matrix3d;
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "rate",
+        .type = ParameterType::number,
+        .unit = "1/s",
+        .default_value = 1.0,
+        .meaning = "γ: the fraction 1 - exp(-γ h) of the deviation from rigid motion is removed per substep",
+        .minimum = 0},
+};
+
+// Linear and angular momentum, mass and inertia of the free vertices, about their centre of mass. Sums are
+// taken in double, in the order of the vertices: they are the same for any number of threads.
+struct RigidMotion {
+  Vector3d centre = Vector3d::Zero(), velocity = Vector3d::Zero(), spin = Vector3d::Zero();
+
+  template <class Real>
+  explicit RigidMotion(const State<Real>& state) {
+    double mass = 0;
+    for_free(state, [&](double m, const Vector3d& x, const Vector3d& v) {
+      mass += m, centre += m * x, velocity += m * v;
+    });
+    if (!(mass > 0)) return;
+    centre /= mass, velocity /= mass;
+    Vector3d angular_momentum = Vector3d::Zero();
+    Matrix3d inertia = Matrix3d::Zero();
+    for_free(state, [&](double m, const Vector3d& x, const Vector3d& v) {
+      const Vector3d r = x - centre;
+      angular_momentum += m * r.cross(v);
+      inertia += m * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+    });
+    spin = solve_symmetric(inertia, angular_momentum);
+  }
+
+  Vector3d at(const Vector3d& x) const { return velocity + spin.cross(x - centre); }
+
+ private:
+  template <class Real, class Visit>
+  static void for_free(const State<Real>& state, Visit visit) {
+    for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v)
+      if (state.position[v].w > 0)
+        visit(state.mass[v], state.position[v].vector().template cast<double>(),
+              state.velocity[v].vector().template cast<double>());
+  }
+
+  // Pseudo-inverse: vertices on a line, or a single one, have axes without inertia, about which nothing
+  // spins.
+  static Vector3d solve_symmetric(const Matrix3d& inertia, const Vector3d& angular_momentum) {
+    const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(inertia);
+    constexpr double relative_rank =
+        1e-12;  // of the largest moment: rounding of a sum over vertices is below it
+    const double threshold = relative_rank * axes.eigenvalues().maxCoeff();
+    Vector3d along = axes.eigenvectors().transpose() * angular_momentum;
+    for (int i = 0; i < 3; ++i)
+      along(i) = axes.eigenvalues()(i) > threshold ? along(i) / axes.eigenvalues()(i) : 0;
+    return axes.eigenvectors() * along;
+  }
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const ParameterValues& values) {
+  const double rate = values.number("rate");
+  return {{"rigid_damping", Stage::damp, [rate](PassContext<Real>& context) {
+             State<Real>& state = context.state;
+             const RigidMotion rigid(state);
+             const double removed = -std::expm1(-rate * static_cast<double>(context.substep));
+             for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v) {
+               if (!(state.position[v].w > 0)) continue;
+               const Vector3d velocity = state.velocity[v].vector().template cast<double>();
+               const Vector3d target = rigid.at(state.position[v].vector().template cast<double>());
+               state.velocity[v].set((velocity + removed * (target - velocity)).template cast<Real>());
+             }
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect rigid_damping{
+    .name = "rigid_damping",
+    .summary = "damps deformation, keeps linear and angular momentum of the free vertices",
+    .source = "Müller et al. 2007, §3.5, with a rate instead of a factor per step",
+    .parameters = parameters,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,21 @@
+// The order in which constraints are projected.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bendlab/constraints/batches.hpp"
+
+namespace bendlab {
+
+/// Greedy first-fit colouring in list order: no two constraints of a colour share a vertex, so a colour's
+/// constraints may be projected side by side with the same result whatever the lane width or the number of
+/// threads. Constraints keep their list order within a colour (neighbours stay neighbours in memory); every
+/// colour is padded to max_lanes.
+template <std::size_t arity>
+BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count);
+
+/// List order, one after another (for project_reference()).
+BatchOrder list_order(std::size_t constraint_count);
+
+}  // namespace bendlab

@@ -1,0 +1,253 @@
+#include "bendlab/solver/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "bendlab/constraints/kernels.hpp"
+#include "bendlab/constraints/reference.hpp"
+#include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/workers.hpp"
+
+namespace bendlab {
+namespace {
+
+// Ranges with less work than this are not worth waking a second thread for (about 10 µs of projections).
+constexpr std::size_t worthwhile_lanes = 2048;
+constexpr std::size_t worthwhile_vertices = 16384;
+constexpr double divergence_bound = 1e6;  // sizes from the origin
+
+template <class Real>
+struct PlannedPass {
+  std::function<void(PassContext<Real>&)> run;
+  std::size_t statistics;  // its row in passes()
+};
+
+template <class Real, std::size_t arity>
+BatchOrder ordered(const std::vector<std::array<int, arity>>& vertices, int vertex_count,
+                   ConstraintOrder order) {
+  return order == ConstraintOrder::colour ? colour_order(vertices, vertex_count)
+                                          : list_order(vertices.size());
+}
+
+template <class Real>
+class SimulationOf final : public Simulation {
+ public:
+  SimulationOf(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
+      : settings_(input.settings),
+        bound_(static_cast<Real>(divergence_bound * input.size)),
+        workers_(input.settings.threads) {
+    fill_state(input);
+    fill_constraints(input);
+    compile_plan(std::move(effect_passes));
+  }
+
+  bool step() override {
+    const Real h = static_cast<Real>(settings_.dt / settings_.substeps);
+    PassContext<Real> context{state_, constraints_, h};
+    for (int substep = 0; substep < settings_.substeps; ++substep) {
+      run(before_, context);
+      for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+        run(forward_, context);
+        if (settings_.sweep == Sweep::symmetric) run(backward_, context);
+      }
+      run(after_, context);
+      ++substeps_done_;
+    }
+    return divergence_.vertex < 0 || (divergence_.time = time(), false);
+  }
+
+  double time() const override {
+    return static_cast<double>(substeps_done_) * (settings_.dt / settings_.substeps);
+  }
+  Positions positions() const override { return to_rows(state_.position, state_.origin); }
+  Positions velocities() const override { return to_rows(state_.velocity, Vector3::Zero()); }
+  const Divergence& divergence() const override { return divergence_; }
+  const std::vector<PassStatistics>& passes() const override { return statistics_; }
+  double helper_seconds() const override { return workers_.helper_seconds(); }
+  std::uint64_t projections() const override {
+    return substeps_done_ * static_cast<std::uint64_t>(settings_.projections_per_substep()) *
+           (constraints_.strain.count + constraints_.distance.count);
+  }
+  const BatchOrder& strain_order() const override { return constraints_.strain.order; }
+  const BatchOrder& distance_order() const override { return constraints_.distance.order; }
+
+ private:
+  void fill_state(const SimulationInput& input) {
+    const auto count = static_cast<std::size_t>(input.positions.rows());
+    state_.vertex_count = static_cast<int>(count);
+    state_.origin = input.origin;
+    state_.mass = input.mass;
+    state_.position.resize(count + dummy_points);
+    state_.velocity.resize(count + dummy_points);
+    for (std::size_t v = 0; v < count; ++v) {
+      const Vector3 local = input.positions.row(static_cast<Eigen::Index>(v)).transpose() - input.origin;
+      state_.position[v].set(local.cast<Real>());
+      state_.position[v].w =
+          input.is_pinned[v] || !(input.mass[v] > 0) ? Real(0) : static_cast<Real>(1 / input.mass[v]);
+    }
+    for (Eigen::Index v = 0; v < input.velocities.rows(); ++v)
+      if (state_.position[static_cast<std::size_t>(v)].w > 0)
+        state_.velocity[static_cast<std::size_t>(v)].set(input.velocities.row(v).transpose().cast<Real>());
+    state_.previous = state_.position;
+  }
+
+  void fill_constraints(const SimulationInput& input) {
+    const int projections = settings_.projections_per_substep();
+    StrainBatch<Real>& strain = constraints_.strain;
+    strain = make_strain_batch<Real>(
+        input.strain, ordered<Real>(input.strain.vertices, state_.vertex_count, settings_.order),
+        state_.vertex_count);
+    const StrainStiffness& s = input.strain_stiffness;
+    const auto fraction = [&](double k) {
+      return static_cast<Real>(k_of_projection(s.kind, k, projections));
+    };
+    strain.form = s.form, strain.kind = s.kind, strain.compliance = static_cast<Real>(s.compliance);
+    strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
+    strain.area = fraction(s.area);
+    if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
+
+    DistanceBatch<Real>& distance = constraints_.distance;
+    distance = make_distance_batch<Real>(
+        input.distance, ordered<Real>(input.distance.vertices, state_.vertex_count, settings_.order),
+        state_.vertex_count);
+    const SpringStiffness& d = input.spring_stiffness;
+    distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
+    distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
+    if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.a.size(), 0);
+  }
+
+  void compile_plan(std::vector<Pass<Real>> effect_passes) {
+    const auto add_effects = [&](std::vector<PlannedPass<Real>>& passes, Stage stage) {
+      for (Pass<Real>& pass : effect_passes)
+        if (pass.stage == stage) passes.push_back({std::move(pass.run), add_statistics(pass.name)});
+    };
+    add_effects(before_, Stage::force);
+    add_effects(before_, Stage::damp);
+    before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
+    const bool strain_first = settings_.first == FirstConstraint::strain;
+    if (strain_first) add_projection(constraints_.strain, "strain");
+    add_projection(constraints_.distance, "bending");
+    if (!strain_first) add_projection(constraints_.strain, "strain");
+    std::reverse(backward_.begin(), backward_.end());
+    after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
+    add_effects(after_, Stage::velocity);
+  }
+
+  std::size_t add_statistics(const std::string& name) {
+    statistics_.push_back({name});
+    return statistics_.size() - 1;
+  }
+
+  // A kind of constraint that the scene has none of gets no pass.
+  template <class Batch>
+  void add_projection(Batch& batch, const char* name) {
+    if (batch.count == 0) return;
+    const std::size_t row = add_statistics(name);
+    forward_.push_back({[this, &batch](PassContext<Real>& c) { sweep(batch, c.substep, false); }, row});
+    backward_.push_back({[this, &batch](PassContext<Real>& c) { sweep(batch, c.substep, true); }, row});
+  }
+
+  void run(const std::vector<PlannedPass<Real>>& passes, PassContext<Real>& context) {
+    for (const PlannedPass<Real>& pass : passes) {
+      const auto start = std::chrono::steady_clock::now();
+      pass.run(context);
+      PassStatistics& statistics = statistics_[pass.statistics];
+      statistics.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+      ++statistics.calls;
+    }
+  }
+
+  void predict(Real h) {
+    std::fill(constraints_.strain.multiplier.begin(), constraints_.strain.multiplier.end(), Real(0));
+    std::fill(constraints_.distance.multiplier.begin(), constraints_.distance.multiplier.end(), Real(0));
+    for_vertices([&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        Point<Real>& p = state_.position[v];
+        const Point<Real>& velocity = state_.velocity[v];
+        state_.previous[v] = p;
+        p.x += h * velocity.x, p.y += h * velocity.y, p.z += h * velocity.z;
+      }
+    });
+  }
+
+  template <class Batch>
+  void sweep(Batch& batch, Real h, bool backwards) {
+    Point<Real>* const points = state_.position.data();
+    if (!batch.order.conflict_free) {
+      project_reference(points, batch, h, backwards);
+      return;
+    }
+    const std::vector<std::size_t>& colours = batch.order.colours;
+    for (std::size_t step = 0; step + 1 < colours.size(); ++step) {
+      const std::size_t colour = backwards ? colours.size() - 2 - step : step;
+      workers_.for_range(
+          colours[colour], colours[colour + 1], max_lanes, worthwhile_lanes,
+          [&](std::size_t first, std::size_t last) { project(points, batch, first, last, h); });
+    }
+  }
+
+  void update(Real h) {
+    for_vertices([&](std::size_t first, std::size_t last) {
+      for (std::size_t v = first; v < last; ++v) {
+        const Point<Real>&p = state_.position[v], &previous = state_.previous[v];
+        state_.velocity[v] = {(p.x - previous.x) / h, (p.y - previous.y) / h, (p.z - previous.z) / h, 0};
+      }
+    });
+    find_divergence();
+  }
+
+  // One finiteness check per substep: NaN fails every comparison.
+  void find_divergence() {
+    if (divergence_.vertex >= 0) return;
+    bool inside = true;
+    for (int v = 0; v < state_.vertex_count; ++v)
+      inside &= within_bound(state_.position[static_cast<std::size_t>(v)]);
+    if (inside) return;
+    int vertex = 0;
+    while (within_bound(state_.position[static_cast<std::size_t>(vertex)])) ++vertex;
+    divergence_.vertex = vertex;
+    divergence_.position =
+        state_.position[static_cast<std::size_t>(vertex)].vector().template cast<double>() + state_.origin;
+  }
+
+  bool within_bound(const Point<Real>& p) const {
+    return (std::abs(p.x) < bound_) & (std::abs(p.y) < bound_) & (std::abs(p.z) < bound_);
+  }
+
+  template <class Task>
+  void for_vertices(const Task& task) {
+    workers_.for_range(0, static_cast<std::size_t>(state_.vertex_count), 64, worthwhile_vertices, task);
+  }
+
+  Positions to_rows(const Points<Real>& points, const Vector3& origin) const {
+    Positions rows(state_.vertex_count, 3);
+    for (int v = 0; v < state_.vertex_count; ++v)
+      rows.row(v) =
+          (points[static_cast<std::size_t>(v)].vector().template cast<double>() + origin).transpose();
+    return rows;
+  }
+
+  SolverSettings settings_;
+  Real bound_;
+  Workers workers_;
+  State<Real> state_;
+  Constraints<Real> constraints_;
+  std::vector<PlannedPass<Real>> before_, forward_, backward_, after_;
+  std::vector<PassStatistics> statistics_;
+  std::uint64_t substeps_done_ = 0;
+  Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};
+};
+
+}  // namespace
+
+template <class Real>
+std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
+                                            std::vector<Pass<Real>> effect_passes) {
+  return std::make_unique<SimulationOf<Real>>(input, std::move(effect_passes));
+}
+
+template std::unique_ptr<Simulation> make_simulation(const SimulationInput&, std::vector<Pass<float>>);
+template std::unique_ptr<Simulation> make_simulation(const SimulationInput&, std::vector<Pass<double>>);
+
+}  // namespace bendlab

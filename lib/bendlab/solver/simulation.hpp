@@ -1,0 +1,112 @@
+// The time step of position-based dynamics over a step plan that is compiled from what the scene lists.
+//
+//   per substep h:  force passes → damp passes → predict → n × (strain, bending) → update → velocity passes
+//
+// (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
+// time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "bendlab/constraints/lists.hpp"
+#include "bendlab/constraints/state.hpp"
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+enum class Sweep {
+  forward,    ///< one pass over the constraints per iteration
+  symmetric,  ///< forward, then backward: two projections per iteration, no energy pumped at small steps
+};
+
+enum class ConstraintOrder {
+  colour,  ///< by colour, lanes and threads side by side
+  mesh,    ///< in the order of the lists, one after another, by the reference implementation
+};
+
+enum class FirstConstraint { strain, bending };
+
+struct SolverSettings {
+  double dt = 1.0 / 60;  ///< s
+  int substeps = 1;
+  int iterations = 10;  ///< per substep
+  Sweep sweep = Sweep::forward;
+  ConstraintOrder order = ConstraintOrder::colour;
+  FirstConstraint first = FirstConstraint::strain;
+  int threads = 1;
+
+  int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
+};
+
+struct StrainStiffness {
+  StrainForm form = StrainForm::normalised;
+  StiffnessKind kind = StiffnessKind::k;
+  double warp = 1, weft = 1, shear = 1, area = 0;  ///< k in [0, 1]
+  double compliance = 0;                           ///< m/N
+};
+
+struct SpringStiffness {
+  StiffnessKind kind = StiffnessKind::k;
+  double k = 0.5;         ///< in [0, 1]
+  double compliance = 0;  ///< m/N
+};
+
+/// A scene as the solver sees it.
+struct SimulationInput {
+  Positions positions;  ///< #V by 3, m: where the cloth starts
+  Positions velocities;           ///< #V by 3, m/s, or empty: at rest
+  Vector3 origin;       ///< coordinates are kept relative to it, m
+  double size = 1;      ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
+  std::vector<double> mass;     ///< #V, kg
+  std::vector<char> is_pinned;  ///< #V
+  StrainConstraints strain;
+  DistanceConstraints distance;
+  StrainStiffness strain_stiffness;
+  SpringStiffness spring_stiffness;
+  SolverSettings settings;
+};
+
+struct PassStatistics {
+  std::string name;
+  double seconds = 0;
+  std::uint64_t calls = 0;
+};
+
+/// What stopped a simulation.
+struct Divergence {
+  double time = 0;  ///< s
+  int vertex = 0;
+  Vector3 position;  ///< m, may be non-finite
+};
+
+class Simulation {
+ public:
+  virtual ~Simulation() = default;
+
+  /// One time step dt. Returns false when the cloth diverged (see divergence()); the state is then of no use.
+  virtual bool step() = 0;
+
+  virtual double time() const = 0;           ///< s
+  virtual Positions positions() const = 0;   ///< #V by 3, m
+  virtual Positions velocities() const = 0;  ///< #V by 3, m/s
+  virtual const Divergence& divergence() const = 0;
+  virtual const std::vector<PassStatistics>& passes()
+      const = 0;  ///< the step plan, in the order of a substep
+  /// Seconds that threads beside the calling one spent on passes so far.
+  virtual double helper_seconds() const = 0;
+  /// Constraint projections so far (a strain triangle counts as one, a spring as one).
+  virtual std::uint64_t projections() const = 0;
+  /// The order the constraints stand in: original index per lane, -1 for padding.
+  virtual const BatchOrder& strain_order() const = 0;
+  virtual const BatchOrder& distance_order() const = 0;
+};
+
+/// A simulation in single (Real = float) or double precision, with the passes of the scene's effects.
+template <class Real>
+std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
+                                            std::vector<Pass<Real>> effect_passes);
+
+}  // namespace bendlab

@@ -1,0 +1,42 @@
+// A fixed number of threads over a range. One thread: a plain call. The result may not depend on how the
+// range is cut.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+namespace bendlab {
+
+class Workers {
+ public:
+  explicit Workers(int threads);
+  ~Workers();
+  Workers(const Workers&) = delete;
+  Workers& operator=(const Workers&) = delete;
+
+  /// Calls task(first, last) on parts of [first, last) that begin at multiples of `step` from `first`; a
+  /// range of fewer than `worthwhile` elements stays on the calling thread.
+  template <class Task>
+  void for_range(std::size_t first, std::size_t last, std::size_t step, std::size_t worthwhile,
+                 const Task& task) {
+    if (threads_ == 1 || last - first < worthwhile)
+      task(first, last);
+    else
+      split(first, last, step, &task, [](const void* t, std::size_t from, std::size_t to) {
+        (*static_cast<const Task*>(t))(from, to);
+      });
+  }
+
+  /// Seconds that threads beside the calling one have worked so far.
+  double helper_seconds() const;
+
+ private:
+  using Call = void (*)(const void*, std::size_t, std::size_t);
+  void split(std::size_t first, std::size_t last, std::size_t step, const void* task, Call call);
+
+  struct Arena;
+  int threads_;
+  std::unique_ptr<Arena> arena_;
+};
+
+}  // namespace bendlab
