@@ -1,0 +1,171 @@
+// The HDF5 C library behind a few small types. Only sources of this folder include this header.
+//
+// Everything here is used under a Lock: several runs are written from several threads of one process, and the
+// library is not built thread-safe everywhere.
+#pragma once
+
+#include <hdf5.h>
+
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+namespace bendlab::hdf5 {
+
+/// A call of the library failed. what() is the reason: the system's text where there is one, else the library's.
+class Failure : public std::runtime_error {
+ public:
+  explicit Failure(const std::string& text, int code = 0) : std::runtime_error(text), code_(code) {}
+  int code() const { return code_; }  ///< errno, 0 when the system was not the cause
+
+ private:
+  int code_;
+};
+
+/// The Failure that the library's error stack of this thread describes.
+Failure last_failure();
+
+/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread.
+class Lock {
+ public:
+  Lock();
+
+ private:
+  std::lock_guard<std::mutex> guard_;
+};
+
+/// Passes a result on, or throws last_failure() where the library says so by a negative number.
+template <class Result>
+Result check(Result result) {
+  if (result < 0) throw last_failure();
+  return result;
+}
+
+/// Owns one identifier of the library.
+class Handle {
+ public:
+  using Closer = herr_t (*)(hid_t);
+  Handle() = default;
+  Handle(hid_t id, Closer closer) : id_(check(id)), close_(closer) {}
+  Handle(Handle&& other) noexcept : id_(std::exchange(other.id_, -1)), close_(other.close_) {}
+  Handle& operator=(Handle&& other) noexcept {
+    std::swap(id_, other.id_);
+    std::swap(close_, other.close_);
+    return *this;
+  }
+  ~Handle() {
+    if (id_ >= 0) close_(id_);
+  }
+  operator hid_t() const { return id_; }
+  void close() {  ///< throws Failure, unlike the destructor
+    if (id_ >= 0) check(close_(std::exchange(id_, -1)));
+  }
+
+ private:
+  hid_t id_ = -1;
+  Closer close_ = nullptr;
+};
+
+/// The type of a number in memory, and in the file.
+template <class T>
+hid_t type_of() {
+  if constexpr (std::is_same_v<T, double>) return H5T_NATIVE_DOUBLE;
+  if constexpr (std::is_same_v<T, float>) return H5T_NATIVE_FLOAT;
+  if constexpr (std::is_same_v<T, std::uint8_t>) return H5T_NATIVE_UINT8;
+  if constexpr (std::is_same_v<T, std::int32_t>) return H5T_NATIVE_INT32;
+  if constexpr (std::is_same_v<T, std::int64_t>) return H5T_NATIVE_INT64;
+  if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
+}
+
+Handle create_file(const std::string& path);                 ///< replaces what is there
+Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
+
+/// Gives the file this much room on the disk beyond its end, or throws Failure before anything of it has changed.
+/// A flush that meets a full disk half-way leaves a file that can't be opened.
+void reserve(hid_t file, std::uint64_t bytes);
+
+/// Flushes and closes; the file ends where its contents do, whatever was reserved.
+void close_file(Handle& file, const std::string& path);
+
+Handle create_group(hid_t parent, const std::string& name);
+Handle open_group(hid_t parent, const std::string& name);
+Handle open_dataset(hid_t parent, const std::string& name);
+bool has_link(hid_t parent, const std::string& name);
+std::vector<std::string> links(hid_t group);  ///< names, sorted
+
+// Attributes. Texts are UTF-8 of variable length, which h5py reads as str; writing replaces what is there.
+void write_attribute(hid_t object, const std::string& name, const std::string& text);
+void write_attribute(hid_t object, const std::string& name, double number);
+void write_attribute(hid_t object, const std::string& name, std::int64_t number);
+void write_attribute(hid_t object, const std::string& name, std::uint64_t number);
+void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> numbers);
+void write_fixed_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
+bool has_attribute(hid_t object, const std::string& name);
+std::string read_text_attribute(hid_t object, const std::string& name);
+double read_number_attribute(hid_t object, const std::string& name);
+std::map<std::string, std::string> read_text_attributes(hid_t object);
+std::map<std::string, double> read_number_attributes(hid_t object);
+
+// Whole datasets.
+void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
+                 std::span<const hsize_t> shape);
+
+/// `values` row by row as (values / columns, columns), or as a vector when `columns` is 0.
+template <class T>
+void write_array(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns = 0) {
+  const hsize_t shape[] = {values.size() / (columns ? columns : 1), columns};
+  write_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
+}
+
+void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);
+std::vector<std::string> read_texts(hid_t parent, const std::string& name);
+
+std::vector<hsize_t> shape_of(hid_t dataset);
+void read_rows(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* values);
+
+/// Rows first … first + count of a dataset, row by row.
+template <class T>
+std::vector<T> read_rows(hid_t dataset, hsize_t first, hsize_t count) {
+  const auto shape = shape_of(dataset);
+  std::vector<T> values(count * (shape.size() > 1 ? shape[1] : 1));
+  if (!values.empty()) read_rows(dataset, type_of<T>(), first, count, values.data());
+  return values;
+}
+
+template <class T>
+std::vector<T> read_all(hid_t parent, const std::string& name) {
+  const Handle dataset = open_dataset(parent, name);
+  return read_rows<T>(dataset, 0, shape_of(dataset).at(0));
+}
+
+/// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
+/// never written read as NaN: on a full disk a dataset may have grown without its values.
+class Series {
+ public:
+  struct Layout {
+    hid_t type = H5T_NATIVE_DOUBLE;  ///< in the file
+    hsize_t rows = 1;                ///< per frame
+    hsize_t columns = 0;             ///< 0: a vector, not a matrix
+    hsize_t frames_per_chunk = 1;    ///< more than one only where a frame is a number or two
+    bool compressed = false;
+  };
+  Series() = default;
+  Series(hid_t parent, const std::string& name, const Layout& layout);
+
+  void append(std::span<const float> frame) { append(H5T_NATIVE_FLOAT, frame.data()); }
+  void append(std::span<const double> frame) { append(H5T_NATIVE_DOUBLE, frame.data()); }
+  void describe(const std::string& unit, const std::string& meaning) const;
+
+ private:
+  void append(hid_t type, const void* frame);
+  Handle dataset_;
+  hsize_t rows_ = 0, columns_ = 0, size_ = 0;
+};
+
+}  // namespace bendlab::hdf5

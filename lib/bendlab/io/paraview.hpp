@@ -1,0 +1,39 @@
+// ParaView's view of a run: the group /VTKHDF (ParaView 5.12 and later) and an .xdmf sidecar (5.11 and earlier).
+//
+// VTKHDF 2.0 PolyData, https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/. The topology is
+// written once; a step says where its points and values begin. Only sources of this folder include this header.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bendlab/io/hdf5_handles.hpp"
+#include "bendlab/io/run_file.hpp"
+
+namespace bendlab {
+
+/// What both views need to know of a run with V vertices, T triangles and F frames.
+struct ParaViewShape {
+  std::uint64_t vertices = 0, triangles = 0;
+  std::vector<double> times;             ///< F, s
+  std::vector<std::string> cell_fields;  ///< datasets of /VTKHDF/CellData
+  bool double_positions = false;
+};
+
+/// The group /VTKHDF with its type and version.
+hdf5::Handle create_vtkhdf(hid_t file);
+
+/// What stays the same through the run, all of it below /VTKHDF: topology and the pinned vertices.
+void write_static_part(hid_t vtk, const RunHeader& header);
+inline constexpr const char* static_part[] = {"NumberOfPoints", "Vertices", "Lines",
+                                              "Polygons",       "Strips",   "PointData"};
+
+/// /VTKHDF/Steps. Written once and last: ParaView crashes where its attribute
+/// NSteps and the lengths of its datasets differ.
+void write_steps(hid_t file, const ParaViewShape& shape);
+
+/// `<stem of run_file>.xdmf` beside the run file, which it names relatively. Throws RunFileError.
+void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shape);
+
+}  // namespace bendlab

@@ -1,0 +1,126 @@
+// One HDF5 file per run, ours and ParaView's at once: VTKHDF 2.0 PolyData with Steps, and beside it our own groups.
+//
+//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
+//   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
+//   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of them
+//   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
+//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s
+//   /provenance             attributes; dataset `config` (resolved config, JSON text)
+//   /summary                attributes, one number each
+//   attributes of /         status: running | complete | diverged | interrupted; id; name
+//
+// The number of committed frames is the length of /metrics/time, which is written last in every frame.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace bendlab {
+
+/// A file could not be written or read: says which, why, and what to do. Exit code 5.
+class RunFileError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class RunStatus { running, complete, diverged, interrupted };
+std::string to_string(RunStatus status);
+
+struct Column {
+  std::string name, unit, meaning;
+};
+
+struct ConstraintRecord {
+  std::string kind;                ///< "strain", "distance", …
+  std::uint64_t count = 0;
+  std::string hash;                ///< of vertices and rest values in solver order
+  int vertices_per_constraint = 0; ///< columns of `vertices`
+  std::vector<int> vertices;       ///< #C by vertices_per_constraint, row by row; empty unless recorded
+  std::vector<double> rest;        ///< #C rest values; empty unless recorded
+};
+
+/// What is known before the first step.
+struct RunHeader {
+  std::string id, name;
+  std::vector<double> rest_positions;  ///< 3V, m
+  std::vector<int> triangles;          ///< 3T
+  std::vector<std::uint8_t> pinned;    ///< V
+  std::vector<int> pin_seeds;
+  std::vector<Column> metrics;         ///< one per value of Frame::metrics; `time` is added by the writer
+  std::vector<Column> cell_fields;     ///< one per field of Frame::cell_fields
+  std::vector<ConstraintRecord> constraints;
+  std::map<std::string, std::string> provenance;  ///< attribute → text
+  std::string config;                             ///< resolved config as JSON text
+  bool double_positions = false;                  ///< store positions as float64 instead of float32
+};
+
+struct Frame {
+  double time = 0;                        ///< s
+  std::vector<double> positions;          ///< 3V, m
+  std::vector<double> metrics;            ///< one per RunHeader::metrics
+  std::vector<std::vector<float>> cell_fields;  ///< per RunHeader::cell_fields, T values
+};
+
+struct PassTime {
+  std::string name;
+  double seconds = 0;
+  std::uint64_t calls = 0;
+};
+
+struct RunFooter {
+  RunStatus status = RunStatus::complete;
+  std::map<std::string, double> summary;
+  std::vector<PassTime> passes;
+  double wall_s = 0, cpu_s = 0;
+  std::map<std::string, std::string> provenance;  ///< added to the header's
+};
+
+/// Writes `<path>.part`, renamed to `path` by finish(). A crash leaves the .part file with every flushed frame.
+class RunFileWriter {
+ public:
+  RunFileWriter(const std::filesystem::path& path, const RunHeader& header);
+  ~RunFileWriter();  ///< closes what is open; without finish() the .part file stays
+  RunFileWriter(const RunFileWriter&) = delete;
+  RunFileWriter& operator=(const RunFileWriter&) = delete;
+
+  void write(const Frame& frame);
+  /// Writes Steps, footer and the .xdmf sidecar, flushes to disk and renames.
+  void finish(const RunFooter& footer);
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A finished (or interrupted) run as read back, without its frames.
+struct RunRecord {
+  std::filesystem::path file;
+  std::string id, name;
+  RunStatus status = RunStatus::running;
+  std::uint64_t frames = 0;
+  std::map<std::string, double> summary;
+  std::vector<PassTime> passes;
+  double wall_s = 0, cpu_s = 0;
+  std::map<std::string, std::string> provenance;
+  std::string config;
+};
+
+RunRecord read_run(const std::filesystem::path& file);
+
+/// One column of /metrics, of the committed frames.
+std::vector<double> read_metric(const std::filesystem::path& file, const std::string& name);
+
+/// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
+std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
+
+/// Writes `Steps` and the sidecar into an interrupted .part file and renames it (status `interrupted`), so that
+/// every committed frame opens in ParaView. Returns the number of frames kept.
+std::uint64_t repair_run(const std::filesystem::path& part_file);
+
+}  // namespace bendlab

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include "bendlab/io/run_series.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+using hdf5::Handle;
+
+std::vector<PassTime> read_passes(hid_t timing) {
+  const auto names = hdf5::read_texts(timing, "pass");
+  const auto seconds = hdf5::read_all<double>(timing, "seconds");
+  const auto calls = hdf5::read_all<std::uint64_t>(timing, "calls");
+  std::vector<PassTime> passes;
+  for (std::size_t i = 0; i < names.size(); ++i) passes.push_back({names[i], seconds.at(i), calls.at(i)});
+  return passes;
+}
+
+}  // namespace
+
+RunRecord read_run(const fs::path& path) {
+  return with_run(path, [&](hid_t file) {
+    RunRecord run;
+    run.file = path;
+    run.id = hdf5::read_text_attribute(file, "id");
+    run.name = hdf5::read_text_attribute(file, "name");
+    run.status = read_status(file);
+    run.frames = read_shape(file).times.size();
+    const Handle provenance = hdf5::open_group(file, "provenance");
+    run.provenance = hdf5::read_text_attributes(provenance);
+    run.config = hdf5::read_texts(provenance, "config").at(0);
+    if (run.status == RunStatus::running || !hdf5::has_link(file, "summary")) return run;
+    const Handle timing = hdf5::open_group(file, "timing");
+    run.passes = read_passes(timing);
+    run.wall_s = hdf5::read_number_attribute(timing, "wall_s");
+    run.cpu_s = hdf5::read_number_attribute(timing, "cpu_s");
+    run.summary = hdf5::read_number_attributes(hdf5::open_group(file, "summary"));
+    return run;
+  });
+}
+
+std::vector<double> read_metric(const fs::path& path, const std::string& name) {
+  return with_run(path, [&](hid_t file) {
+    const Handle metrics = hdf5::open_group(file, "metrics");
+    if (!hdf5::has_link(metrics, name)) {
+      std::string known;
+      for (const auto& link : hdf5::links(metrics)) known += (known.empty() ? "" : ", ") + link;
+      throw hdf5::Failure(fmt::format("it has no metric '{}', but {}", name, known));
+    }
+    const std::uint64_t frames = read_shape(file).times.size();
+    return hdf5::read_rows<double>(hdf5::open_dataset(metrics, name), 0, frames);
+  });
+}
+
+std::vector<double> read_positions(const fs::path& path, std::int64_t frame) {
+  return with_run(path, [&](hid_t file) {
+    const auto shape = read_shape(file);
+    const auto frames = static_cast<std::int64_t>(shape.times.size());
+    const std::int64_t index = frame < 0 ? frames + frame : frame;
+    if (index < 0 || index >= frames)
+      throw hdf5::Failure(fmt::format("it has no frame {}; it holds {} frames", frame, frames));
+    const Handle points = hdf5::open_dataset(file, "/VTKHDF/Points");
+    return hdf5::read_rows<double>(points, static_cast<std::uint64_t>(index) * shape.vertices, shape.vertices);
+  });
+}
+
+}  // namespace bendlab

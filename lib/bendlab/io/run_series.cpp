@@ -1,0 +1,83 @@
+#include "bendlab/io/run_series.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cmath>
+
+namespace bendlab {
+namespace {
+
+using hdf5::Handle;
+using hdf5::Series;
+
+constexpr std::array status_names = {"running", "complete", "diverged", "interrupted"};  // as in RunStatus
+
+std::uint64_t rows(hid_t parent, const std::string& name) {
+  return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);
+}
+
+}  // namespace
+
+std::string to_string(RunStatus status) { return status_names.at(static_cast<std::size_t>(status)); }
+
+RunStatus read_status(hid_t file) {
+  const std::string text = hdf5::read_text_attribute(file, "status");
+  const auto at = std::find(status_names.begin(), status_names.end(), text);
+  if (at == status_names.end()) throw hdf5::Failure("its status '" + text + "' is not known");
+  return static_cast<RunStatus>(at - status_names.begin());
+}
+
+Series create_points(hid_t vtk, const ParaViewShape& shape) {
+  const hid_t real = shape.double_positions ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
+  return {vtk, "Points", {.type = real, .rows = shape.vertices, .columns = 3, .compressed = true}};
+}
+
+Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape) {
+  Series series(cell_data, field.name, {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles, .compressed = true});
+  series.describe(field.unit, field.meaning);
+  return series;
+}
+
+Series create_metric(hid_t metrics, const Column& metric) {
+  Series series(metrics, metric.name, {.type = H5T_NATIVE_DOUBLE, .frames_per_chunk = 256});
+  series.describe(metric.unit, metric.meaning);
+  return series;
+}
+
+Handle open_run(const std::filesystem::path& path) {
+  Handle file;
+  try {
+    file = hdf5::open_file(path.string(), H5F_ACC_RDONLY);
+  } catch (const hdf5::Failure& failure) {
+    if (failure.code() == EWOULDBLOCK) throw hdf5::Failure("another process is writing it", EWOULDBLOCK);
+    throw;
+  }
+  if (!hdf5::has_attribute(file, "status") || !hdf5::has_link(file, "metrics") || !hdf5::has_link(file, "VTKHDF"))
+    throw hdf5::Failure("it is an HDF5 file, but not a run file");
+  return file;
+}
+
+ParaViewShape read_shape(hid_t file) {
+  const Handle vtk = hdf5::open_group(file, "VTKHDF"), cell_data = hdf5::open_group(vtk, "CellData"),
+               metrics = hdf5::open_group(file, "metrics"), points = hdf5::open_dataset(vtk, "Points"),
+               type(H5Dget_type(points), H5Tclose);
+  ParaViewShape shape{.vertices = rows(file, "/rest/positions"),
+                      .triangles = rows(file, "/rest/triangles"),
+                      .times = {},
+                      .cell_fields = hdf5::links(cell_data),
+                      .double_positions = H5Tget_size(type) == sizeof(double)};
+  std::uint64_t frames = rows(metrics, "time");
+  // Times are written last, so nothing below should cut; a disk that lost a page at a power cut may still surprise.
+  const auto limit = [&](std::uint64_t size, std::uint64_t per_frame) {
+    if (per_frame > 0) frames = std::min(frames, size / per_frame);
+  };
+  limit(hdf5::shape_of(points).at(0), shape.vertices);
+  for (const auto& field : shape.cell_fields) limit(rows(cell_data, field), shape.triangles);
+  for (const auto& metric : hdf5::links(metrics)) limit(rows(metrics, metric), 1);
+  shape.times = hdf5::read_rows<double>(hdf5::open_dataset(metrics, "time"), 0, frames);
+  while (!shape.times.empty() && !std::isfinite(shape.times.back())) shape.times.pop_back();
+  return shape;
+}
+
+}  // namespace bendlab

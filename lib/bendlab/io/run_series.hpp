@@ -1,0 +1,39 @@
+// The datasets of a run that grow with its frames, and a run file opened for reading. Only sources of this folder
+// include this header.
+#pragma once
+
+#include <filesystem>
+
+#include "bendlab/io/disk.hpp"
+#include "bendlab/io/hdf5_handles.hpp"
+#include "bendlab/io/paraview.hpp"
+#include "bendlab/io/run_file.hpp"
+
+namespace bendlab {
+
+hdf5::Series create_points(hid_t vtk, const ParaViewShape& shape);
+hdf5::Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape);
+hdf5::Series create_metric(hid_t metrics, const Column& metric);
+
+/// Opens a run file for reading; throws hdf5::Failure where it is something else.
+hdf5::Handle open_run(const std::filesystem::path& path);
+
+RunStatus read_status(hid_t file);
+
+/// V, T, the names of the cell fields and the times of the committed frames.
+ParaViewShape read_shape(hid_t file);
+
+/// `action(hid_t file)` under the lock; what goes wrong becomes a RunFileError that names the file.
+template <class Action>
+auto with_run(const std::filesystem::path& path, const Action& action) {
+  require_readable(path);
+  try {
+    const hdf5::Lock lock;
+    const hdf5::Handle file = open_run(path);
+    return action(file);
+  } catch (const hdf5::Failure& failure) {
+    throw file_error(path, "can't be read as a run file", failure.what(), failure.code());
+  }
+}
+
+}  // namespace bendlab

@@ -1,0 +1,137 @@
+// A run that is killed, or runs into a full disk, keeps every frame whose write() returned.
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <chrono>
+#include <csignal>
+#include <random>
+#include <thread>
+
+#include "bendlab/io/run_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/run_fixture.hpp"
+
+using namespace bendlab;
+using namespace bendlab::test;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// A child process with a pipe to its parent.
+struct Child {
+  pid_t pid = -1;
+  int output = -1;  ///< what it writes
+};
+
+/// `work` gets the pipe's end and never returns to the test program.
+template <class Work>
+Child fork_child(const Work& work) {
+  std::array<int, 2> ends{};
+  if (pipe(ends.data()) != 0) throw std::runtime_error("no pipe");
+  const pid_t pid = fork();
+  if (pid == 0) {
+    try {
+      work(ends[1]);
+    } catch (...) {
+      _exit(2);
+    }
+    _exit(0);
+  }
+  close(ends[1]);
+  return {pid, ends[0]};
+}
+
+/// Everything that is left in the pipe, after the child's end.
+std::string read_all(const Child& child) {
+  std::string text;
+  std::array<char, 4096> buffer{};
+  for (ssize_t n; (n = read(child.output, buffer.data(), buffer.size())) > 0;)
+    text.append(buffer.data(), static_cast<std::size_t>(n));
+  close(child.output);
+  return text;
+}
+
+void acknowledge(int pipe_end) {
+  if (write(pipe_end, "+", 1) != 1) _exit(3);
+}
+
+}  // namespace
+
+TEST_CASE("run file: kill -9 at any moment keeps every written frame", "[io]") {
+  constexpr int kills = 20;
+  std::mt19937 random(1);
+  std::uniform_int_distribution<int> delay_us(0, 30000);
+  for (int i = 0; i < kills; ++i) {
+    const TemporaryFolder folder;
+    const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+    const Child child = fork_child([&](int acknowledged) {
+      RunFileWriter writer(path, square_header());
+      for (int k = 0;; ++k) {
+        writer.write(square_frame(k));
+        acknowledge(acknowledged);
+      }
+    });
+    char first = 0;
+    REQUIRE(read(child.output, &first, 1) == 1);  // the run has begun
+    std::this_thread::sleep_for(std::chrono::microseconds(delay_us(random)));
+    kill(child.pid, SIGKILL);
+    int status = 0;
+    REQUIRE(waitpid(child.pid, &status, 0) == child.pid);
+    REQUIRE(WIFSIGNALED(status));
+    const std::size_t acknowledged = 1 + read_all(child).size();
+
+    const RunRecord run = read_run(part);
+    CHECK(run.status == RunStatus::running);
+    CHECK(run.frames >= acknowledged);
+    CHECK(run.frames <= acknowledged + 1);
+    CHECK(wrong_frames(part) == 0);
+    CHECK(repair_run(part) == run.frames);
+    CHECK(wrong_frames(path) == 0);
+    if (i > 0) continue;  // starting Python takes longer than all the rest
+    CHECK(h5py_accepts(path, R"(
+steps, frames = run['VTKHDF/Steps'], run['metrics/time'].shape[0]
+assert steps.attrs['NSteps'] == frames == len(steps['CellDataOffsets/shape']) == len(steps['PointDataOffsets/pinned'])
+assert all(len(steps[name]) == frames for name in steps if isinstance(steps[name], h5py.Dataset))
+assert run['VTKHDF/Points'].shape == (4 * frames, 3) and run['VTKHDF/CellData/stretch'].shape == (2 * frames,)
+assert run['metrics/drop'].shape == (frames,) and run.attrs['status'] == 'interrupted'
+)"));
+  }
+}
+
+TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {
+  // A limit on the file's size stands in for the disk: writes beyond it fail, as they do on a full disk. The sizes
+  // are spread, so that frames, chunk indices and metrics each meet the limit at least once.
+  for (rlim_t limit = 180000; limit < 280000; limit += 4777) {
+    CAPTURE(limit);
+    const TemporaryFolder folder;
+    const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+    const Child child = fork_child([&](int output) {
+      const rlimit size{limit, limit};
+      signal(SIGXFSZ, SIG_IGN);  // then write() fails with EFBIG instead
+      if (setrlimit(RLIMIT_FSIZE, &size) != 0) _exit(3);
+      RunFileWriter writer(path, square_header());
+      const std::string text = error_text<RunFileError>([&] {
+        for (int k = 0;; ++k) {
+          writer.write(square_frame(k));
+          acknowledge(output);
+        }
+      });
+      const std::string again = error_text<RunFileError>([&] { writer.finish({}); });
+      const bool told = text.find("File too large. Free some space") != std::string::npos &&
+                        again.find("an earlier write failed") != std::string::npos;
+      if (!told) _exit(4);
+    });
+    int status = 0;
+    const std::size_t written = read_all(child).size();
+    REQUIRE(waitpid(child.pid, &status, 0) == child.pid);
+    CHECK(WIFEXITED(status));
+    CHECK(WEXITSTATUS(status) == 0);
+    CHECK(written > 0);
+    CHECK(read_run(part).frames == written);
+    CHECK(wrong_frames(part) == 0);
+    CHECK(repair_run(part) == written);
+    CHECK(wrong_frames(path) == 0);
+  }
+}

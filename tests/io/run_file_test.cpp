@@ -1,0 +1,252 @@
+// What is written is read back, by us and by h5py; bad paths and files are refused in words.
+#include "bendlab/io/run_file.hpp"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "tests/catch.hpp"
+#include "tests/io/run_fixture.hpp"
+
+using namespace bendlab;
+using namespace bendlab::test;
+using Catch::Matchers::WithinRel;
+namespace fs = std::filesystem;
+
+#if __has_include(<catch2/catch_test_macros.hpp>)
+using Catch::Matchers::ContainsSubstring;
+#else
+namespace {
+auto ContainsSubstring(const std::string& text) { return Catch::Matchers::Contains(text); }
+}  // namespace
+#endif
+
+TEST_CASE("run file: what is written is read back", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf";
+  write_square_run(path, 3);
+
+  CHECK(fs::exists(folder / "run.xdmf"));
+  CHECK_FALSE(fs::exists(folder / "run.vtkhdf.part"));
+  const RunRecord run = read_run(path);
+  CHECK(run.file == path);
+  CHECK(run.id == "0123456789abcdef");
+  CHECK(run.name == "square");
+  CHECK(run.status == RunStatus::complete);
+  CHECK(run.frames == 3);
+  CHECK(run.summary == square_footer().summary);
+  CHECK(run.wall_s == 3.5);
+  CHECK(run.cpu_s == 7);
+  CHECK(run.config == square_header().config);
+  CHECK(run.provenance == std::map<std::string, std::string>{
+                              {"commit", "c0ffee"}, {"compiler", "g++ <12> \"−O2\""}, {"ordering", "bb"}});
+  REQUIRE(run.passes.size() == 2);
+  CHECK(run.passes[0].name == "strain");
+  CHECK(run.passes[0].seconds == 1.5);
+  CHECK(run.passes[1].calls == 10);
+
+  CHECK(read_metric(path, "time") == std::vector<double>{0, 0.25, 0.5});
+  CHECK(read_metric(path, "energy") == std::vector<double>{0, 1, 4});
+  CHECK(read_positions(path, 1) == square_frame(1).positions);
+  CHECK(read_positions(path, -1) == square_frame(2).positions);
+  CHECK(read_positions(path, -3) == square_frame(0).positions);
+}
+
+TEST_CASE("run file: positions keep the digits that were asked for", "[io]") {
+  const TemporaryFolder folder;
+  const bool wide = GENERATE(false, true);
+  auto header = square_header();
+  header.double_positions = wide;
+  Frame frame = square_frame(0);
+  frame.positions[4] = 0.1;
+  RunFileWriter writer(folder / "run.vtkhdf", header);
+  writer.write(frame);
+  writer.finish({});
+  const double stored = read_positions(folder / "run.vtkhdf", 0)[4];
+  CHECK_THAT(stored, WithinRel(0.1, 0x1p-24));  // half a unit in the last place of a float
+  CHECK((stored == 0.1) == wide);
+}
+
+TEST_CASE("run file: every status is read back, and a run may be empty", "[io]") {
+  const TemporaryFolder folder;
+  for (const auto status : {RunStatus::complete, RunStatus::diverged, RunStatus::interrupted}) {
+    const auto path = folder / (to_string(status) + ".vtkhdf");
+    RunFooter footer;
+    footer.status = status;
+    RunFileWriter(path, square_header()).finish(footer);
+    CHECK(read_run(path).status == status);
+    CHECK(read_run(path).frames == 0);
+    CHECK(read_metric(path, "time").empty());
+  }
+}
+
+TEST_CASE("run file: h5py finds the documented shapes", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf";
+  write_square_run(path, 3);
+  CHECK(h5py_accepts(path, R"(
+vtk = run['VTKHDF']
+kind = vtk.attrs.get_id('Type').get_type()
+assert not kind.is_variable_str() and kind.get_cset() == h5py.h5t.CSET_ASCII and kind.get_size() == 8
+assert vtk.attrs['Type'] == b'PolyData'
+assert vtk.attrs['Version'].dtype == np.int64 and list(vtk.attrs['Version']) == [2, 0]
+assert vtk['Points'].shape == (3 * 4, 3) and vtk['Points'].dtype == np.float32
+assert vtk['Points'].chunks == (4, 3) and vtk['Points'].compression == 'gzip' and np.isnan(vtk['Points'].fillvalue)
+assert list(vtk['Points'][:, 2]) == [0] * 4 + [1] * 4 + [2] * 4
+assert list(vtk['NumberOfPoints']) == [4]
+assert list(vtk['Polygons/NumberOfCells']) == [2] and list(vtk['Polygons/NumberOfConnectivityIds']) == [6]
+assert list(vtk['Polygons/Offsets']) == [0, 3, 6] and list(vtk['Polygons/Connectivity']) == [0, 1, 2, 0, 2, 3]
+for absent in 'Vertices', 'Lines', 'Strips':
+    cells = vtk[absent]
+    assert list(cells['NumberOfCells']) == [0] and list(cells['NumberOfConnectivityIds']) == [0]
+    assert list(cells['Offsets']) == [0] and cells['Connectivity'].shape == (0,)
+assert list(vtk['CellData/stretch']) == [0, 1, 10, 11, 20, 21] and list(vtk['CellData/shape']) == [0, 0, -1, -1, -2, -2]
+assert vtk['CellData/stretch'].attrs['meaning'] == 'largest principal stretch'
+assert list(vtk['PointData/pinned']) == [1, 0, 0, 0]
+steps = vtk['Steps']
+assert steps.attrs['NSteps'] == 3 and list(steps['Values']) == [0, 0.25, 0.5]
+assert list(steps['PartOffsets']) == [0, 0, 0] and list(steps['NumberOfParts']) == [1, 1, 1]
+assert list(steps['PointOffsets']) == [0, 4, 8]
+for name in 'CellOffsets', 'ConnectivityIdOffsets':
+    assert steps[name].shape == (3, 4) and not steps[name][:].any()
+assert list(steps['CellDataOffsets/stretch']) == [0, 2, 4] and list(steps['CellDataOffsets/shape']) == [0, 2, 4]
+assert list(steps['PointDataOffsets/pinned']) == [0, 0, 0]
+assert sorted(run['metrics']) == ['drop', 'energy', 'time']
+assert run['metrics/time'].shape == (3,) and run['metrics/time'].attrs['unit'] == 's'
+assert run['metrics/drop'].attrs['unit'] == 'm'
+assert run['rest/positions'].shape == (4, 3) and run['rest/triangles'].shape == (2, 3)
+assert list(run['rest/pin_seeds']) == [0]
+assert run['constraints/strain'].attrs['count'] == 2 and len(run['constraints/strain']) == 0
+assert run['constraints/distance'].attrs['hash'] == 'bb'
+assert run['constraints/distance/vertices'][:].tolist() == [[0, 2], [1, 3]]
+assert list(run['constraints/distance/rest']) == [1.5, 2.5]
+assert list(run['timing/pass'].asstr()) == ['strain', 'gravity'] and list(run['timing/calls']) == [100, 10]
+assert run['timing'].attrs['wall_s'] == 3.5
+assert run['provenance'].attrs['compiler'] == 'g++ <12> "−O2"'
+assert run['provenance/config'].asstr()[0] == '{"name": "square"}'
+assert run['summary'].attrs['drop'] == 0.5 and run.attrs['status'] == 'complete'
+)"));
+}
+
+TEST_CASE("run file: the xdmf sidecar selects each frame's rows", "[io]") {
+  const TemporaryFolder folder;
+  write_square_run(folder / "a & b.vtkhdf", 3);
+  const std::string text = bytes_of(folder / "a & b.xdmf");
+  CHECK_THAT(text, ContainsSubstring("a &amp; b.vtkhdf:/VTKHDF/Points"));
+  CHECK_THAT(text, ContainsSubstring("<Time Value=\"0.25\"/>"));
+  CHECK_THAT(text, ContainsSubstring(">8 0 1 1 4 3<"));  // points of frame 2: rows 8 to 11 of 12
+  CHECK_THAT(text, ContainsSubstring(">4 1 2<"));        // cells of frame 2: values 4 and 5 of 6
+}
+
+TEST_CASE("run file: equal runs are equal bytes", "[io]") {
+  const TemporaryFolder folder;
+  write_square_run(folder / "a.vtkhdf", 300);  // beyond one chunk of metrics and one node of a chunk index
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // HDF5's time stamps count seconds
+  write_square_run(folder / "b.vtkhdf", 300);
+  CHECK(bytes_of(folder / "a.vtkhdf") == bytes_of(folder / "b.vtkhdf"));
+}
+
+TEST_CASE("run file: an unfinished run is read up to its last frame", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  {
+    RunFileWriter writer(path, square_header());
+    for (int k = 0; k < 5; ++k) writer.write(square_frame(k));
+    CHECK(read_run(part).frames == 5);  // while it is open, too
+  }
+  CHECK(read_run(part).status == RunStatus::running);
+  CHECK(read_run(part).frames == 5);
+  CHECK(wrong_frames(part) == 0);
+  CHECK_THAT(error_text<RunFileError>([&] { read_run(path); }),
+             ContainsSubstring("An unfinished run is in") && ContainsSubstring("run.vtkhdf.part"));
+
+  CHECK(repair_run(part) == 5);
+  CHECK_FALSE(fs::exists(part));
+  CHECK(fs::exists(folder / "run.xdmf"));
+  CHECK(read_run(path).status == RunStatus::interrupted);
+  CHECK(wrong_frames(path) == 0);
+}
+
+TEST_CASE("run file: a writer keeps others off its file", "[io]") {
+  const TemporaryFolder folder;
+  RunFileWriter writer(folder / "run.vtkhdf", square_header());
+  writer.write(square_frame(0));
+  const auto again = [&] { RunFileWriter(folder / "run.vtkhdf", square_header()); };
+  CHECK_THAT(error_text<RunFileError>(again), ContainsSubstring("another writer is at work on it"));
+  CHECK_THAT(error_text<RunFileError>([&] { repair_run(folder / "run.vtkhdf.part"); }),
+             ContainsSubstring("another writer is at work on it"));
+  writer.write(square_frame(1));
+  writer.finish({});
+  CHECK(wrong_frames(folder / "run.vtkhdf") == 0);
+  CHECK(read_run(folder / "run.vtkhdf").frames == 2);
+}
+
+TEST_CASE("run file: two threads write two files", "[io]") {
+  const TemporaryFolder folder;
+  std::vector<std::thread> threads;
+  for (const char* name : {"a.vtkhdf", "b.vtkhdf"})
+    threads.emplace_back([&folder, name] { write_square_run(folder / name, 100); });
+  for (auto& thread : threads) thread.join();
+  for (const char* name : {"a.vtkhdf", "b.vtkhdf"}) {
+    CHECK(read_run(folder / name).frames == 100);
+    CHECK(wrong_frames(folder / name) == 0);
+  }
+}
+
+TEST_CASE("run file: bad folders are refused with the system's reason and advice", "[io]") {
+  const TemporaryFolder folder;
+  const auto refusal = [](const fs::path& path) {
+    return error_text<RunFileError>([&] { RunFileWriter(path, square_header()); });
+  };
+  const auto absent = folder / "absent" / "run.vtkhdf";
+  CHECK_THAT(refusal(absent), ContainsSubstring(absent.string() + ".part: can't be written: No such file or") &&
+                                  ContainsSubstring("its folder has to exist"));
+  std::ofstream(folder / "file") << "text";
+  CHECK_THAT(refusal(folder / "file" / "run.vtkhdf"), ContainsSubstring("Not a directory"));
+  if (geteuid() == 0) return;  // root may write anywhere
+  REQUIRE(chmod((folder / "").c_str(), 0500) == 0);
+  CHECK_THAT(refusal(folder / "run.vtkhdf"),
+             ContainsSubstring("Permission denied") && ContainsSubstring("folder you may write to"));
+  REQUIRE(chmod((folder / "").c_str(), 0700) == 0);
+}
+
+TEST_CASE("run file: what is no run file is refused", "[io]") {
+  const TemporaryFolder folder;
+  const auto refusal = [](const fs::path& path) { return error_text<RunFileError>([&] { read_run(path); }); };
+  CHECK_THAT(refusal(folder / "absent.vtkhdf"),
+             ContainsSubstring("absent.vtkhdf: can't be read: No such file or directory"));
+  std::ofstream(folder / "text.vtkhdf") << "no run";
+  CHECK_THAT(refusal(folder / "text.vtkhdf"), ContainsSubstring("can't be read as a run file"));
+
+  const auto path = folder / "run.vtkhdf";
+  write_square_run(path, 3);
+  REQUIRE(h5py_accepts(path, "h5py.File(sys.argv[1] + '.other', 'w').create_group('metrics')\n"));
+  CHECK_THAT(refusal(folder / "run.vtkhdf.other"), ContainsSubstring("an HDF5 file, but not a run file"));
+  fs::copy(path, folder / "cut.vtkhdf");
+  fs::resize_file(folder / "cut.vtkhdf", 2000);
+  CHECK_THAT(refusal(folder / "cut.vtkhdf"), ContainsSubstring("can't be read as a run file"));
+
+  CHECK_THAT(error_text<RunFileError>([&] { read_metric(path, "dorp"); }),
+             ContainsSubstring("it has no metric 'dorp', but drop, energy, time"));
+  CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }),
+             ContainsSubstring("it has no frame 3; it holds 3 frames"));
+  CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, -4); }), ContainsSubstring("no frame -4"));
+  CHECK_THAT(error_text<RunFileError>([&] { repair_run(path); }), ContainsSubstring("unfinished run ends in .part"));
+}
+
+TEST_CASE("run file: a frame of the wrong size is a mistake of the caller", "[io]") {
+  const TemporaryFolder folder;
+  RunFileWriter writer(folder / "run.vtkhdf", square_header());
+  Frame frame = square_frame(0);
+  frame.metrics.pop_back();
+  CHECK_THROWS_AS(writer.write(frame), std::invalid_argument);
+  frame = square_frame(0);
+  frame.cell_fields[1].push_back(0);
+  CHECK_THROWS_AS(writer.write(frame), std::invalid_argument);
+  writer.write(square_frame(0));
+  writer.finish({});
+  CHECK(read_run(folder / "run.vtkhdf").frames == 1);
+}
