@@ -1,0 +1,200 @@
+#include "experiments/cli/command_line.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/errors.hpp"
+#include "experiments/nearest_name.hpp"
+#include "experiments/schema.hpp"
+#include "experiments/version.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::string_view footer =
+    "Exit codes: 0 ok, 1 a run or an expectation failed, 2 usage, 3 config, 4 mesh, 5 files, 6 a run "
+    "diverged,\n"
+    "130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a second one leaves at once.\n"
+    "Data goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
+
+/// What the arguments were, and the command they chose.
+struct Arguments {
+  ConfigArguments configs;
+  CampaignOptions options;
+  bool json = false, full = false;
+  std::string run = "", folder = "results";
+  std::filesystem::path mesh_file, reproduce_out;
+  QualityThresholds thresholds;
+  std::function<int()> command;
+};
+
+CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name, const char* summary,
+                      std::function<int()> command) {
+  CLI::App* added = app.add_subcommand(name, summary);
+  added->callback([&arguments, command = std::move(command)] { arguments.command = command; });
+  return added;
+}
+
+void add_configs(CLI::App* command, Arguments& arguments) {
+  command->add_option("CONFIG", arguments.configs.files, "JSON files of experiments")->required();
+  command
+      ->add_option(
+          "--set", arguments.configs.overrides,
+          "Override a value: --set /mesh/cells=64; on a swept pointer it replaces that axis. Repeatable")
+      ->type_name("/POINTER=VALUE")
+      ->allow_extra_args(false);
+}
+
+void add_json(CLI::App* command, Arguments& arguments, const char* what) {
+  command->add_flag("--json", arguments.json, what);
+}
+
+void add_campaign(CLI::App* command, Arguments& arguments) {
+  command
+      ->add_option("--jobs,-j", arguments.options.jobs,
+                   "Runs side by side (default: cores / threads of a run)")
+      ->check(CLI::Range(1, 1024));
+  command->add_flag("--force", arguments.options.force, "Compute complete runs again");
+}
+
+void add_run_commands(CLI::App& app, Arguments& a) {
+  CLI::App* run =
+      add_command(app, a, "run", "Run experiments: every point of their sweeps that is not complete yet",
+                  [&a] { return run_command(a.configs, a.options, a.json); });
+  add_configs(run, a);
+  add_campaign(run, a);
+  run->add_option("--out", a.options.out, "Folder for the results")->capture_default_str();
+  add_json(run, a, "One JSON object per run on stdout");
+
+  CLI::App* plan =
+      add_command(app, a, "plan", "Show the runs of experiments: place on the sweep, id, what is complete",
+                  [&a] { return plan_command(a.configs, a.options.out, a.json); });
+  add_configs(plan, a);
+  plan->add_option("--out", a.options.out, "Folder of the results")->capture_default_str();
+  add_json(plan, a, "One JSON object per run");
+
+  CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
+                                   [&a] { return validate_command(a.configs); });
+  add_configs(validate, a);
+
+  CLI::App* reproduce = add_command(
+      app, a, "reproduce", "Run the paper's experiments and ablations and draw the page of its claims",
+      [&a] { return reproduce_command(a.options, a.reproduce_out, a.full); });
+  add_campaign(reproduce, a);
+  reproduce->add_flag("--full", a.full, "With resolution 256 too");
+  reproduce->add_option("--out", a.reproduce_out,
+                        "Folder for the results (default: results in the checkout)");
+}
+
+void add_read_commands(CLI::App& app, Arguments& a) {
+  CLI::App* list = add_command(app, a, "list", "List the runs below a folder",
+                               [&a] { return list_command(a.folder, a.json); });
+  list->add_option("DIR", a.folder, "Folder of results")->capture_default_str();
+  add_json(list, a, "One JSON object per run");
+
+  CLI::App* show = add_command(app, a, "show", "Show a run: summary, time per pass, provenance, config",
+                               [&a] { return show_command(a.run, a.folder, a.json); });
+  show->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
+  show->add_option("--results", a.folder, "Where a run's id is looked for")->capture_default_str();
+  add_json(show, a, "As one JSON object");
+}
+
+void add_mesh_command(CLI::App& app, Arguments& a) {
+  CLI::App* mesh = add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
+                               [&a] { return mesh_command(a.mesh_file, a.thresholds, a.json); });
+  mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
+  mesh->add_option("--needle-ratio", a.thresholds.needle_ratio,
+                   "Longest to shortest edge from where a needle begins")
+      ->check(CLI::Range(1.0, 1e9))
+      ->capture_default_str();
+  mesh->add_option("--cap-angle", a.thresholds.cap_angle, "Angle in degrees from where a cap begins")
+      ->check(CLI::Range(90.0, 180.0))
+      ->capture_default_str();
+  mesh->add_option("--small-angle", a.thresholds.small_angle,
+                   "Angle in degrees below which an angle is small")
+      ->check(CLI::Range(0.0, 60.0))
+      ->capture_default_str();
+  add_json(mesh, a, "As one JSON object");
+}
+
+void add_reference(CLI::App& app, Arguments& a, const char* name, const char* summary, std::string (*text)(),
+                   Json (*json)()) {
+  CLI::App* command = add_command(app, a, name, summary, [&a, text, json] {
+    fmt::print("{}\n", a.json ? json().dump(2) : text());
+    return int{exit_ok};
+  });
+  add_json(command, a, "As JSON");
+}
+
+int test_command() {
+  throw UsageError(
+      "the tests are built and run by the start script: ./bendlab test [ctest arguments], in the checkout");
+}
+
+/// CLI11's message, with the command that was probably meant.
+int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  if (argc > 1 && argv[1][0] != '-') {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+      names.push_back(command->get_name());
+    if (std::ranges::find(names, argv[1]) == names.end()) {
+      fmt::print(stderr, "bendlab: there is no command '{}'{}\nCommands: {}\n", argv[1],
+                 suggestion(argv[1], names), fmt::join(names, ", "));
+      return exit_usage;
+    }
+  }
+  fmt::print(stderr, "bendlab: {}\nRun with --help for the usage.\n", error.what());
+  return exit_usage;
+}
+
+int dispatch(int argc, char** argv) {
+  CLI::App app("Bending models for strain-based cloth simulation, compared by experiment.", "bendlab");
+  app.footer(std::string(footer));
+  app.set_version_flag("--version", std::string(version_text()));
+  app.require_subcommand(1);
+  Arguments arguments;
+  add_run_commands(app, arguments);
+  add_read_commands(app, arguments);
+  add_mesh_command(app, arguments);
+  add_reference(app, arguments, "models", "List the bending models: parameters, defaults, sources",
+                models_text, models_json);
+  add_reference(app, arguments, "effects", "List the effects: parameters, defaults, sources", effects_text,
+                effects_json);
+  add_reference(app, arguments, "schema", "Print the reference of the configs", schema_text, schema_json);
+  add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
+      ->allow_extras();
+  if (argc == 1) {
+    fmt::print(stderr, "{}", app.help());
+    return exit_usage;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::Success& success) {  // --help, --version
+    return app.exit(success);
+  } catch (const CLI::ParseError& error) {
+    return usage_error(app, error, argc, argv);
+  }
+  return arguments.command();
+}
+
+}  // namespace
+
+int command_line(int argc, char** argv) {
+  try {
+    const int code = dispatch(argc, argv);
+    if (std::fflush(stdout) == 0) return code;
+    fmt::print(stderr, "bendlab: the output could not be written to stdout\n");
+    return exit_io;
+  } catch (...) {
+    const Failure failure = current_failure();
+    fmt::print(stderr, "bendlab: {}\n", failure.message);
+    return failure.exit_code;
+  }
+}
+
+}  // namespace bendlab

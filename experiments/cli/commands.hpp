@@ -1,0 +1,35 @@
+// The commands behind the command line. Each returns its exit code, or throws (see errors.hpp).
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "bendlab/mesh/quality.hpp"
+#include "experiments/cli/campaign.hpp"
+
+namespace bendlab {
+
+struct ConfigArguments {
+  std::vector<std::filesystem::path> files;
+  std::vector<std::string> overrides;  ///< "/json/pointer=value"
+};
+
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json);
+int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
+int validate_command(const ConfigArguments& configs);
+
+/// Every experiment of the paper and every ablation, then the page of figures and claims.
+/// `full` adds the configs whose names end in _full. Results go to `out`, or to the checkout's results where
+/// that is empty (options.out is not used).
+int reproduce_command(CampaignOptions options, const std::filesystem::path& out, bool full);
+
+int list_command(const std::filesystem::path& folder, bool json);
+
+/// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`.
+int show_command(const std::string& run, const std::filesystem::path& folder, bool json);
+
+/// Diagnosis and quality of a mesh file.
+int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds, bool json);
+
+}  // namespace bendlab

@@ -1,0 +1,38 @@
+// Exit codes, and which one an error gives.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace bendlab {
+
+/// What the program's exit code says. A command stopped by a signal gives 128 + the signal's number.
+enum ExitCode : int {
+  exit_ok = 0,
+  exit_failed = 1,  ///< a run or an expectation failed
+  exit_usage = 2,
+  exit_config = 3,
+  exit_mesh = 4,
+  exit_io = 5,
+  exit_numerical = 6,  ///< a run diverged
+};
+
+/// Arguments that make no sense together, or name nothing that exists. Exit code 2.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Problems of one or more configs, a line each. Exit code 3.
+class ConfigsError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+struct Failure {
+  int exit_code = exit_failed;
+  std::string message;
+};
+
+/// Exit code and text of the exception that is being handled: for use inside a catch block.
+Failure current_failure();
+
+}  // namespace bendlab

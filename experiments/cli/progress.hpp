@@ -1,0 +1,47 @@
+// The progress bar of several runs that go side by side: on a terminal only, on stderr.
+#pragma once
+
+#include <chrono>
+#include <cstddef>
+#include <functional>
+#include <mutex>
+#include <string_view>
+#include <vector>
+
+namespace bendlab {
+
+class Progress {
+ public:
+  /// `costs`: the expected work of each run, in any unit. Silent unless stderr is a terminal.
+  explicit Progress(std::vector<double> costs);
+  ~Progress();  ///< removes the bar
+  Progress(const Progress&) = delete;
+  Progress& operator=(const Progress&) = delete;
+
+  /// Run `index` has simulated `done_s` of `total_s` seconds. Any thread.
+  void update(std::size_t index, double done_s, double total_s);
+
+  /// Run `index` is over; `computed` is false if it was there already and took no time.
+  void finish(std::size_t index, bool computed);
+
+  /// A line on stderr, above the bar where there is one.
+  void message(std::string_view text);
+
+  /// Takes the bar away while `print` writes to the terminal.
+  void pause(const std::function<void()>& print);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw();
+
+  std::mutex mutex_;
+  std::vector<double> costs_, fraction_;  // per run
+  double simulated_s_ = 0;                // by all runs
+  std::vector<double> simulated_of_;      // per run, s
+  double reused_cost_ = 0;
+  std::size_t finished_ = 0;
+  bool visible_;
+  Clock::time_point start_ = Clock::now(), drawn_{};
+};
+
+}  // namespace bendlab

@@ -1,0 +1,170 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <ctime>
+
+#include "bendlab/mesh/files.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/errors.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/cli/table.hpp"
+#include "experiments/mesh_report.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_run_file(const fs::path& file) {
+  const std::string name = file.filename().string();
+  return name.ends_with(".vtkhdf") || name.ends_with(".vtkhdf.part");
+}
+
+/// Every run file below a folder, by path.
+std::vector<fs::path> find_run_files(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw RunFileError(fmt::format("there is no folder '{}'", folder.string()));
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (entry.is_regular_file() && is_run_file(entry.path())) files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+/// The readable ones; says which are not.
+std::vector<RunRecord> read_runs(const fs::path& folder) {
+  std::vector<RunRecord> records;
+  for (const fs::path& file : find_run_files(folder)) {
+    try {
+      records.push_back(read_run(file));
+    } catch (const RunFileError& error) {
+      fmt::print(stderr, "bendlab: {}\n", error.what());
+    }
+  }
+  return records;
+}
+
+/// When the file was last written, local time.
+std::string when(const fs::path& file) {
+  const auto written = std::chrono::file_clock::to_sys(fs::last_write_time(file));
+  const std::time_t time = std::chrono::system_clock::to_time_t(
+      std::chrono::time_point_cast<std::chrono::system_clock::duration>(written));
+  std::tm local{};
+  localtime_r(&time, &local);
+  char text[20] = "";
+  std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
+  return text;
+}
+
+Json to_json(const RunRecord& record) {
+  Json passes = Json::array();
+  for (const PassTime& pass : record.passes)
+    passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}, {"calls", pass.calls}});
+  // The file may be older than this program's rules for JSON.
+  const Json config = Json::parse(record.config, nullptr, false);
+  return {{"id", record.id},
+          {"name", record.name},
+          {"status", to_string(record.status)},
+          {"file", record.file.string()},
+          {"frames", record.frames},
+          {"written", when(record.file)},
+          {"config", config.is_discarded() ? Json(record.config) : config},
+          {"wall_s", record.wall_s},
+          {"cpu_s", record.cpu_s},
+          {"summary", record.summary},
+          {"passes", passes},
+          {"provenance", record.provenance}};
+}
+
+RunRecord find_run(const std::string& run, const fs::path& folder) {
+  if (fs::is_regular_file(run)) return read_run(run);
+  std::vector<fs::path> files;
+  if (fs::is_directory(run)) {
+    files = find_run_files(run);
+  } else if (fs::is_directory(folder)) {
+    for (const RunRecord& record : read_runs(folder))
+      if (record.id.starts_with(run)) files.push_back(record.file);
+  }
+  if (files.size() == 1) return read_run(files.front());
+  if (files.empty())
+    throw UsageError(
+        fmt::format("'{}' is no run file, no folder with one, and no run in '{}' has an id that begins "
+                    "with it; 'bendlab list {}' shows what is there",
+                    run, folder.string(), folder.string()));
+  std::string all;
+  for (const fs::path& file : files) all += "\n  " + file.string();
+  throw UsageError(fmt::format("'{}' could be any of {} runs; which one?{}", run, files.size(), all));
+}
+
+void print_section(const char* heading, const std::map<std::string, std::string>& rows) {
+  if (rows.empty()) return;
+  Table table({heading, ""});
+  for (const auto& [name, value] : rows) table.add_row({"  " + name, value});
+  fmt::print("\n{}", table.text());
+}
+
+}  // namespace
+
+int list_command(const fs::path& folder, bool json) {
+  const std::vector<RunRecord> records = read_runs(folder);
+  Table table(
+      {"id", "name", "status", "frames", "written", "vertices", "mean_strain", "pin_max_stretch", "wall_s"});
+  for (const RunRecord& record : records) {
+    if (json) fmt::print("{}\n", to_json(record).dump());
+    const auto number = [&](const char* name) {
+      const auto found = record.summary.find(name);
+      return found == record.summary.end() ? std::string() : format_number(found->second);
+    };
+    table.add_row({record.id, record.name, to_string(record.status), fmt::format("{}", record.frames),
+                   when(record.file), number("vertices"), number("mean_strain"), number("pin_max_stretch"),
+                   fmt::format("{:.1f}", record.wall_s)});
+  }
+  if (json) return exit_ok;
+  if (records.empty())
+    fmt::print("no runs in {}\n", folder.string());
+  else
+    fmt::print("{}", table.text());
+  return exit_ok;
+}
+
+int show_command(const std::string& run, const fs::path& folder, bool json) {
+  const RunRecord record = find_run(run, folder);
+  const Json description = to_json(record);
+  if (json) {
+    fmt::print("{}\n", description.dump());
+    return exit_ok;
+  }
+  fmt::print("{}\n{}  {}  {}, {} frames, written {}\n", record.file.string(), record.id, record.name,
+             to_string(record.status), record.frames, when(record.file));
+
+  std::map<std::string, std::string> summary;
+  for (const auto& [name, value] : record.summary) summary[name] = format_number(value);
+  print_section("summary", summary);
+
+  if (!record.passes.empty()) {
+    double all = 0;
+    for (const PassTime& pass : record.passes) all += pass.seconds;
+    Table passes({"pass", "seconds", "%", "calls"});
+    for (const PassTime& pass : record.passes)
+      passes.add_row({"  " + pass.name, fmt::format("{:.3f}", pass.seconds),
+                      fmt::format("{:.1f}", all > 0 ? 100 * pass.seconds / all : 0.0),
+                      fmt::format("{}", pass.calls)});
+    fmt::print("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
+  }
+  print_section("provenance", record.provenance);
+  fmt::print("\nconfig\n{}\n", description.at("config").dump(2));
+  return exit_ok;
+}
+
+int mesh_command(const fs::path& file, const QualityThresholds& thresholds, bool json) {
+  std::vector<std::string> notes;
+  const TriangleMesh mesh = read_mesh(file, &notes);
+  for (const std::string& note : notes) fmt::print(stderr, "bendlab: {}\n", note);
+  if (json)
+    fmt::print("{}\n", mesh_report_json(mesh, file.string(), thresholds).dump());
+  else
+    fmt::print("{}", mesh_report(mesh, file.string(), thresholds));
+  return exit_ok;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,201 @@
+#include "experiments/cli/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+
+#include "experiments/cli/table.hpp"
+#include "experiments/expectations.hpp"
+
+namespace bendlab {
+namespace {
+
+/// The numbers of a summary that fit on a line.
+constexpr std::array<const char*, 7> main_columns = {
+    "vertices", "triangles", "springs", "mean_strain", "max_stretch", "pin_max_stretch", "drop"};
+
+std::string value_text(const Json& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (value.is_number()) return format_number(value.get<double>());
+  return value.dump();
+}
+
+std::string status_text(const CampaignRun& run) {
+  if (!run.started()) return "not started";
+  if (!run.outcome) return "failed";
+  return to_string(run.outcome->status) + (run.outcome->reused ? ", reused" : "");
+}
+
+std::string coloured_status(const CampaignRun& run) {
+  const std::string text = status_text(run);
+  return run.exit_code == 0 && run.started() ? text : coloured(text, Colour::red, stdout);
+}
+
+std::vector<ExpectationResult> check(const CampaignRun& run) {
+  if (!run.outcome) return {};
+  return check_expectations(*run.experiment, *run.config, run.outcome->summary);
+}
+
+/// A line per expectation that holds, with the first run it was checked on; one per run where it does not.
+std::string expectations_text(std::span<const CampaignRun> runs) {
+  struct Holding {
+    std::string first;
+    int runs = 0;
+  };
+  std::map<std::string, Holding> holding;
+  std::vector<std::string> order;
+  std::string failed, held;
+  for (const CampaignRun& run : runs) {
+    for (const ExpectationResult& result : check(run)) {
+      const std::string line = fmt::format("{}: {}", place_text(run), result.message);
+      if (!result.holds) {
+        failed += fmt::format("{} {}\n", coloured("FAIL", Colour::red, stdout), line);
+        continue;
+      }
+      const Expectation& e = result.expectation;
+      const std::string key = fmt::format("{} {} {} {} {}", e.metric, e.minimum.value_or(NAN),
+                                          e.maximum.value_or(NAN), e.why, e.where.dump());
+      if (holding[key].runs++ == 0) {
+        holding[key].first = line;
+        order.push_back(key);
+      }
+    }
+  }
+  for (const std::string& key : order) {
+    const auto& [first, count] = holding[key];
+    const std::string more = count == 1 ? "" : fmt::format(" (and in {} more)", count - 1);
+    held += fmt::format("{} {}{}\n", coloured("ok  ", Colour::green, stdout), first, more);
+  }
+  return held + failed;
+}
+
+/// Wall and CPU time of what was computed now, and which passes took it.
+std::string time_text(std::span<const CampaignRun> runs) {
+  double wall_s = 0, cpu_s = 0;
+  std::vector<PassTime> passes;
+  for (const CampaignRun& run : runs) {
+    if (!run.outcome) continue;
+    wall_s += run.outcome->wall_s;
+    cpu_s += run.outcome->cpu_s;
+    for (const PassTime& pass : run.outcome->passes) {
+      const auto same = std::ranges::find(passes, pass.name, &PassTime::name);
+      if (same == passes.end())
+        passes.push_back(pass);
+      else
+        same->seconds += pass.seconds;
+    }
+  }
+  std::string text = fmt::format("time: {:.1f} s of runs, {:.1f} s of CPU", wall_s, cpu_s);
+  const std::string shares = pass_shares(passes);
+  return shares.empty() ? text : text + "; " + shares;
+}
+
+}  // namespace
+
+bool expectations_hold(std::span<const CampaignRun> runs) {
+  return std::ranges::all_of(
+      runs, [](const auto& run) { return std::ranges::all_of(check(run), &ExpectationResult::holds); });
+}
+
+std::string pass_shares(const std::vector<PassTime>& passes) {
+  double all = 0;
+  for (const PassTime& pass : passes) all += pass.seconds;
+  std::vector<PassTime> sorted = passes;
+  std::ranges::stable_sort(sorted, std::ranges::greater{}, &PassTime::seconds);
+  std::string text;
+  for (const PassTime& pass : sorted) {
+    if (!(pass.seconds >= 0.01 * all) || all == 0) continue;
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", pass.name, 100 * pass.seconds / all);
+  }
+  return text;
+}
+
+std::vector<std::string> axis_headings(const Experiment& experiment) {
+  std::vector<std::string> headings;
+  for (const auto& [pointer, values] : experiment.axes)
+    headings.push_back(pointer.substr(pointer.rfind('/') + 1));
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    const bool alike = std::ranges::count(headings, headings[i]) > 1;
+    if (alike) headings[i] = experiment.axes[i].first;
+  }
+  return headings;
+}
+
+std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfig& config) {
+  std::vector<std::string> cells;
+  for (const auto& [pointer, values] : experiment.axes) {
+    const auto found = std::ranges::find(config.point, pointer, &std::pair<std::string, Json>::first);
+    cells.push_back(found == config.point.end() ? "" : value_text(found->second));
+  }
+  return cells;
+}
+
+std::string place_text(const CampaignRun& run) {
+  if (run.config->point.empty()) return run.experiment->name;
+  const std::vector<std::string> headings = axis_headings(*run.experiment);
+  const std::vector<std::string> cells = axis_cells(*run.experiment, *run.config);
+  std::string text;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (!cells[i].empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", headings[i], cells[i]);
+  return text;
+}
+
+std::string run_text(const CampaignRun& run) {
+  if (run.config->point.empty()) return run.experiment->name;
+  return fmt::format("{} ({})", run.experiment->name, place_text(run));
+}
+
+Json run_json(const CampaignRun& run) {
+  Json point = Json::object(), expectations = Json::array();
+  for (const auto& [pointer, value] : run.config->point) point[pointer] = value;
+  for (const ExpectationResult& result : check(run))
+    expectations.push_back(
+        {{"metric", result.expectation.metric}, {"holds", result.holds}, {"message", result.message}});
+  const RunOutcome outcome = run.outcome.value_or(RunOutcome{});
+  std::string id = outcome.id;
+  if (id.empty()) {
+    try {
+      id = run_id(*run.config);
+    } catch (const std::exception&) {  // the mesh file it is a hash of can't be read: `message` says so
+    }
+  }
+  return {{"id", id},
+          {"experiment", run.experiment->name},
+          {"point", point},
+          {"status", run.outcome ? to_string(outcome.status) : status_text(run)},
+          {"reused", outcome.reused},
+          {"file", outcome.file.string()},
+          {"config", run.config->resolved},
+          {"wall_s", outcome.wall_s},
+          {"cpu_s", outcome.cpu_s},
+          {"summary", outcome.summary},
+          {"expectations", expectations},
+          {"message", run.outcome ? outcome.message : run.error}};
+}
+
+std::string experiment_text(std::span<const CampaignRun> runs) {
+  const Experiment& experiment = *runs.front().experiment;
+  std::vector<std::string> headings = axis_headings(experiment);
+  headings.insert(headings.end(), main_columns.begin(), main_columns.end());
+  headings.insert(headings.end(), {"wall_s", "status"});
+  Table table(headings);
+  for (const CampaignRun& run : runs) {
+    std::vector<std::string> cells = axis_cells(experiment, *run.config);
+    for (const char* column : main_columns) {
+      const bool there = run.outcome && run.outcome->summary.contains(column);
+      cells.push_back(there ? format_number(run.outcome->summary.at(column)) : "");
+    }
+    cells.push_back(run.outcome ? fmt::format("{:.1f}", run.outcome->wall_s) : "");
+    cells.push_back(coloured_status(run));
+    table.add_row(std::move(cells));
+  }
+  std::string text = experiment.name;
+  if (!experiment.description.empty()) text += ": " + experiment.description;
+  text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
+  return text + expectations_text(runs);
+}
+
+}  // namespace bendlab

@@ -1,0 +1,37 @@
+// What `bendlab run` says about its runs: a line of JSON per run, or a table per experiment.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "experiments/cli/campaign.hpp"
+
+namespace bendlab {
+
+/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, summary, expectations, message}.
+Json run_json(const CampaignRun& run);
+
+/// Swept values and the main numbers, a row per run; where the time went; which expectations hold.
+/// `runs` are those of one experiment.
+std::string experiment_text(std::span<const CampaignRun> runs);
+
+/// Whether every expectation holds in every run that has a summary.
+bool expectations_hold(std::span<const CampaignRun> runs);
+
+/// The run's place on the sweep, "cells 64, model crossover"; its experiment's name where nothing is swept.
+std::string place_text(const CampaignRun& run);
+
+/// The run's experiment and place, "fig5 (cells 64, model crossover)".
+std::string run_text(const CampaignRun& run);
+
+/// Headings for the swept values: last part of each pointer, or all of it where two would be alike.
+std::vector<std::string> axis_headings(const Experiment& experiment);
+
+/// The run's values under axis_headings(), empty where an axis does not apply to it.
+std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfig& config);
+
+/// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if there are none.
+std::string pass_shares(const std::vector<PassTime>& passes);
+
+}  // namespace bendlab

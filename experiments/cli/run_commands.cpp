@@ -1,0 +1,188 @@
+#include <fmt/format.h>
+#include <spawn.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <span>
+#include <system_error>
+
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/errors.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/cli/signals.hpp"
+#include "experiments/cli/table.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// All configs, or one error with the problems of all.
+std::vector<Experiment> load_experiments(const ConfigArguments& configs) {
+  std::vector<Experiment> experiments;
+  std::string problems;
+  for (const fs::path& file : configs.files) {
+    try {
+      experiments.push_back(load_experiment(file, configs.overrides));
+    } catch (const ConfigError& error) {
+      problems += (problems.empty() ? "" : "\n") + std::string(error.what());
+    }
+  }
+  if (!problems.empty()) throw ConfigsError(problems);
+  return experiments;
+}
+
+/// Says once, before anything is computed, that the results can't be kept.
+void check_writable(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!error && access(folder.c_str(), W_OK | X_OK) != 0) error.assign(errno, std::generic_category());
+  if (error)
+    throw RunFileError(fmt::format("results can't be written to '{}': {}. Name another folder with --out",
+                                   folder.string(), error.message()));
+}
+
+/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON.
+int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, bool json) {
+  check_writable(options.out);
+  catch_stop_signals();
+  std::vector<CampaignRun> runs = plan_campaign(experiments);
+  std::size_t first = 0;  // run of the experiment that is on
+  bool printed = false;
+  run_campaign(runs, options, [&](std::size_t index) {
+    if (json) fmt::print("{}\n", run_json(runs[index]).dump());
+    if (index + 1 == runs.size() || runs[index + 1].experiment != runs[first].experiment) {
+      const std::span<const CampaignRun> of_experiment(&runs[first], index + 1 - first);
+      if (!json) fmt::print("{}{}", printed ? "\n" : "", experiment_text(of_experiment));
+      printed = true;
+      first = index + 1;
+    }
+    std::fflush(stdout);
+  });
+
+  if (const int code = stop_exit_code(); code != 0) {
+    const auto complete = std::ranges::count_if(
+        runs, [](const CampaignRun& run) { return run.started() && run.exit_code == 0; });
+    fmt::print(stderr, "bendlab: stopped with {} of {} runs complete; the same command again does the rest\n",
+               complete, runs.size());
+    return code;
+  }
+  const int code = campaign_exit_code(runs);
+  return code == exit_ok && !expectations_hold(runs) ? int{exit_failed} : code;
+}
+
+/// The JSON files of a folder, by name; those that end in `_full` only where asked for.
+std::vector<fs::path> configs_in(const fs::path& folder, bool full) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const fs::path& file = entry.path();
+    if (file.extension() == ".json" && (full || !file.stem().string().ends_with("_full")))
+      files.push_back(file);
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+/// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
+/// started.
+int run_program(std::vector<std::string> arguments) {
+  std::vector<char*> argv;
+  for (std::string& argument : arguments) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  pid_t child = 0;
+  if (posix_spawn(&child, argv.front(), nullptr, nullptr, argv.data(), environ) != 0) return 127;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0) {
+    if (errno != EINTR) return 127;
+  }
+  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+/// "complete", "12 frames" of a run that was stopped, or "new".
+std::string state_on_disk(const fs::path& folder) {
+  const fs::path file = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  try {
+    if (fs::exists(file)) {
+      const RunRecord record = read_run(file);
+      return record.status == RunStatus::complete
+                 ? "complete"
+                 : fmt::format("{}, {} frames", to_string(record.status), record.frames);
+    }
+    if (fs::exists(part)) return fmt::format("interrupted, {} frames", read_run(part).frames);
+  } catch (const RunFileError&) {
+    return "unreadable";
+  }
+  return "new";
+}
+
+}  // namespace
+
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json) {
+  return run_and_report(load_experiments(configs), options, json);
+}
+
+int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
+  const std::vector<Experiment> experiments = load_experiments(configs);
+  for (const Experiment& experiment : experiments) {
+    std::vector<std::string> headings = axis_headings(experiment);
+    headings.insert(headings.end(), {"id", "state"});
+    Table table(headings);
+    std::size_t complete = 0;
+    for (const RunConfig& config : experiment.runs) {
+      const fs::path folder = run_folder(out, experiment, config);
+      const std::string id = run_id(config), state = state_on_disk(folder);
+      if (state == "complete") ++complete;
+      if (json) {
+        Json point = Json::object();
+        for (const auto& [pointer, value] : config.point) point[pointer] = value;
+        const Json line = {
+            {"experiment", experiment.name}, {"point", point},           {"id", id}, {"state", state},
+            {"folder", folder.string()},     {"config", config.resolved}};
+        fmt::print("{}\n", line.dump());
+      }
+      std::vector<std::string> cells = axis_cells(experiment, config);
+      cells.insert(cells.end(), {id, state});
+      table.add_row(std::move(cells));
+    }
+    if (!json)
+      fmt::print("{}: {} run{}, {} complete\n\n{}\n", experiment.name, experiment.runs.size(),
+                 experiment.runs.size() == 1 ? "" : "s", complete, table.text());
+  }
+  return exit_ok;
+}
+
+int validate_command(const ConfigArguments& configs) {
+  for (const Experiment& experiment : load_experiments(configs))
+    fmt::print("{}: {} ({} run{})\n", coloured("ok", Colour::green, stdout), experiment.source.string(),
+               experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
+  return exit_ok;
+}
+
+int reproduce_command(CampaignOptions options, const fs::path& out, bool full) {
+  const fs::path source = BENDLAB_SOURCE_DIR, script = source / "analysis" / "page.py";
+  options.out = out.empty() ? source / "results" : out;
+  ConfigArguments configs;
+  for (const char* folder : {"paper", "ablations"})
+    std::ranges::copy(configs_in(source / "configs" / folder, full), std::back_inserter(configs.files));
+
+  const int runs_code = run_and_report(load_experiments(configs), options, false);
+  if (stop_exit_code() != 0) return runs_code;
+
+  const fs::path page = options.out / "paper";
+  fmt::print(stderr, "bendlab: drawing the figures\n");
+  const int page_code = run_program(
+      {BENDLAB_PYTHON, script.string(), "--results", options.out.string(), "--out", page.string()});
+  if (stop_exit_code() != 0) return stop_exit_code();
+  if (page_code != 0) {
+    fmt::print(stderr, "bendlab: {} {} ended with exit code {}\n", BENDLAB_PYTHON, script.string(),
+               page_code);
+    return exit_failed;
+  }
+  fmt::print("\npage: {}\n", (page / "index.html").string());
+  return runs_code;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,147 @@
+#include "experiments/config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "experiments/config_tables.hpp"
+#include "experiments/expectations.hpp"
+#include "experiments/overrides.hpp"
+#include "experiments/pointers.hpp"
+#include "experiments/resolve.hpp"
+#include "experiments/sweep.hpp"
+
+namespace bendlab {
+namespace {
+
+std::string read_file(const std::filesystem::path& file) {
+  const auto fail = [&](std::string_view why) {
+    throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: {}", why)}});
+  };
+  if (std::filesystem::is_directory(file)) fail("it is a folder");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(std::strerror(errno));
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) fail(std::strerror(errno));
+  return text;
+}
+
+// Takes `key` out of the document.
+Json take(Json& document, const std::string& key, Json if_absent) {
+  if (!document.contains(key)) return if_absent;
+  Json value = std::move(document[key]);
+  document.erase(key);
+  return value;
+}
+
+// The settings as they stand, but where an axis fills a gap: its own values are checked with the sweep.
+void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+  ConfigProblems found;
+  resolve(with_first_values(settings, axes), found);
+  const auto is_swept_gap = [&](const ConfigProblem& problem) {
+    return std::ranges::any_of(axes, [&](const Axis& axis) {
+      return lies_within(problem.pointer, axis.first) && value_at(settings, axis.first) == nullptr;
+    });
+  };
+  std::erase_if(found, is_swept_gap);
+  problems.insert(problems.begin(), found.begin(), found.end());
+}
+
+// An expectation that no run can meet checks nothing, which nobody would notice.
+void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
+  for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
+    if (std::ranges::none_of(experiment.runs,
+                             [&](const RunConfig& run) { return matches(experiment.expectations[i], run); }))
+      problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
+}
+
+// The config's JSON with default effects and overrides in place; ConfigError where it is no JSON object at
+// all.
+Json read_document(std::string_view text, std::string_view source_name,
+                   std::span<const std::string> overrides, ConfigProblems& problems) {
+  std::optional<Json> document = read_strict_json(text, problems);
+  if (document && !document->is_object())
+    problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
+  if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
+  if (!document->contains("effects")) (*document)["effects"] = default_effects();
+  apply_overrides(*document, overrides, problems);
+  return *std::move(document);
+}
+
+Experiment parse(std::string_view text, std::string_view source_name, const std::filesystem::path& source,
+                 std::span<const std::string> overrides) {
+  ConfigProblems reading;
+  Json settings = read_document(text, source_name, overrides, reading);
+  const Json sweep = take(settings, "sweep", Json::object());
+  const Json expect = take(settings, "expect", Json::array());
+
+  Experiment experiment;
+  experiment.source = source;
+  ConfigProblems problems;
+  experiment.axes = read_axes(sweep, settings, problems);
+  experiment.expectations = read_expectations(expect, settings, problems);
+  check_settings(settings, experiment.axes, problems);
+  problems.insert(problems.begin(), reading.begin(), reading.end());
+  if (problems.empty()) experiment.runs = expand_sweep(settings, experiment.axes, problems);
+  // With overrides the sweep may be a part of the one that the expectations were written for.
+  if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
+  if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
+
+  experiment.name = settings["name"];
+  experiment.description = settings.value("description", "");
+  for (RunConfig& run : experiment.runs)
+    if (const Json* file = value_at(run.resolved, "/mesh/file"))
+      run.mesh_file = source.parent_path() / file->get<std::string>();
+  return experiment;
+}
+
+}  // namespace
+
+ParameterValues RunConfig::section(std::string_view pointer) const {
+  const ConfigSection* found = find_section(pointer);
+  const Json* values = value_at(resolved, std::string(pointer));
+  if (found == nullptr || values == nullptr)
+    throw std::logic_error(fmt::format("a run's config has no section '{}'", pointer));
+  return values_of(*values, found->parameters);
+}
+
+std::string RunConfig::bending_model() const {
+  return section("/bending").text("model");
+}
+
+ParameterValues RunConfig::bending_parameters() const {
+  const BendingModel* model = find_bending_model(bending_model());
+  return model->parameters.empty() ? ParameterValues() : section(fmt::format("/bending/{}", model->name));
+}
+
+std::vector<EffectSettings> RunConfig::effects() const {
+  std::vector<EffectSettings> list;
+  for (const Json& entry : resolved["effects"]) {
+    const std::string type = entry["type"];
+    list.push_back({type, values_of(entry, find_effect(type)->parameters)});
+  }
+  return list;
+}
+
+std::string identity_text(const RunConfig& config) {
+  Json identity = config.resolved;
+  identity["solver"].erase("threads");
+  return identity.dump();
+}
+
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return parse(read_file(file), file.string(), file, overrides);
+}
+
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides) {
+  return parse(text, source_name, {}, overrides);
+}
+
+}  // namespace bendlab

@@ -1,0 +1,71 @@
+// A config: strict JSON read against the tables of settings, defaults filled in, sweeps expanded.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bendlab/parameters/parameter.hpp"
+#include "experiments/strict_json.hpp"
+
+namespace bendlab {
+
+/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
+struct Expectation {
+  std::string metric;
+  std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
+  std::string why;
+  Json where =
+      Json::object();  ///< {json pointer: value}: only runs whose config has these values; empty: all
+};
+
+/// One effect the scene lists, with its settings.
+struct EffectSettings {
+  std::string type;
+  ParameterValues values;
+};
+
+/// One point of a sweep: every value there, only the chosen model's settings kept.
+struct RunConfig {
+  Json resolved;  ///< canonical: equal runs have equal text; holds no name and no description
+  std::filesystem::path mesh_file;  ///< /mesh/file as a path from here; empty: the mesh is generated
+  /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
+  /// setting of another bending model, for example).
+  std::vector<std::pair<std::string, Json>> point;
+
+  /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …), typed.
+  ParameterValues section(std::string_view pointer) const;
+  std::string bending_model() const;
+  ParameterValues bending_parameters() const;  ///< of the chosen model
+  std::vector<EffectSettings> effects() const;
+};
+
+/// The part of a resolved config that decides the result: canonical text without /solver/threads (any number
+/// of threads gives the same bits).
+std::string identity_text(const RunConfig& config);
+
+/// A swept pointer and its values, normalised.
+using Axis = std::pair<std::string, std::vector<Json>>;
+
+struct Experiment {
+  std::string name, description;
+  std::filesystem::path source;  ///< the config's file, empty if it came from text
+  std::vector<RunConfig> runs;   ///< sweep expanded in order, last axis fastest; equal points appear once
+  std::vector<Axis> axes;        ///< the sweep
+  std::vector<Expectation> expectations;
+};
+
+/// Reads, checks and expands. `overrides` are "/json/pointer=value" texts (value as JSON, else as plain
+/// text); on a swept pointer an override replaces that axis. Throws ConfigError with every problem found; a
+/// file that cannot be read is one too.
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+/// The same from text; a mesh file is then relative to the working directory.
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides = {});
+
+}  // namespace bendlab

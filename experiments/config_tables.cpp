@@ -1,0 +1,369 @@
+#include "experiments/config_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/pins.hpp"
+
+namespace bendlab {
+namespace {
+
+using enum ParameterType;
+using Names = std::span<const std::string_view>;
+
+constexpr std::array<std::string_view, 4> generators = {"grid", "equilateral", "delaunay", "disc"};
+constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "both"};
+constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
+constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
+constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
+constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
+constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
+constexpr std::array<std::string_view, 2> orders = {"colour", "mesh"};
+constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
+constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
+
+constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
+constexpr std::array<double, 3> default_warp = {1, 0, 0};
+constexpr std::span<const double> no_indices;
+
+constexpr double largest_seed = 4294967295;  // 2³² - 1: fits every generator
+
+constexpr std::string_view stiffness_meaning =
+    "How stiff: k is the share of the error a projection removes; k_per_step uses k' = 1 - (1 - k)^(1/n) for "
+    "n projections per substep, so that an isolated constraint loses the share k in all; compliance is "
+    "XPBD's";
+
+// One setting, few lines: these are to be read as tables.
+// clang-format off
+constexpr std::array top_level = {
+    Parameter{.name = "name", .type = text, .unit = "", .default_value = {},
+              .meaning = "Name of the experiment and of its results folder: letters, digits, '_' and '-'",
+              .required = true},
+    Parameter{.name = "description", .type = text, .unit = "", .default_value = "",
+              .meaning = "What the experiment is for; does not change it"},
+    Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
+              .meaning = "Simulated time of each run",
+              .minimum = 0, .above = true},
+};
+
+constexpr std::array mesh = {
+    Parameter{.name = "generator", .type = text, .unit = "", .default_value = "grid",
+              .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
+                         "triangles; delaunay: irregular, seeded; disc: concentric rings",
+              .choices = generators},
+    Parameter{.name = "file", .type = text, .unit = "", .default_value = {},
+              .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
+                         "config's folder"},
+    Parameter{.name = "width", .type = number, .unit = "m", .default_value = 1.0,
+              .meaning = "Extent along x",
+              .minimum = 0, .above = true},
+    Parameter{.name = "height", .type = number, .unit = "m", .default_value = 1.0,
+              .meaning = "Extent along y",
+              .minimum = 0, .above = true},
+    Parameter{.name = "cells", .type = integer, .unit = "1", .default_value = 32,
+              .meaning = "Resolution: cells along the width",
+              .minimum = 1, .maximum = 4096},
+    Parameter{.name = "diagonal", .type = text, .unit = "", .default_value = "same",
+              .meaning = "grid: which diagonal splits a square: the same everywhere, alternating, or both",
+              .choices = diagonals},
+    Parameter{.name = "rows", .type = text, .unit = "", .default_value = "parallel",
+              .meaning = "equilateral: direction of the rows of edges against the long side",
+              .choices = row_directions},
+    Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
+              .meaning = "disc: its radius",
+              .minimum = 0, .above = true},
+    Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "delaunay: seed of the random points",
+              .minimum = 0, .maximum = largest_seed},
+    Parameter{.name = "scale", .type = number, .unit = "1", .default_value = 1.0,
+              .meaning = "Factor on all coordinates, of a file's mesh too",
+              .minimum = 0, .above = true},
+};
+
+// Not constexpr: the names come from the mesh room.
+const std::array<Parameter, 3>& pins() {
+  static const std::array<Parameter, 3> table = {
+      Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
+                .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides, centre",
+                .choices = vertex_selectors()},
+      Parameter{.name = "indices", .type = numbers, .unit = "1", .default_value = no_indices,
+                .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), besides the "
+                           "named ones",
+                .minimum = 0},
+      Parameter{.name = "ring", .type = integer, .unit = "1", .default_value = 1,
+                .meaning = "Rings around each pinned vertex that are pinned too (the paper: 1; 0: the "
+                           "vertex alone)",
+                .minimum = 0, .maximum = 64},
+  };
+  return table;
+}
+
+constexpr std::array material = {
+    Parameter{.name = "density", .type = number, .unit = "kg/m²", .default_value = 0.2,
+              .meaning = "Mass per area",
+              .minimum = 0, .above = true},
+    Parameter{.name = "coordinates", .type = text, .unit = "", .default_value = "warp",
+              .meaning = "Material coordinates: warp_direction projected into each triangle's plane, or the "
+                         "mesh file's texture coordinates",
+              .choices = coordinate_sources},
+    Parameter{.name = "warp_direction", .type = numbers, .unit = "1",
+              .default_value = std::span<const double>(default_warp),
+              .meaning = "Direction of the warp threads in the rest shape; any length but zero",
+              .length = 3},
+};
+
+constexpr std::array strain = {
+    Parameter{.name = "form", .type = text, .unit = "", .default_value = "normalised",
+              .meaning = "normalised: stretch √S_ii - 1 and normalised shear; green: the entries of S "
+                         "themselves",
+              .choices = strain_forms},
+    Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
+              .meaning = stiffness_meaning, .choices = stiffness_kinds},
+    Parameter{.name = "warp", .type = number, .unit = "1", .default_value = 1.0,
+              .meaning = "k of the stretch along the warp",
+              .minimum = 0, .maximum = 1},
+    Parameter{.name = "weft", .type = number, .unit = "1", .default_value = 1.0,
+              .meaning = "k of the stretch across the warp",
+              .minimum = 0, .maximum = 1},
+    Parameter{.name = "shear", .type = number, .unit = "1", .default_value = 1.0,
+              .meaning = "k of the shear",
+              .minimum = 0, .maximum = 1},
+    Parameter{.name = "area", .type = number, .unit = "1", .default_value = 0.0,
+              .meaning = "k of the triangle's area; 0: no such constraint",
+              .minimum = 0, .maximum = 1},
+    Parameter{.name = "compliance", .type = number, .unit = "m/N", .default_value = 0.0,
+              .meaning = "Compliance of every strain constraint where stiffness is compliance; 0 is rigid",
+              .minimum = 0},
+};
+
+const std::array<Parameter, 4>& bending() {
+  static const std::vector<std::string_view> models = [] {
+    std::vector<std::string_view> names;
+    for (const BendingModel* model : bending_models()) names.push_back(model->name);
+    return names;
+  }();
+  static const std::array<Parameter, 4> table = {
+      Parameter{.name = "model", .type = text, .unit = "", .default_value = "adaptive",
+                .meaning = "Bending model; its own settings are in the object of its name",
+                .choices = models},
+      Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
+                .meaning = stiffness_meaning, .choices = stiffness_kinds},
+      Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
+                .meaning = "Stiffness of every bending constraint",
+                .minimum = 0, .maximum = 1},
+      Parameter{.name = "compliance", .type = number, .unit = "m/N", .default_value = 0.0,
+                .meaning = "Compliance of every bending constraint where stiffness is compliance; 0 is rigid",
+                .minimum = 0},
+  };
+  return table;
+}
+
+constexpr std::array solver = {
+    Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
+              .meaning = "Time step",
+              .minimum = 0, .above = true},
+    Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "Equal parts of a time step",
+              .minimum = 1, .maximum = 100000},
+    Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 10,
+              .meaning = "Rounds over all constraints per substep",
+              .minimum = 1, .maximum = 100000},
+    Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
+              .meaning = "Each iteration visits the constraints forward, or (symmetric) forward and then "
+                         "backward, which is quiet at small time steps and projects twice as often",
+              .choices = sweeps},
+    Parameter{.name = "order", .type = text, .unit = "", .default_value = "colour",
+              .meaning = "colour: grouped so that no two of a group share a vertex; mesh: as the model "
+                         "lists them",
+              .choices = orders},
+    Parameter{.name = "first", .type = text, .unit = "", .default_value = "strain",
+              .meaning = "Which kind is projected first within an iteration",
+              .choices = constraint_kinds},
+    Parameter{.name = "precision", .type = text, .unit = "", .default_value = "single",
+              .meaning = "Floating-point numbers of the solver",
+              .choices = precisions},
+    Parameter{.name = "threads", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "Threads of one run; the result has the same bits for any number",
+              .minimum = 1, .maximum = 256},
+};
+
+constexpr std::array initial = {
+    Parameter{.name = "tilt", .type = number, .unit = "degrees", .default_value = 0.0,
+              .meaning = "Rotation of the rest sheet about the x axis through its centre; 0 is horizontal, "
+                         "gravity is along -z",
+              .minimum = -180, .maximum = 180},
+    Parameter{.name = "perturbation", .type = number, .unit = "1", .default_value = 0.0,
+              .meaning = "Largest random displacement of a free vertex along each axis, relative to the "
+                         "mesh's size",
+              .minimum = 0, .maximum = 1},
+    Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "Seed of the perturbation",
+              .minimum = 0, .maximum = largest_seed},
+};
+
+constexpr std::array output = {
+    Parameter{.name = "frames_per_second", .type = number, .unit = "1/s", .default_value = 30.0,
+              .meaning = "Recorded frames per simulated second",
+              .minimum = 0, .above = true},
+    Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether the run file lists every constraint (else their counts and hash)"},
+};
+
+constexpr std::array quality = {
+    Parameter{.name = "needle_ratio", .type = number, .unit = "1", .default_value = 4.0,
+              .meaning = "A triangle with a larger ratio of longest to shortest edge is a needle",
+              .minimum = 1},
+    Parameter{.name = "cap_angle", .type = number, .unit = "degrees", .default_value = 160.0,
+              .meaning = "A triangle with a larger angle is a cap",
+              .minimum = 90, .maximum = 180},
+    Parameter{.name = "small_angle", .type = number, .unit = "degrees", .default_value = 10.0,
+              .meaning = "A triangle with a smaller angle counts as degenerate in the metrics",
+              .minimum = 0, .maximum = 60},
+};
+
+constexpr std::array expectation = {
+    Parameter{.name = "metric", .type = text, .unit = "", .default_value = {},
+              .meaning = "Which number of the run's summary",
+              .required = true},
+    Parameter{.name = "min", .type = number, .unit = "", .default_value = {},
+              .meaning = "Smallest value that is right, in the metric's unit; min or max or both must be "
+                         "there"},
+    Parameter{.name = "max", .type = number, .unit = "", .default_value = {},
+              .meaning = "Largest value that is right, in the metric's unit"},
+    Parameter{.name = "why", .type = text, .unit = "", .default_value = {},
+              .meaning = "Where the bound comes from",
+              .required = true},
+};
+
+// clang-format on
+
+constexpr std::array lists = {
+    ConfigList{"effects",
+               "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}, each "
+               "type at most once. Absent: gravity alone; an empty list: nothing"},
+    ConfigList{"sweep",
+               "What to vary: {\"/json/pointer\": [values]}. One run per combination, the last pointer "
+               "fastest; a pointer may also name a whole object, or the whole list of effects"},
+    ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
+};
+
+std::vector<ConfigSection> make_sections() {
+  static std::deque<std::string> pointers;  // what the sections of the models refer to
+  std::vector<ConfigSection> sections = {
+      {"", "The experiment", top_level},
+      {"/mesh", "The rest mesh: generated, or read from a file", mesh},
+      {"/pins", "Which vertices are held", pins()},
+      {"/material", "The cloth's mass and material directions", material},
+      {"/material/strain", "Strain constraints of the triangles", strain},
+      {"/bending", "The bending model and how stiff its constraints are", bending()},
+  };
+  for (const BendingModel* model : bending_models())
+    if (!model->parameters.empty())
+      sections.push_back(
+          {pointers.emplace_back(fmt::format("/bending/{}", model->name)),
+           pointers.emplace_back(fmt::format("Bending model {}: {}", model->name, model->summary)),
+           model->parameters});
+  const std::array<ConfigSection, 4> rest = {{
+      {"/solver", "Time stepping and projection", solver},
+      {"/initial", "The pose at time 0", initial},
+      {"/output", "What the run file holds", output},
+      {"/quality", "From where on a triangle counts as bad", quality},
+  }};
+  sections.insert(sections.end(), rest.begin(), rest.end());
+  return sections;
+}
+
+std::string range_text(const Parameter& row) {
+  const bool low = std::isfinite(row.minimum), high = std::isfinite(row.maximum);
+  if (low && high && !row.above) return fmt::format(" from {} to {}", row.minimum, row.maximum);
+  const std::string least =
+      low ? fmt::format(" {} {}", row.above ? "above" : "of at least", row.minimum) : "";
+  const std::string most = high ? fmt::format(" of at most {}", row.maximum) : "";
+  return least + (low && high ? " and" : "") + most;
+}
+
+}  // namespace
+
+std::span<const ConfigSection> config_sections() {
+  static const std::vector<ConfigSection> sections = make_sections();
+  return sections;
+}
+
+const ConfigSection* find_section(std::string_view pointer) {
+  const auto found = std::ranges::find(config_sections(), pointer, &ConfigSection::pointer);
+  return found == config_sections().end() ? nullptr : &*found;
+}
+
+std::string_view section_key(const ConfigSection& section) {
+  return section.pointer.substr(section.pointer.rfind('/') + 1);
+}
+
+std::vector<const ConfigSection*> child_sections(std::string_view pointer) {
+  std::vector<const ConfigSection*> children;
+  for (const ConfigSection& section : config_sections())
+    if (!section.pointer.empty() && section.pointer.substr(0, section.pointer.rfind('/')) == pointer)
+      children.push_back(&section);
+  return children;
+}
+
+std::span<const ConfigList> config_lists() {
+  return lists;
+}
+
+const Parameter& effect_type_parameter() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> result;
+    for (const Effect* effect : effects()) result.push_back(effect->name);
+    return result;
+  }();
+  static const Parameter row = {.name = "type",
+                                .type = text,
+                                .unit = "",
+                                .default_value = {},
+                                .meaning = "Which effect",
+                                .required = true,
+                                .choices = names};
+  return row;
+}
+
+std::span<const Parameter> expectation_parameters() {
+  return expectation;
+}
+
+std::string_view expectation_where_meaning() {
+  return "Only runs that have these values: {\"/json/pointer\": value}; absent: every run";
+}
+
+std::vector<std::string_view> names_of(std::span<const Parameter> table) {
+  std::vector<std::string_view> names;
+  for (const Parameter& row : table) names.push_back(row.name);
+  return names;
+}
+
+std::string expected_text(const Parameter& row) {
+  const std::string choices = fmt::format("one of {}", fmt::join(row.choices, ", "));
+  const std::string length = row.length == 0 ? "" : fmt::format("{} ", row.length);
+  switch (row.type) {
+    case boolean:
+      return "true or false";
+    case integer:
+      return "a whole number" + range_text(row);
+    case number:
+      return "a number" + range_text(row);
+    case text:
+      return row.choices.empty() ? "a text" : choices;
+    case numbers:
+      return fmt::format("a list of {}numbers{}", length, range_text(row));
+    case texts:
+      return fmt::format("a list of {}texts{}", length, row.choices.empty() ? "" : ", each " + choices);
+  }
+  throw std::logic_error("expected_text: unknown type");
+}
+
+}  // namespace bendlab

@@ -1,0 +1,261 @@
+#include "experiments/run.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <xxhash.h>
+
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <iterator>
+#include <optional>
+
+#include "bendlab/constraints/pack.hpp"
+#include "bendlab/io/frame_writer.hpp"
+#include "experiments/recorder.hpp"
+#include "experiments/version.hpp"
+
+namespace bendlab {
+namespace {
+
+std::string hex_hash(const void* data, std::size_t bytes, XXH64_hash_t seed = 0) {
+  return fmt::format("{:016x}", XXH3_64bits_withSeed(data, bytes, seed));
+}
+
+double thread_cpu_s() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+std::string file_bytes(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream)
+    throw RunFileError(fmt::format(
+        "{}: the mesh file cannot be read; check /mesh/file and the file's permissions", file.string()));
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::string processor_name() {
+  std::ifstream info("/proc/cpuinfo");
+  for (std::string line; std::getline(info, line);)
+    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
+  return "unknown";
+}
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof(name) - 1) == 0 ? name : "unknown";
+}
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  gmtime_r(&now, &utc);
+  char text[32] = {};
+  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &utc);
+  return text;
+}
+
+// Vertices and rest values of a list in the order the solver projects them (padded lanes left out).
+template <class List, class RestOf>
+ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
+                           RestOf rest_of) {
+  ConstraintRecord record{.kind = kind, .count = list.size(), .hash = {}};
+  for (const int constraint : order.constraint_of_lane) {
+    if (constraint < 0) continue;
+    const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
+    record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
+    record.rest.push_back(rest_of(static_cast<std::size_t>(constraint)));
+    record.vertices_per_constraint = static_cast<int>(vertices.size());
+  }
+  record.hash = hex_hash(record.rest.data(), record.rest.size() * sizeof(double),
+                         XXH3_64bits(record.vertices.data(), record.vertices.size() * sizeof(int)));
+  if (!in_full) record.vertices.clear(), record.rest.clear();
+  return record;
+}
+
+RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
+                    const Scene& scene, const Simulation& simulation, const Recorder& recorder) {
+  const BuildInfo& build = build_info();
+  const RestMesh& rest = scene.rest;
+  const bool in_full = config.section("/output").boolean("constraints");
+  RunHeader header;
+  header.id = id;
+  header.name = experiment.name;
+  header.rest_positions.assign(rest.positions().data(), rest.positions().data() + rest.positions().size());
+  header.triangles.assign(rest.triangles().data(), rest.triangles().data() + rest.triangles().size());
+  header.pinned.assign(scene.pins.is_pinned.begin(), scene.pins.is_pinned.end());
+  header.pin_seeds = scene.pins.seeds;
+  header.metrics = recorder.metrics();
+  header.cell_fields = recorder.cell_fields();
+  header.constraints = {record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
+                                  [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+                                    const InverseRest& q = scene.input.strain.inverse_rest[c];
+                                    return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
+                                  }),
+                        record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
+                                  [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
+  header.provenance = {{"version", std::string(build.version)},
+                       {"git_commit", std::string(build.git_commit)},
+                       {"git_dirty", build.git_dirty ? "yes" : "no"},
+                       {"source_hash", std::string(build.source_hash)},
+                       {"compiler", std::string(build.compiler)},
+                       {"compiler_flags", std::string(build.flags)},
+                       {"build_type", std::string(build.build_type)},
+                       {"vector_bits", std::to_string(8 * pack_bytes)},
+                       {"processor", processor_name()},
+                       {"host", host_name()},
+                       {"threads", std::to_string(scene.input.settings.threads)},
+                       {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
+                       {"ordering_hash", header.constraints[0].hash + header.constraints[1].hash},
+                       {"started", utc_now()}};
+  header.config = config.resolved.dump(2);
+  header.double_positions = scene.precision == Precision::double_precision;
+  return header;
+}
+
+std::string divergence_message(const Divergence& divergence) {
+  return fmt::format(
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m; the frames before it are kept. "
+      "A smaller "
+      "/solver/dt, more /solver/substeps or a lower stiffness may help",
+      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
+      divergence.position.z());
+}
+
+// Steps to the end, a stop or divergence, and records frames on the way.
+struct Stepping {
+  RunStatus status = RunStatus::complete;
+  std::string message;
+};
+
+Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWriter& writer,
+                     const RunConfig& config, const RunControl& control) {
+  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
+  const double frame_interval = 1 / config.section("/output").number("frames_per_second");
+  constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
+  const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
+  writer.push(recorder.capture(simulation));
+  double next_frame = frame_interval;
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
+    const double time = simulation.time();
+    const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
+    if (time < next_frame - rounding * dt && step < steps && !stop) continue;
+    while (next_frame <= time + rounding * dt) next_frame += frame_interval;
+    writer.push(recorder.capture(simulation));
+    if (control.progress) control.progress(time, duration);
+    if (stop && step < steps)
+      return {
+          RunStatus::interrupted,
+          fmt::format(
+              "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs "
+              "what is not complete",
+              time, duration)};
+  }
+  return {};
+}
+
+RunOutcome outcome_of(const RunRecord& record) {
+  const auto message = record.provenance.find("message");
+  return {.id = record.id,
+          .status = record.status,
+          .reused = true,
+          .file = record.file,
+          .message = message == record.provenance.end() ? "" : message->second,
+          .wall_s = record.wall_s,
+          .cpu_s = record.cpu_s,
+          .summary = record.summary,
+          .passes = record.passes};
+}
+
+// The run's file if it is there and over: complete, or diverged (which it would again, bit for bit).
+std::optional<RunOutcome> finished_run(const std::filesystem::path& file) {
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    const RunRecord record = read_run(file);
+    if (record.status == RunStatus::complete || record.status == RunStatus::diverged)
+      return outcome_of(record);
+  } catch (const RunFileError&) {  // unreadable: run again, which replaces it
+  }
+  return std::nullopt;
+}
+
+// "mesh/cells" → "cells", values without quotes; what a folder's name can't hold becomes '_'.
+std::string readable_place(const RunConfig& config) {
+  std::string place;
+  for (const auto& [pointer, value] : config.point) {
+    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+    place += fmt::format("{}{}={}", place.empty() ? "" : ",", pointer.substr(pointer.rfind('/') + 1), text);
+  }
+  for (char& c : place)
+    if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("=,.-_", c)) c = '_';
+  constexpr std::size_t longest = 120;  // well within a file system's 255 bytes, with the id behind it
+  return place.substr(0, longest);
+}
+
+void make_folder(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error)
+    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out", folder.string(),
+                                   error.message()));
+}
+
+}  // namespace
+
+std::string run_id(const RunConfig& config) {
+  std::string identity = identity_text(config) + std::string(build_info().source_hash);
+  if (!config.mesh_file.empty()) identity += file_bytes(config.mesh_file);
+  return hex_hash(identity.data(), identity.size());
+}
+
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config) {
+  const std::string place = readable_place(config), id = run_id(config);
+  return out / experiment.name / (place.empty() ? id : place + "-" + id);
+}
+
+RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
+                       const std::filesystem::path& out, const RunControl& control) {
+  const std::filesystem::path file = run_folder(out, experiment, config) / "run.vtkhdf";
+  if (std::optional<RunOutcome> finished = finished_run(file)) return *finished;
+
+  const auto wall_start = std::chrono::steady_clock::now();
+  const double cpu_start = thread_cpu_s();
+  const Scene scene = build_scene(config);
+  const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+  Recorder recorder(scene);
+  const double set_up_s = thread_cpu_s() - cpu_start;
+  RunOutcome outcome{.id = run_id(config), .file = file};
+  const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
+
+  make_folder(file.parent_path());
+  FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame); });
+  const Stepping stepping = step_to_end(*simulation, recorder, writer, config, control);
+  writer.drain();
+  const double recording_s = writer.cpu_s();
+  outcome.status = stepping.status;
+  outcome.message = stepping.message;
+  outcome.summary = recorder.summary(*simulation);
+  outcome.passes.push_back({"set_up", set_up_s, 1});
+  for (const PassStatistics& pass : simulation->passes())
+    outcome.passes.push_back({pass.name, pass.seconds, pass.calls});
+  outcome.passes.push_back({"recording", recording_s, writer.frames()});
+  outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
+  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  RunFooter footer{.status = outcome.status,
+                   .summary = outcome.summary,
+                   .passes = outcome.passes,
+                   .wall_s = outcome.wall_s,
+                   .cpu_s = outcome.cpu_s};
+  if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
+  writer.finish(footer);
+  return outcome;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,47 @@
+// One run: a point of a sweep, from its config to its file. Knows no command line and prints nothing.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/config.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+
+/// How a run is watched and stopped.
+struct RunControl {
+  const std::atomic<bool>* stop = nullptr;  ///< set: the run finishes the current frame, keeps it and returns
+  /// Called after every recorded frame: simulated seconds done, simulated seconds in all.
+  std::function<void(double done_s, double total_s)> progress;
+};
+
+struct RunOutcome {
+  std::string id;
+  RunStatus status = RunStatus::complete;
+  bool reused = false;  ///< the file was there and complete; nothing was computed
+  std::filesystem::path file;
+  std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
+  double wall_s = 0, cpu_s = 0;
+  std::map<std::string, double> summary;
+  std::vector<PassTime> passes;
+};
+
+/// Hash (16 hex digits) of the resolved config, the bytes of the mesh file it names, and the version of the
+/// code.
+std::string run_id(const RunConfig& config);
+
+/// `<out>/<experiment>/<readable place on the sweep>-<id>`
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config);
+
+/// Runs one point (or finds it complete). Throws MeshError and RunFileError; a run that diverges is an
+/// outcome.
+RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
+                       const std::filesystem::path& out, const RunControl& control = {});
+
+}  // namespace bendlab

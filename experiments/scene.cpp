@@ -1,0 +1,209 @@
+#include "experiments/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/delaunay.hpp"
+#include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/generators.hpp"
+
+namespace bendlab {
+namespace {
+
+TriangleMesh generated_mesh(const ParameterValues& mesh) {
+  const double width = mesh.number("width"), height = mesh.number("height");
+  const int cells = static_cast<int>(mesh.integer("cells"));
+  const std::string& generator = mesh.text("generator");
+  if (generator == "disc") return disc(mesh.number("radius"), cells);
+  if (generator == "delaunay")
+    return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
+  if (generator == "equilateral")
+    return equilateral(width, height, cells,
+                       mesh.text("rows") == "parallel" ? Rows::parallel : Rows::perpendicular);
+  const std::string& diagonal = mesh.text("diagonal");
+  const int cells_y = std::max(1, static_cast<int>(std::lround(cells * height / width)));
+  return grid(width, height, cells, cells_y,
+              diagonal == "same"   ? Diagonal::same
+              : diagonal == "both" ? Diagonal::both
+                                   : Diagonal::alternating);
+}
+
+TriangleMesh mesh_from_file(const std::filesystem::path& file) {
+  try {
+    return read_mesh(file);
+  } catch (const MeshFileError& error) {
+    if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+    throw RunFileError(error.what());
+  }
+}
+
+Pins pins_of(const RunConfig& config, const RestMesh& rest) {
+  const ParameterValues values = config.section("/pins");
+  std::vector<int> seeds;
+  for (const std::string& name : values.texts("vertices"))
+    for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
+  for (const double index : values.numbers("indices")) {
+    if (index >= rest.vertex_count())
+      throw ConfigError("/pins/indices",
+                        {{"/pins/indices", fmt::format("vertex {} is not in the mesh, which has vertices "
+                                                       "0 to {}",
+                                                       index, rest.vertex_count() - 1)}});
+    seeds.push_back(static_cast<int>(index));
+  }
+  return make_pins(rest, std::move(seeds), static_cast<int>(values.integer("ring")));
+}
+
+StiffnessKind stiffness_kind(const std::string& name) {
+  return name == "k"            ? StiffnessKind::k
+         : name == "k_per_step" ? StiffnessKind::k_per_step
+                                : StiffnessKind::compliance;
+}
+
+StrainStiffness strain_stiffness(const ParameterValues& values) {
+  return {.form = values.text("form") == "green" ? StrainForm::green : StrainForm::normalised,
+          .kind = stiffness_kind(values.text("stiffness")),
+          .warp = values.number("warp"),
+          .weft = values.number("weft"),
+          .shear = values.number("shear"),
+          .area = values.number("area"),
+          .compliance = values.number("compliance")};
+}
+
+SpringStiffness spring_stiffness(const ParameterValues& values) {
+  return {.kind = stiffness_kind(values.text("stiffness")),
+          .k = values.number("k"),
+          .compliance = values.number("compliance")};
+}
+
+SolverSettings solver_settings(const ParameterValues& values) {
+  return {.dt = values.number("dt"),
+          .substeps = static_cast<int>(values.integer("substeps")),
+          .iterations = static_cast<int>(values.integer("iterations")),
+          .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
+          .order = values.text("order") == "mesh" ? ConstraintOrder::mesh : ConstraintOrder::colour,
+          .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,
+          .threads = static_cast<int>(values.integer("threads"))};
+}
+
+// Uniform in [-1, 1], the same on every platform (the standard's distributions are not).
+double uniform(std::mt19937_64& generator) {
+  return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
+}
+
+Positions initial_positions(const ParameterValues& values, const RestMesh& rest, const Pins& pins) {
+  const double tilt = values.number("tilt") * std::numbers::pi / 180;
+  Positions positions = rest.positions();
+  if (tilt != 0) {
+    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(tilt, Vector3::UnitX()).toRotationMatrix();
+    positions = ((positions.rowwise() - rest.centre().transpose()) * rotation.transpose()).rowwise() +
+                rest.centre().transpose();
+  }
+  const double amplitude = values.number("perturbation") * rest.size();
+  if (amplitude == 0) return positions;
+  std::mt19937_64 generator(static_cast<std::uint64_t>(values.integer("seed")));
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const Eigen::RowVector3d offset(uniform(generator), uniform(generator), uniform(generator));
+    if (!pins.pinned(v)) positions.row(v) += amplitude * offset;
+  }
+  return positions;
+}
+
+std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
+  if (material.text("coordinates") == "warp") {
+    const std::vector<double>& warp = material.numbers("warp_direction");
+    return inverse_rest_from_warp(mesh, {warp[0], warp[1], warp[2]});
+  }
+  try {
+    return inverse_rest_from_texture(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(error.what());
+  }
+}
+
+int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs) {
+  return static_cast<int>(
+      std::count_if(springs.vertices.begin(), springs.vertices.end(), [&](const auto& pair) {
+        const auto ring = rest.one_ring()[pair[0]];
+        return !std::binary_search(ring.begin(), ring.end(), pair[1]);
+      }));
+}
+
+Vector3 direction_of_gravity(const std::vector<EffectSettings>& effects) {
+  for (const EffectSettings& effect : effects)
+    if (effect.type == "gravity") {
+      const std::vector<double>& a = effect.values.numbers("acceleration");
+      const Vector3 acceleration(a[0], a[1], a[2]);
+      if (acceleration.norm() > 0) return acceleration.normalized();
+    }
+  return -Vector3::UnitZ();
+}
+
+QualityThresholds quality_thresholds(const ParameterValues& values) {
+  return {.needle_ratio = values.number("needle_ratio"),
+          .cap_angle = values.number("cap_angle"),
+          .small_angle = values.number("small_angle")};
+}
+
+template <class Real>
+std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
+  std::vector<Pass<Real>> passes;
+  for (const EffectSettings& settings : scene.effects)
+    for (Pass<Real>& pass : find_effect(settings.type)->compile<Real>(settings.values))
+      passes.push_back(std::move(pass));
+  return make_simulation<Real>(scene.input, std::move(passes));
+}
+
+}  // namespace
+
+TriangleMesh rest_mesh_of(const RunConfig& config) {
+  const ParameterValues values = config.section("/mesh");
+  TriangleMesh mesh = config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file);
+  mesh.positions *= values.number("scale");
+  return mesh;
+}
+
+Scene build_scene(const RunConfig& config) {
+  Scene scene{.rest = RestMesh(rest_mesh_of(config))};
+  const RestMesh& rest = scene.rest;
+  const ParameterValues material = config.section("/material"), solver = config.section("/solver");
+  scene.pins = pins_of(config, rest);
+  scene.effects = config.effects();
+  scene.down = direction_of_gravity(scene.effects);
+  scene.thresholds = quality_thresholds(config.section("/quality"));
+  scene.precision =
+      solver.text("precision") == "double" ? Precision::double_precision : Precision::single_precision;
+
+  SimulationInput& input = scene.input;
+  input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
+  input.origin = rest.centre();
+  input.size = rest.size();
+  input.mass = lumped_masses(rest, material.number("density"));
+  input.is_pinned = scene.pins.is_pinned;
+  input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
+  input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
+  input.settings = solver_settings(solver);
+
+  const ParameterValues parameters = config.bending_parameters();
+  BendingConstraints bending =
+      find_bending_model(config.bending_model())->build({rest, scene.pins, parameters});
+  scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
+  scene.bending_facts = std::move(bending.facts);
+  input.distance = std::move(bending.distance);
+  input.spring_stiffness = spring_stiffness(config.section("/bending"));
+  return scene;
+}
+
+std::unique_ptr<Simulation> simulation_of(const Scene& scene) {
+  return scene.precision == Precision::double_precision ? simulation_in<double>(scene)
+                                                        : simulation_in<float>(scene);
+}
+
+}  // namespace bendlab

@@ -1,0 +1,47 @@
+// From one point of a sweep to a scene: mesh, pins, masses, constraints, effects. Composes the rooms of the
+// library, which do not know each other.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/mesh/quality.hpp"
+#include "bendlab/mesh/rest_mesh.hpp"
+#include "bendlab/solver/simulation.hpp"
+#include "experiments/config.hpp"
+
+namespace bendlab {
+
+/// A mesh that can't be simulated: empty, non-finite, non-manifold, … with the first offenders. Exit code 4.
+class MeshError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+enum class Precision { single_precision, double_precision };
+
+struct Scene {
+  RestMesh rest;
+  Pins pins;
+  std::vector<BendingFact> bending_facts;
+  int springs_beyond_ring_1 = 0;  ///< distance constraints that are not edges of the mesh
+  SimulationInput input;
+  std::vector<EffectSettings> effects;
+  Precision precision = Precision::single_precision;
+  Vector3 down = -Vector3::UnitZ();  ///< direction of gravity; -z where there is none
+  QualityThresholds thresholds;
+};
+
+/// The rest mesh that a config describes, generated or read, scaled. Throws MeshError (refused) and
+/// RunFileError (unreadable).
+TriangleMesh rest_mesh_of(const RunConfig& config);
+
+Scene build_scene(const RunConfig& config);
+
+/// The scene's simulation, in the scene's precision.
+std::unique_ptr<Simulation> simulation_of(const Scene& scene);
+
+}  // namespace bendlab

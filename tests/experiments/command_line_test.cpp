@@ -1,0 +1,288 @@
+// The program as somebody runs it: exit codes, what goes to stdout and what to stderr, reuse, interruption.
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+
+std::string read(const fs::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file).rdbuf();
+  return text.str();
+}
+
+/// A folder to run the program in, with what it printed last.
+class Workplace {
+ public:
+  Workplace() {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  ~Workplace() { fs::remove_all(folder); }
+
+  /// Arguments may end in a redirection of their own.
+  int run(const std::string& arguments) {
+    const std::string command =
+        "cd '" + folder.string() + "' && </dev/null >stdout 2>stderr '" BENDLAB_PROGRAM "' " + arguments;
+    const int status = std::system(command.c_str());
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  /// Starts `bendlab run CONFIG` and sends it a signal as soon as it writes its first run.
+  int run_and_signal(const std::string& config, int signal) {
+    const pid_t child = fork();
+    if (child == 0) {
+      if (chdir(folder.c_str()) != 0 || !freopen("stdout", "w", stdout) || !freopen("stderr", "w", stderr))
+        _exit(99);
+      execl(BENDLAB_PROGRAM, "bendlab", "run", config.c_str(), static_cast<char*>(nullptr));
+      _exit(98);
+    }
+    int status = 0;
+    while (run_files(".part").empty() && waitpid(child, &status, WNOHANG) == 0)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    kill(child, signal);
+    waitpid(child, &status, 0);
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  void write(const std::string& name, const std::string& text) const { std::ofstream(folder / name) << text; }
+
+  std::vector<fs::path> run_files(const std::string& extension) const {
+    std::vector<fs::path> files;
+    if (!fs::exists(folder / "results")) return files;
+    for (const auto& entry :
+         fs::recursive_directory_iterator(folder / "results", fs::directory_options::skip_permission_denied))
+      if (entry.path().extension() == extension) files.push_back(entry.path());
+    return files;
+  }
+
+  std::string out() const { return read(folder / "stdout"); }
+  std::string err() const { return read(folder / "stderr"); }
+
+  /// stdout as one JSON value per line.
+  std::vector<json> out_lines() const {
+    std::vector<json> lines;
+    std::istringstream stream(out());
+    for (std::string line; std::getline(stream, line);) lines.push_back(json::parse(line));
+    return lines;
+  }
+
+  const fs::path folder =
+      fs::temp_directory_path() / ("bendlab command line test " + std::to_string(getpid()));
+};
+
+/// A 16 x 16 and a 20 x 20 cloth for a tenth of a second.
+constexpr const char* small = R"({"name": "small", "duration": 0.1, "bending": {"model": "crossover"},
+  "sweep": {"/mesh/cells": [16, 20]}})";
+
+TEST_CASE("Usage errors exit with 2 and say what was meant", "[command line]") {
+  Workplace here;
+  CHECK(here.run("") == 2);
+  CHECK(here.run("rnu small.json") == 2);
+  CHECK_THAT(here.err(), ContainsSubstring("did you mean 'run'?"));
+  CHECK(here.run("run") == 2);
+  CHECK_THAT(here.err(), ContainsSubstring("CONFIG is required"));
+  CHECK(here.run("run small.json --jobs 0") == 2);
+  CHECK(here.run("list --no-such-option") == 2);
+  CHECK(here.run("show 0123abcd") == 2);  // no such run
+  CHECK(here.run("test") == 2);
+  CHECK_THAT(here.err(), ContainsSubstring("./bendlab test"));
+  CHECK(here.out().empty());
+}
+
+TEST_CASE("Help and version go to stdout", "[command line]") {
+  Workplace here;
+  REQUIRE(here.run("--help") == 0);
+  for (const char* command : {"run", "plan", "validate", "list", "show", "mesh", "models", "effects",
+                              "schema", "reproduce", "test"})
+    CHECK_THAT(here.out(), ContainsSubstring("\n  " + std::string(command) + " "));
+  CHECK(here.err().empty());
+  REQUIRE(here.run("--version") == 0);
+  CHECK(here.out().starts_with("bendlab 0."));
+}
+
+TEST_CASE("Config errors exit with 3 before anything is created", "[command line]") {
+  Workplace here;
+  here.write("good.json", small);
+  here.write("broken.json", "{\"name\": ");
+  here.write("unknown.json", R"({"name": "x", "mesh": {"cels": 3}})");
+  CHECK(here.run("run broken.json") == 3);
+  CHECK(here.run("run missing.json") == 3);
+  CHECK(here.run("run good.json broken.json unknown.json") == 3);
+  CHECK_THAT(here.err(), ContainsSubstring("broken.json") && ContainsSubstring("/mesh/cels") &&
+                             ContainsSubstring("did you mean 'cells'?"));
+  CHECK(here.run("validate unknown.json") == 3);
+  CHECK(here.run("run good.json --set /solver/dt=-1") == 3);
+  CHECK_THAT(here.err(), ContainsSubstring("/solver/dt"));
+  CHECK(here.out().empty());
+  CHECK_FALSE(fs::exists(here.folder / "results"));
+  CHECK(here.run("validate good.json") == 0);
+  CHECK_THAT(here.out(), ContainsSubstring("2 runs"));
+}
+
+TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or written with 5",
+          "[command line]") {
+  Workplace here;
+  here.write("small.json", small);
+  here.write("hole.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
+  CHECK(here.run("mesh hole.obj") == 4);
+  CHECK(here.run("mesh missing.obj") == 5);
+  here.write("hole.json", R"({"name": "hole", "duration": 0.1, "mesh": {"file": "hole.obj"}})");
+  CHECK(here.run("run hole.json") == 4);
+  here.write("file", "");
+  CHECK(here.run("run small.json --out file/results") == 5);
+  CHECK_THAT(here.err(), ContainsSubstring("--out"));
+  CHECK(here.run("list nowhere") == 5);
+  CHECK(here.run("list . >/dev/full") == 5);
+}
+
+TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[command line]") {
+  Workplace here;
+  here.write("small.json", small);
+  REQUIRE(here.run("run small.json") == 0);
+  CHECK(here.err().empty());
+  CHECK_THAT(here.out(),
+             ContainsSubstring("cells  vertices  triangles  springs") && ContainsSubstring("complete"));
+  CHECK_THAT(here.out(), !ContainsSubstring("\x1b"));  // no colours where nobody sees them
+}
+
+TEST_CASE("--json prints an object per run with what the run was and what came out", "[command line]") {
+  Workplace here;
+  here.write("small.json", small);
+  REQUIRE(here.run("run small.json --json --jobs 2") == 0);
+  const std::vector<json> runs = here.out_lines();
+  REQUIRE(runs.size() == 2);
+  for (std::size_t i = 0; i < 2; ++i) {
+    const int cells = i == 0 ? 16 : 20;
+    CHECK(runs[i].at("status") == "complete");
+    CHECK(runs[i].at("id").get<std::string>().size() == 16);
+    CHECK(fs::exists(here.folder / runs[i].at("file").get<std::string>()));
+    CHECK(runs[i].at("config").at("mesh").at("cells") == cells);  // in the order of the sweep
+    CHECK(runs[i].at("wall_s").get<double>() > 0);
+    CHECK(runs[i].at("cpu_s").get<double>() > 0);
+    const json& summary = runs[i].at("summary");
+    CHECK(summary.at("vertices") == (cells + 1) * (cells + 1));
+    CHECK(summary.at("triangles") == 2 * cells * cells);
+    for (const char* name :
+         {"springs", "projections", "mean_strain", "max_stretch", "pin_max_stretch", "pin_region_stretch",
+          "worst_stretch", "degenerate_triangles", "drop", "kinetic_energy"}) {
+      INFO(name);
+      CHECK(summary.contains(name));
+    }
+  }
+
+  SECTION("a complete run is not run again, unless forced") {
+    REQUIRE(here.run("run small.json --json") == 0);
+    for (const json& run : here.out_lines()) CHECK(run.at("reused") == true);
+    REQUIRE(here.run("plan small.json --json") == 0);
+    for (const json& run : here.out_lines()) CHECK(run.at("state") == "complete");
+    REQUIRE(here.run("run small.json --json --force") == 0);
+    for (const json& run : here.out_lines()) CHECK(run.at("reused") == false);
+  }
+  SECTION("list and show find the runs") {
+    REQUIRE(here.run("list --json") == 0);
+    CHECK(here.out_lines().size() == 2);
+    REQUIRE(here.run("list") == 0);
+    CHECK_THAT(here.out(), ContainsSubstring(runs[0].at("id").get<std::string>()));
+    const std::string id = runs[1].at("id"), file = runs[1].at("file");
+    for (const std::string& name : {id, file, fs::path(file).parent_path().string()}) {
+      REQUIRE(here.run("show --json '" + name + "'") == 0);
+      const json shown = here.out_lines().at(0);
+      CHECK(shown.at("id") == id);
+      CHECK(shown.at("config") == runs[1].at("config"));
+      CHECK(shown.at("provenance").contains("git_commit"));
+    }
+    REQUIRE(here.run("show " + id) == 0);
+    CHECK_THAT(here.out(), ContainsSubstring("summary") && ContainsSubstring("provenance"));
+    CHECK(here.run("show results") == 2);  // two runs: which one?
+  }
+}
+
+TEST_CASE("--set overrides a value and replaces an axis, --out says where", "[command line]") {
+  Workplace here;
+  here.write("small.json", small);
+  REQUIRE(here.run("run small.json --json --set /mesh/cells=4 --set /bending/model=none --out elsewhere") ==
+          0);
+  const std::vector<json> runs = here.out_lines();
+  REQUIRE(runs.size() == 1);
+  CHECK(runs[0].at("summary").at("vertices") == 25);
+  CHECK(runs[0].at("summary").at("springs") == 0);
+  CHECK(fs::exists(here.folder / "elsewhere" / "small"));
+  CHECK_FALSE(fs::exists(here.folder / "results"));
+}
+
+TEST_CASE("An expectation that does not hold exits with 1 and says why it was stated", "[command line]") {
+  Workplace here;
+  here.write("expect.json", R"({"name": "expect", "duration": 0.1, "mesh": {"cells": 2}, "expect": [
+    {"metric": "vertices", "min": 9, "max": 9, "why": "three rows of three"},
+    {"metric": "triangles", "max": 7, "why": "one too few, on purpose"}]})");
+  CHECK(here.run("run expect.json") == 1);
+  CHECK_THAT(here.out(), ContainsSubstring("ok   ") && ContainsSubstring("three rows of three"));
+  CHECK_THAT(here.out(), ContainsSubstring("FAIL") && ContainsSubstring("one too few, on purpose"));
+}
+
+TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
+  Workplace here;
+  here.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
+  here.write("mixed.json",
+             R"({"name": "mixed", "duration": 0.1, "pins": {"vertices": ["upper_left"], "ring": 0},
+    "sweep": {"/mesh": [{"file": "flat.obj"}, {"cells": 2}]}})");
+  CHECK(here.run("run mixed.json --json") == 4);
+  const std::vector<json> runs = here.out_lines();
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].at("status") == "failed");
+  CHECK_FALSE(runs[0].at("message").get<std::string>().empty());
+  CHECK(runs[1].at("status") == "complete");
+}
+
+TEST_CASE("A signal keeps the frames and the same command again completes the run", "[command line]") {
+  const auto [signal, code] = GENERATE(std::pair(SIGINT, 130), std::pair(SIGTERM, 143));
+  Workplace here;
+  // Long enough that the signal, sent within milliseconds of the first frame, comes in time.
+  here.write("long.json",
+             R"({"name": "long", "duration": 60, "mesh": {"cells": 8}, "output": {"frames_per_second": 5}})");
+  REQUIRE(here.run_and_signal("long.json", signal) == code);
+  CHECK_THAT(here.err(), ContainsSubstring("same command again"));
+  REQUIRE(here.run("list --json") == 0);
+  REQUIRE(here.out_lines().size() == 1);
+  const json stopped = here.out_lines()[0];
+  CHECK(stopped.at("status") == "interrupted");
+  const int kept = stopped.at("frames");
+  CHECK(kept >= 1);
+  CHECK(kept < 301);
+
+  REQUIRE(here.run("run long.json --json") == 0);
+  CHECK(here.out_lines().at(0).at("status") == "complete");
+  REQUIRE(here.run("list --json") == 0);
+  REQUIRE(here.out_lines().size() == 1);
+  CHECK(here.out_lines()[0].at("frames") == 301);  // 5 a second for 60 s, and the first
+}
+
+TEST_CASE("The reference commands print text and JSON", "[command line]") {
+  Workplace here;
+  for (const char* command : {"models", "effects", "schema"}) {
+    INFO(command);
+    REQUIRE(here.run(command) == 0);
+    CHECK_FALSE(here.out().empty());
+    REQUIRE(here.run(std::string(command) + " --json") == 0);
+    CHECK_NOTHROW(json::parse(here.out()));
+  }
+}
+
+}  // namespace

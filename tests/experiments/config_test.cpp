@@ -1,0 +1,309 @@
+#include "experiments/config.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+ConfigProblems problems_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  try {
+    parse_experiment(text, "test", overrides);
+  } catch (const ConfigError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+// The message at `pointer` where it is the only problem; else what was found instead.
+std::string only_problem(const std::string& text, const std::string& pointer) {
+  const ConfigProblems problems = problems_of(text);
+  if (problems.size() == 1 && problems[0].pointer == pointer) return problems[0].message;
+  std::string found = std::to_string(problems.size()) + " problems:";
+  for (const ConfigProblem& problem : problems) found += "\n" + problem.pointer + ": " + problem.message;
+  return found;
+}
+
+RunConfig single_run(const std::string& text, const std::vector<std::string>& overrides = {}) {
+  const Experiment experiment = parse_experiment(text, "test", overrides);
+  REQUIRE(experiment.runs.size() == 1);
+  return experiment.runs[0];
+}
+
+// An otherwise empty config with one more key.
+std::string with(const std::string& key_and_value) {
+  return R"({"name": "t", )" + key_and_value + "}";
+}
+
+}  // namespace
+
+TEST_CASE("config: a name is enough, everything else has its default") {
+  const Experiment experiment = parse_experiment(R"({"name": "minimal-1"})", "test");
+  CHECK(experiment.name == "minimal-1");
+  CHECK(experiment.description.empty());
+  CHECK(experiment.axes.empty());
+  CHECK(experiment.expectations.empty());
+  REQUIRE(experiment.runs.size() == 1);
+  const RunConfig& run = experiment.runs[0];
+  CHECK(run.point.empty());
+  CHECK(run.mesh_file.empty());
+  CHECK(run.section("").number("duration") == 4);
+  CHECK(run.section("/mesh").text("generator") == "grid");
+  CHECK(run.section("/mesh").integer("cells") == 32);
+  CHECK_FALSE(run.section("/mesh").has("file"));
+  CHECK(run.section("/pins").texts("vertices") == std::vector<std::string>{"upper_right"});
+  CHECK(run.section("/pins").numbers("indices").empty());
+  CHECK(run.section("/pins").integer("ring") == 1);
+  CHECK(run.section("/material").numbers("warp_direction") == std::vector<double>{1, 0, 0});
+  CHECK(run.section("/material/strain").text("form") == "normalised");
+  CHECK(run.section("/bending").number("k") == 0.5);
+  CHECK_THAT(run.section("/solver").number("dt"), WithinRel(1.0 / 60, 1e-15));  // one rounding
+  CHECK(run.section("/output").boolean("constraints") == false);
+  CHECK(run.bending_model() == "adaptive");
+  CHECK(run.bending_parameters().text("m_rounding") == "floor");
+  REQUIRE(run.effects().size() == 1);
+  CHECK(run.effects()[0].type == "gravity");
+  CHECK(run.effects()[0].values.numbers("acceleration")[2] == -9.81);
+}
+
+TEST_CASE("config: values that are given arrive typed") {
+  const RunConfig run = single_run(R"({
+    "name": "t", "description": "d", "duration": 2,
+    "mesh": {"generator": "disc", "radius": 0.25, "cells": 8.0},
+    "pins": {"vertices": [], "indices": [0, 7]},
+    "bending": {"model": "k_ring", "k": 1, "k_ring": {"k": 3}},
+    "effects": [{"type": "rigid_damping", "rate": 0.5}, {"type": "gravity", "acceleration": [0, -1, 0]}],
+    "solver": {"precision": "double"}, "output": {"constraints": true}})");
+  CHECK(run.section("").number("duration") == 2);
+  CHECK(run.section("/mesh").integer("cells") == 8);
+  CHECK(run.section("/mesh").number("radius") == 0.25);
+  CHECK(run.section("/pins").texts("vertices").empty());
+  CHECK(run.section("/pins").numbers("indices") == std::vector<double>{0, 7});
+  CHECK(run.bending_model() == "k_ring");
+  CHECK(run.bending_parameters().integer("k") == 3);
+  REQUIRE(run.effects().size() == 2);
+  CHECK(run.effects()[0].type == "rigid_damping");
+  CHECK(run.effects()[0].values.number("rate") == 0.5);
+  CHECK(run.effects()[1].values.numbers("acceleration") == std::vector<double>{0, -1, 0});
+  CHECK(run.section("/output").boolean("constraints"));
+}
+
+TEST_CASE("config: no effects is not the same as none listed") {
+  CHECK(single_run(with(R"("effects": [])")).effects().empty());
+  CHECK(single_run(R"({"name": "t"})").effects().size() == 1);
+}
+
+TEST_CASE("config: a model without settings has no object of its own") {
+  const RunConfig run = single_run(with(R"("bending": {"model": "none", "adaptive": {"m_min": 2}})"));
+  CHECK(run.bending_parameters().all().empty());
+  CHECK_FALSE(run.resolved["bending"].contains("adaptive"));
+  CHECK_THROWS_AS(run.section("/bending/adaptive"), std::logic_error);
+}
+
+TEST_CASE("config: a setting that does not exist is refused with the nearest one") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(only_problem(with(R"("mesh": {"cels": 8})"), "/mesh/cels"),
+             ContainsSubstring("did you mean 'cells'?") &&
+                 ContainsSubstring("Allowed here: generator, file, width"));
+  CHECK_THAT(only_problem(with(R"("solvr": {})"), "/solvr"), ContainsSubstring("did you mean 'solver'?"));
+  CHECK_THAT(only_problem(with(R"("dt": 0.1)"), "/dt"), ContainsSubstring("did you mean '/solver/dt'?"));
+  CHECK_THAT(only_problem(with(R"("bending": {"adaptive": {"m_mni": 1}})"), "/bending/adaptive/m_mni"),
+             ContainsSubstring("did you mean 'm_min'?"));
+  CHECK_THAT(
+      only_problem(with(R"("effects": [{"type": "gravity", "acelleration": 1}])"), "/effects/0/acelleration"),
+      ContainsSubstring("did you mean 'acceleration'?"));
+  CHECK_THAT(only_problem(with(R"("wombat": 1)"), "/wombat"),
+             ContainsSubstring("Allowed") && !ContainsSubstring("did you mean"));
+  CHECK_THAT(only_problem(with(R"("mesh": {"a/b~c": 8})"), "/mesh/a~1b~0c"), ContainsSubstring("'a/b~c'"));
+}
+
+TEST_CASE("config: a value that is not among the choices is refused with the nearest one") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(only_problem(with(R"("bending": {"model": "adaptve"})"), "/bending/model"),
+             ContainsSubstring("none, crossover, k_ring, adaptive, lod") &&
+                 ContainsSubstring("did you mean 'adaptive'?"));
+  CHECK_THAT(only_problem(with(R"("pins": {"vertices": ["top", "center"]})"), "/pins/vertices/1"),
+             ContainsSubstring("did you mean 'centre'?"));
+  CHECK_THAT(only_problem(with(R"("effects": [{"type": "gravty"}])"), "/effects/0/type"),
+             ContainsSubstring("did you mean 'gravity'?"));
+  CHECK_THAT(only_problem(with(R"("solver": {"precision": "Double"})"), "/solver/precision"),
+             ContainsSubstring("did you mean 'double'?"));
+}
+
+TEST_CASE("config: a wrong type or a value out of range says what is allowed and what came") {
+  struct Case {
+    const char *json, *pointer, *message;
+  };
+  const Case cases[] = {
+      {R"("mesh": {"cells": 3.5})", "/mesh/cells", "expected a whole number from 1 to 4096, got 3.5"},
+      {R"("mesh": {"cells": "32"})", "/mesh/cells", "got the text \"32\""},
+      {R"("mesh": {"cells": 4097})", "/mesh/cells", "got 4097"},
+      {R"("mesh": {"cells": true})", "/mesh/cells", "got true"},
+      {R"("mesh": {"cells": null})", "/mesh/cells", "got null"},
+      {R"("mesh": {"cells": [8, 16]})", "/mesh/cells", "got a list"},
+      {R"("mesh": {"width": 0})", "/mesh/width", "expected a number above 0 (in m), got 0"},
+      {R"("mesh": {"seed": 18446744073709551615})", "/mesh/seed", "got 18446744073709551615"},
+      {R"("mesh": {"generator": 1})", "/mesh/generator", "got 1"},
+      {R"("mesh": {"file": ""})", "/mesh/file", "must not be empty"},
+      {R"("mesh": 5)", "/mesh", "expected an object {…}, got 5"},
+      {R"("mesh": null)", "/mesh", "got null"},
+      {R"("material": {"strain": []})", "/material/strain", "got an empty list"},
+      {R"("material": {"warp_direction": [1, 0]})", "/material/warp_direction",
+       "expected a list of 3 numbers"},
+      {R"("material": {"warp_direction": [1, 0, "x"]})", "/material/warp_direction/2", "expected a number"},
+      {R"("material": {"warp_direction": [0, 0, 0]})", "/material/warp_direction", "zero vector"},
+      {R"("pins": {"vertices": "top"})", "/pins/vertices", "expected a list of texts"},
+      {R"("pins": {"vertices": [null]})", "/pins/vertices/0", "got null"},
+      {R"("pins": {"indices": [1, 2.5]})", "/pins/indices/1", "expected a whole number"},
+      {R"("pins": {"indices": [-1]})", "/pins/indices/0", "expected a number of at least 0, got -1"},
+      {R"("output": {"constraints": 1})", "/output/constraints", "expected true or false, got 1"},
+      {R"("initial": {"tilt": 180.5})", "/initial/tilt", "expected a number from -180 to 180 (in degrees)"},
+      {R"("effects": {"type": "gravity"})", "/effects", "expected a list"},
+      {R"("effects": ["gravity"])", "/effects/0", "expected an object"},
+      {R"("effects": [{}])", "/effects/0/type", "is missing: expected one of gravity"},
+      {R"("effects": [{"type": "gravity"}, {"type": "gravity"}])", "/effects/1", "already at /effects/0"},
+      {R"("sweep": [1])", "/sweep", "expected an object"},
+      {R"("expect": {})", "/expect", "expected a list"},
+  };
+  for (const Case& c : cases)
+    CHECK_THAT(only_problem(with(c.json), c.pointer), Catch::Matchers::ContainsSubstring(c.message));
+}
+
+TEST_CASE("config: the ends of a range belong to it unless it says above") {
+  CHECK(problems_of(with(R"("mesh": {"cells": 4096}, "bending": {"k": 0}, "initial": {"tilt": -180})"))
+            .empty());
+  CHECK(problems_of(with(R"("duration": 0)")).size() == 1);
+  CHECK(problems_of(with(R"("duration": 5e-324)")).empty());  // the smallest double above 0
+}
+
+TEST_CASE("config: the name names a folder") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(only_problem("{}", "/name"), ContainsSubstring("is missing"));
+  CHECK_THAT(only_problem(R"({"name": ""})", "/name"), ContainsSubstring("must not be empty"));
+  for (const char* name : {"../up", "a b", "a.b", "a/b", "ä"})
+    CHECK_THAT(only_problem(R"({"name": ")" + std::string(name) + R"("})", "/name"),
+               ContainsSubstring("letters (a-z, A-Z)"));
+}
+
+TEST_CASE("config: a mesh file takes the place of the generator") {
+  const RunConfig run = single_run(with(R"("mesh": {"file": "shirt.obj", "scale": 0.001})"));
+  CHECK(run.section("/mesh").text("file") == "shirt.obj");
+  CHECK(run.resolved["mesh"].size() == 2);
+  CHECK(single_run(with(R"("mesh": {"file": null})")).section("/mesh").text("generator") == "grid");
+  CHECK_THAT(only_problem(with(R"("mesh": {"file": "shirt.obj", "generator": "grid"})"), "/mesh/generator"),
+             Catch::Matchers::ContainsSubstring("does not go with /mesh/file"));
+}
+
+TEST_CASE("config: a mesh file is looked for beside the config") {
+  const auto folder = std::filesystem::temp_directory_path() / "bendlab-config-test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "file.json") << with(R"("mesh": {"file": "meshes/shirt.obj"})");
+  const Experiment experiment = load_experiment(folder / "file.json");
+  CHECK(experiment.source == folder / "file.json");
+  CHECK(experiment.runs[0].mesh_file == folder / "meshes/shirt.obj");
+  CHECK(experiment.runs[0].resolved["mesh"]["file"] == "meshes/shirt.obj");  // the same on every machine
+  CHECK_THROWS_WITH(load_experiment(folder / "missing.json"),
+                    Catch::Matchers::ContainsSubstring("missing.json") &&
+                        Catch::Matchers::ContainsSubstring("cannot be read"));
+  CHECK_THROWS_AS(load_experiment(folder), ConfigError);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("config: text that is not JSON is refused with line and column") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(only_problem("{\"name\": \"t\",\n  \"mesh\": {\"cells\": 3,}}", ""),
+             ContainsSubstring("line 2, column 23"));
+  CHECK_THAT(only_problem("{\"name\": \"é\" x}", ""),
+             ContainsSubstring("line 1, column 14"));  // é is one column
+  CHECK_THAT(only_problem(R"({"name": "t"} {})", ""), ContainsSubstring("expected end of input"));
+  CHECK_THAT(only_problem(R"({"name": "t"} // note)", ""), ContainsSubstring("not JSON"));
+  CHECK_THAT(only_problem(R"({"duration": NaN})", ""), ContainsSubstring("line 1, column 14"));
+  CHECK_THAT(only_problem("{\"name\": \"\xff\"}", ""), ContainsSubstring("UTF-8"));
+  CHECK_THAT(only_problem("\xEF\xBB\xBF{\"name\": \"t\"}", ""), ContainsSubstring("byte order mark"));
+  CHECK_THAT(only_problem(" \n", ""), ContainsSubstring("is empty"));
+  CHECK_THAT(only_problem("[]", ""), ContainsSubstring("a config is a JSON object"));
+}
+
+TEST_CASE("config: numbers must be finite, keys unique, nesting at most 64 deep") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(only_problem("{\"name\": \"t\",\n\"pins\": {\"indices\": [1, 1e999]}}", "/pins/indices/1"),
+             ContainsSubstring("line 2, column 25: 1e999 is not finite"));
+  CHECK_THAT(only_problem(R"({"name": "t", "mesh": {"cells": 4, "cells": 8}})", "/mesh/cells"),
+             ContainsSubstring("twice"));
+  CHECK_THAT(only_problem(R"({"name": "t", "effects": [{"type": "gravity", "type": "gravity"}]})",
+                          "/effects/0/type"),
+             ContainsSubstring("twice"));
+  CHECK_NOTHROW(parse_strict_json(std::string(64, '[') + std::string(64, ']'), "test"));
+  CHECK_THROWS_WITH(parse_strict_json(std::string(65, '[') + std::string(65, ']'), "test"),
+                    ContainsSubstring("nested deeper than 64"));
+  CHECK_THROWS_AS(parse_strict_json(std::string(1000000, '['), "test"), ConfigError);
+}
+
+TEST_CASE("config: a duplicate key hides nothing else") {
+  CHECK(parse_strict_json(R"([{"a": {"b": [1, 2]}, "c": 3}])", "test").dump() ==
+        R"([{"a":{"b":[1,2]},"c":3}])");
+  const ConfigProblems problems =
+      problems_of(R"({"name": "t", "mesh": {}, "mesh": {"cels": [{}]}, "dutration": 1})");
+  REQUIRE(problems.size() == 2);
+  CHECK(problems[0].pointer == "/mesh");
+  CHECK(problems[1].pointer == "/dutration");
+}
+
+TEST_CASE("config: all problems of a file come at once") {
+  const ConfigProblems problems = problems_of(R"({
+    "name": "a b", "mesh": {"cels": 1, "width": -1, "width": 1}, "bending": {"k": 2, "model": "x"},
+    "effects": [{"type": "gravity", "acceleration": 1}], "sweep": {"/mesh/cel": [1], "/bending/k": [0.5, "x"]},
+    "expect": [{"metric": "drop", "max": 1}]})",
+                                              {"/solver/dtt=1"});
+  std::vector<std::string> pointers;
+  for (const ConfigProblem& problem : problems) pointers.push_back(problem.pointer);
+  std::ranges::sort(pointers);
+  CHECK(pointers == std::vector<std::string>{"/bending/k", "/bending/model", "/effects/0/acceleration",
+                                             "/expect/0/why", "/mesh/cels", "/mesh/width", "/mesh/width",
+                                             "/name", "/solver/dtt", "/sweep/~1bending~1k/1",
+                                             "/sweep/~1mesh~1cel"});
+}
+
+TEST_CASE("config: the error's text holds the file and every problem") {
+  CHECK_THROWS_WITH(parse_experiment(R"({"name": "t", "x": 1, "duration": 0})", "file.json"),
+                    Catch::Matchers::StartsWith("file.json: 2 problems\n  /x: ") &&
+                        Catch::Matchers::ContainsSubstring("\n  /duration: "));
+}
+
+TEST_CASE("config: equal physics has equal text") {
+  const std::string minimal = single_run(R"({"name": "t"})").resolved.dump();
+  // Other name, order of keys, ways to write numbers, and settings of a model that is not chosen.
+  CHECK(single_run(R"({"solver": {"iterations": 10.0, "substeps": 1}, "description": "other",
+                       "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4, "initial": {"tilt": -0.0},
+                       "effects": [{"acceleration": [0, 0, -9.81], "type": "gravity"}], "name": "u"})")
+            .resolved.dump() == minimal);
+  CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved.dump() != minimal);
+}
+
+TEST_CASE("config: the resolved config reads back as itself") {
+  for (const BendingModel* model : bending_models()) {
+    const std::string text =
+        single_run(with(R"("bending": {"model": ")" + std::string(model->name) +
+                        R"("}, "effects": [{"type": "rigid_damping"}], "duration": 1e-3)"))
+            .resolved.dump();
+    CHECK(single_run(text, {"/name=again"}).resolved.dump() == text);
+  }
+  const std::string file = single_run(with(R"("mesh": {"file": "a.obj"})")).resolved.dump();
+  CHECK(single_run(file, {"/name=again"}).resolved.dump() == file);
+}
+
+TEST_CASE("config: threads do not make another run") {
+  const RunConfig one = single_run(R"({"name": "t"})"), two = single_run(with(R"("solver": {"threads": 2})"));
+  CHECK(identity_text(one) == identity_text(two));
+  CHECK(one.resolved != two.resolved);
+  CHECK(identity_text(one) != identity_text(single_run(with(R"("solver": {"iterations": 11})"))));
+  CHECK_THAT(identity_text(one), !Catch::Matchers::ContainsSubstring("threads"));
+}

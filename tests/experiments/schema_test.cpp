@@ -1,0 +1,104 @@
+#include "experiments/schema.hpp"
+
+#include <string>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "experiments/config.hpp"
+#include "experiments/config_tables.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+// Words in one line: descriptions are wrapped in the text.
+std::string unwrapped(const std::string& text) {
+  std::string result;
+  for (const char c : text)
+    if (c == '\n' || c == ' ')
+      result += result.ends_with(' ') ? "" : " ";
+    else
+      result += c;
+  return result;
+}
+
+// The schema of the section at `pointer`.
+const Json& section_schema(const Json& schema, const std::string& pointer) {
+  if (pointer.empty()) return schema;
+  const std::size_t slash = pointer.rfind('/');
+  return section_schema(schema, pointer.substr(0, slash)).at("properties").at(pointer.substr(slash + 1));
+}
+
+}  // namespace
+
+TEST_CASE("schema: the text holds every row of every table") {
+  const std::string text = unwrapped(schema_text());
+  const auto check_rows = [&](std::span<const Parameter> table) {
+    for (const Parameter& row : table) {
+      CHECK_THAT(text, ContainsSubstring(" " + std::string(row.name)));
+      CHECK_THAT(text, ContainsSubstring(unwrapped(std::string(row.meaning))));
+      CHECK_THAT(text, ContainsSubstring(unwrapped(expected_text(row))));
+    }
+  };
+  for (const ConfigSection& section : config_sections()) {
+    CHECK_THAT(text, ContainsSubstring(unwrapped(std::string(section.meaning))));
+    check_rows(section.parameters);
+  }
+  for (const Effect* effect : effects()) check_rows(effect->parameters);
+  check_rows(expectation_parameters());
+}
+
+TEST_CASE("schema: the JSON Schema has every row with type, default, unit and range") {
+  const Json schema = schema_json();
+  CHECK(schema["required"] == Json::array({"name"}));
+  for (const ConfigSection& section : config_sections()) {
+    const Json& object = section_schema(schema, std::string(section.pointer));
+    CHECK(object["additionalProperties"] == false);
+    for (const Parameter& row : section.parameters) {
+      const Json& setting = object["properties"].at(std::string(row.name));
+      CHECK(setting.contains("type"));
+      CHECK(setting["description"] == row.meaning);
+      CHECK(setting.contains("default") == (row.default_value.kind != Default::Kind::none));
+      CHECK(setting.contains("x-unit") == !row.unit.empty());
+    }
+  }
+  const Json& mesh = schema["properties"]["mesh"]["properties"];
+  CHECK(mesh["cells"].dump() == R"({"type":"integer","minimum":1.0,"maximum":4096.0,"default":32,)"
+                                R"("description":"Resolution: cells along the width","x-unit":"1"})");
+  CHECK(mesh["width"]["exclusiveMinimum"] == 0);
+  CHECK(mesh["file"]["type"] == Json::array({"string", "null"}));
+  CHECK(schema["properties"]["material"]["properties"]["warp_direction"]["minItems"] == 3);
+  CHECK(schema["properties"]["material"]["properties"]["warp_direction"]["maxItems"] == 3);
+  CHECK(schema["properties"]["bending"]["properties"]["model"]["enum"].size() == bending_models().size());
+  CHECK(schema["properties"]["effects"]["items"]["oneOf"].size() == effects().size());
+  CHECK(schema["properties"].contains("sweep"));
+  CHECK(schema["properties"]["expect"]["items"]["required"] == Json::array({"metric", "why"}));
+}
+
+TEST_CASE("schema: a config is described by the sections that its resolved form has") {
+  const RunConfig run = parse_experiment(R"({"name": "t"})", "test").runs.at(0);
+  const Json schema = schema_json();
+  for (const auto& [key, value] : run.resolved.items()) CHECK(schema["properties"].contains(key));
+}
+
+TEST_CASE("schema: models and effects are listed with settings, defaults and sources") {
+  const Json models = models_json(), effect_list = effects_json();
+  REQUIRE(models.size() == bending_models().size());
+  REQUIRE(effect_list.size() == effects().size());
+  for (std::size_t i = 0; i < models.size(); ++i) {
+    const BendingModel& model = *bending_models()[i];
+    CHECK(models[i]["name"] == model.name);
+    CHECK(models[i]["source"] == model.source);
+    CHECK(models[i]["limits"] == model.limits);
+    REQUIRE(models[i]["parameters"].size() == model.parameters.size());
+    for (std::size_t p = 0; p < model.parameters.size(); ++p)
+      CHECK(models[i]["parameters"][p]["name"] == model.parameters[p].name);
+    CHECK_THAT(unwrapped(models_text()), ContainsSubstring(unwrapped(std::string(model.summary))));
+  }
+  for (std::size_t i = 0; i < effect_list.size(); ++i) {
+    CHECK(effect_list[i]["name"] == effects()[i]->name);
+    CHECK_THAT(unwrapped(effects_text()), ContainsSubstring(unwrapped(std::string(effects()[i]->summary))));
+  }
+}

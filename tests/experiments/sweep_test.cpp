@@ -1,0 +1,210 @@
+#include "experiments/config.hpp"
+
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+Experiment experiment(const std::string& rest, const std::vector<std::string>& overrides = {}) {
+  return parse_experiment(R"({"name": "t", )" + rest + "}", "test", overrides);
+}
+
+ConfigProblems problems_of(const std::string& rest, const std::vector<std::string>& overrides = {}) {
+  try {
+    experiment(rest, overrides);
+  } catch (const ConfigError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+void check_problem(const std::string& rest, const std::string& pointer, const std::string& message,
+                   const std::vector<std::string>& overrides = {}) {
+  const ConfigProblems problems = problems_of(rest, overrides);
+  CAPTURE(rest, overrides);
+  REQUIRE(problems.size() == 1);
+  CHECK(problems[0].pointer == pointer);
+  CHECK_THAT(problems[0].message, ContainsSubstring(message));
+}
+
+// The values at `pointer` over the runs, as JSON texts.
+std::vector<std::string> values(const Experiment& of, const std::string& pointer) {
+  std::vector<std::string> result;
+  for (const RunConfig& run : of.runs) result.push_back(run.resolved.at(Json::json_pointer(pointer)).dump());
+  return result;
+}
+
+using Texts = std::vector<std::string>;
+const std::string two_axes =
+    R"("sweep": {"/bending/model": ["crossover", "adaptive"], "/mesh/cells": [16, 32.0, 64]})";
+
+}  // namespace
+
+TEST_CASE("sweep: every combination in order, the last axis fastest") {
+  const Experiment swept = experiment(two_axes);
+  CHECK(values(swept, "/mesh/cells") == Texts{"16", "32", "64", "16", "32", "64"});
+  CHECK(values(swept, "/bending/model") == Texts{"\"crossover\"", "\"crossover\"", "\"crossover\"",
+                                                 "\"adaptive\"", "\"adaptive\"", "\"adaptive\""});
+  REQUIRE(swept.axes.size() == 2);
+  CHECK(swept.axes[1].first == "/mesh/cells");
+  CHECK(swept.axes[1].second[1].dump() == "32");  // 32.0 of a whole number
+  REQUIRE(swept.runs[4].point.size() == 2);
+  CHECK(swept.runs[4].point[0] == std::pair<std::string, Json>("/bending/model", "adaptive"));
+  CHECK(swept.runs[4].point[1] == std::pair<std::string, Json>("/mesh/cells", 32));
+}
+
+TEST_CASE("sweep: an empty sweep is a single run") {
+  CHECK(experiment(R"("sweep": {})").runs.size() == 1);
+}
+
+TEST_CASE("sweep: points that are the same run are merged, their label names what they depend on") {
+  const Experiment swept = experiment(R"("sweep": {
+    "/bending/model": ["crossover", "adaptive"], "/bending/adaptive/m_rounding": ["floor", "round"]})");
+  REQUIRE(swept.runs.size() == 3);  // crossover once, adaptive twice
+  CHECK(swept.runs[0].bending_model() == "crossover");
+  CHECK(swept.runs[0].point.size() == 1);
+  CHECK(swept.runs[1].bending_parameters().text("m_rounding") == "floor");
+  CHECK(swept.runs[2].bending_parameters().text("m_rounding") == "round");
+  CHECK(swept.runs[2].point.size() == 2);
+  CHECK(experiment(R"("sweep": {"/bending/k": [1, 1.0, 0.5]})").runs.size() == 2);
+}
+
+TEST_CASE("sweep: whole objects, lists, effects and their settings can be swept") {
+  const Experiment objects =
+      experiment(R"("mesh": {"cells": 5}, "sweep": {"/mesh": [{"generator": "disc"}, {"file": "a.obj"}]})");
+  CHECK(values(objects, "/mesh").at(1) == R"({"file":"a.obj","scale":1.0})");
+  CHECK(objects.runs.at(0).section("/mesh").integer("cells") == 32);  // the object is replaced as a whole
+  CHECK(objects.runs.at(0).mesh_file.empty());
+  CHECK(objects.runs.at(1).mesh_file == "a.obj");
+
+  const Experiment lists = experiment(R"("sweep": {"/pins/vertices": [["top"], ["top", "bottom"], []]})");
+  CHECK(values(lists, "/pins/vertices") == Texts{R"(["top"])", R"(["top","bottom"])", "[]"});
+
+  const Experiment settings = experiment(R"("effects": [{"type": "gravity"}, {"type": "rigid_damping"}],
+                                            "sweep": {"/effects/1/rate": [0, 2]})");
+  CHECK(values(settings, "/effects/1/rate") == Texts{"0.0", "2.0"});
+
+  const Experiment default_gravity =
+      experiment(R"("sweep": {"/effects/0/acceleration": [[0, 0, -1], [0, 0, -2]]})");
+  CHECK(values(default_gravity, "/effects/0/acceleration/2") == Texts{"-1.0", "-2.0"});
+
+  const Experiment whole_list = experiment(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})");
+  CHECK(whole_list.runs.at(0).effects().empty());
+  CHECK(whole_list.runs.at(1).effects().size() == 1);
+
+  // An object first, then a setting inside it.
+  const Experiment nested =
+      experiment(R"("sweep": {"/bending": [{"model": "lod"}, {"model": "none"}], "/bending/k": [0.1, 0.2]})");
+  CHECK(values(nested, "/bending/k") == Texts{"0.1", "0.2", "0.1", "0.2"});
+}
+
+TEST_CASE("sweep: pointers must name a setting, lists must hold allowed values") {
+  check_problem(R"("sweep": {"/mesh/cels": [8]})", "/sweep/~1mesh~1cels", "did you mean '/mesh/cells'?");
+  check_problem(R"("sweep": {"mesh/cells": [8]})", "/sweep/mesh~1cells", "did you mean '/mesh/cells'?");
+  check_problem(R"("sweep": {"/iterations": [8]})", "/sweep/~1iterations",
+                "did you mean '/solver/iterations'?");
+  check_problem(R"("sweep": {"/name": ["a"]})", "/sweep/~1name", "cannot be swept");
+  check_problem(R"("sweep": {"": [{}]})", "/sweep/", "cannot be swept");
+  check_problem(R"("sweep": {"/effects/1/rate": [1]})", "/sweep/~1effects~11~1rate", "cannot be swept");
+  check_problem(R"("sweep": {"/mesh/cells": []})", "/sweep/~1mesh~1cells", "at least one value");
+  check_problem(R"("sweep": {"/mesh/cells": 8})", "/sweep/~1mesh~1cells", "at least one value");
+  check_problem(R"("sweep": {"/mesh/cells": [8, 0, 16]})", "/sweep/~1mesh~1cells/1", "from 1 to 4096, got 0");
+  check_problem(R"("sweep": {"/mesh": [{}, {"cels": 1}]})", "/sweep/~1mesh/1/cels", "did you mean 'cells'?");
+  check_problem(R"("sweep": {"/pins/vertices": [["tp"]]})", "/sweep/~1pins~1vertices/0/0",
+                "did you mean 'top'?");
+  check_problem(R"("sweep": {"/bending/k": [1], "/bending": [{}]})", "/sweep/~1bending",
+                "overwrite '/bending/k'");
+}
+
+TEST_CASE("sweep: what a sweep replaces is checked too") {
+  check_problem(R"("mesh": {"cells": 0}, "sweep": {"/mesh/cells": [8]})", "/mesh/cells", "got 0");
+}
+
+TEST_CASE("sweep: values that do not go together are refused") {
+  check_problem(R"("mesh": {"file": "a.obj"}, "sweep": {"/mesh/generator": ["grid"]})",
+                "/sweep/~1mesh~1generator/0", "does not go with /mesh/file");
+  check_problem(R"("sweep": {"/mesh/file": [null, "a.obj"], "/mesh/generator": ["grid", "disc"]})",
+                "/sweep/~1mesh~1file/1", "with this value /mesh/generator: does not go with /mesh/file");
+  // Each value is right by itself; one of the four combinations lists an effect twice.
+  check_problem(R"("effects": [{"type": "gravity"}, {"type": "rigid_damping"}], "sweep": {
+                   "/effects/0/type": ["gravity", "constraint_damping"],
+                   "/effects/1/type": ["rigid_damping", "constraint_damping"]})",
+                "/effects/1",
+                R"((at /effects/0/type = "constraint_damping", /effects/1/type = "constraint_damping"))");
+}
+
+TEST_CASE("sweep: a slip of too many combinations is refused") {
+  std::string list = "[1";
+  for (int i = 2; i <= 101; ++i) list += ", " + std::to_string(i);
+  list += "]";
+  const std::string sweep =
+      R"("sweep": {"/mesh/cells": )" + list + R"(, "/solver/iterations": )" + list + "}";
+  check_problem(sweep, "/sweep", "more than 10000 combinations");  // 101² = 10201
+}
+
+TEST_CASE("override: sets a value, creating objects on the way") {
+  const auto run = [](const std::vector<std::string>& overrides,
+                      const std::string& rest = R"("duration": 1)") {
+    return experiment(rest, overrides).runs.at(0);
+  };
+  CHECK(run({"/duration=2"}).section("").number("duration") == 2);
+  CHECK(run({"/mesh/cells=8", "/mesh/cells=9"}).section("/mesh").integer("cells") == 9);
+  CHECK(run({"/bending/adaptive/m_rounding=ceil"}).bending_parameters().text("m_rounding") == "ceil");
+  CHECK(run({R"(/bending/model="lod")"}).bending_model() == "lod");
+  CHECK(run({"/pins/vertices=[\"top\"]"}).section("/pins").texts("vertices") == Texts{"top"});
+  CHECK(run({"/effects/0/acceleration=[0,0,-1]"}).effects()[0].values.numbers("acceleration")[2] == -1);
+  CHECK(run({"/effects=[]"}).effects().empty());
+  CHECK(
+      run({R"(/mesh={"generator": "disc"})"}, R"("mesh": {"cells": 4})").section("/mesh").integer("cells") ==
+      32);
+  CHECK(run({"/mesh/file=a=b.obj"}).section("/mesh").text("file") == "a=b.obj");
+  CHECK(run({"/mesh/file=12"}).section("/mesh").text("file") == "12");
+  CHECK_FALSE(run({"/mesh/file=null"}, R"("mesh": {"file": "a.obj"})").section("/mesh").has("file"));
+  CHECK(experiment(R"("duration": 1)", {"/name=2024"}).name == "2024");
+}
+
+TEST_CASE("override: on a swept pointer it replaces the axis") {
+  CHECK(values(experiment(two_axes, {"/mesh/cells=8"}), "/mesh/cells") == Texts{"8", "8"});
+  CHECK(values(experiment(two_axes, {"/mesh/cells=[8, 9]", "/bending/model=none"}), "/mesh/cells") ==
+        Texts{"8", "9"});
+  const std::string lists = R"("sweep": {"/pins/vertices": [["top"], ["bottom"]]})";
+  CHECK(values(experiment(lists, {R"(/pins/vertices=["left", "right"])"}), "/pins/vertices") ==
+        Texts{R"(["left","right"])"});
+  CHECK(values(experiment(lists, {R"(/pins/vertices=[["left"], ["right"]])"}), "/pins/vertices") ==
+        Texts{R"(["left"])", R"(["right"])"});
+  CHECK(experiment(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})", {"/effects=[]"}).runs.size() ==
+        1);
+}
+
+TEST_CASE("override: inside a swept object it changes every value of the axis") {
+  const std::string swept = R"("sweep": {"/bending": [{"model": "lod"}, {"model": "none", "k": 1}]})";
+  CHECK(values(experiment(swept, {"/bending/k=0.25"}), "/bending/k") == Texts{"0.25", "0.25"});
+}
+
+TEST_CASE("override: sweep and expectations can be set themselves") {
+  CHECK(values(experiment(R"("duration": 1)", {"/sweep/~1mesh~1cells=[4, 5]"}), "/mesh/cells") ==
+        Texts{"4", "5"});
+  CHECK(experiment(two_axes, {"/sweep={}"}).runs.size() == 1);
+  CHECK(experiment(R"("expect": [{"metric": "drop", "max": 1, "why": "w"}])", {"/expect/0/max=2"})
+            .expectations.at(0)
+            .maximum == 2);
+  CHECK(experiment(R"("expect": [{"metric": "drop", "max": 1, "why": "w"}])", {"/expect=[]"})
+            .expectations.empty());
+}
+
+TEST_CASE("override: wrong ones are refused") {
+  const std::string rest = R"("duration": 1)";
+  check_problem(rest, "/mesh/cels", "did you mean '/mesh/cells'?", {"/mesh/cels=8"});
+  check_problem(rest, "", "not of the form /json/pointer=value", {"/mesh/cells"});
+  check_problem(rest, "", "not of the form /json/pointer=value", {"mesh/cells=8"});
+  check_problem(rest, "", "is no JSON pointer", {"/sweep/~2=8"});
+  check_problem(rest, "/mesh/cells", "got the text \"[8,\"", {"/mesh/cells=[8,"});
+  check_problem(rest, "/mesh/cells", "got a list", {"/mesh/cells=[8, 9]"});
+  check_problem(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})", "/effects/0/acceleration",
+                "not every value that is swept", {"/effects/0/acceleration=[0,0,0]"});
+}
