@@ -1,0 +1,35 @@
+"""Distances between two cloths with the same vertices; (V, 3) arrays in m."""
+import numpy as np
+
+BLOCK = 128  # vertices measured at once
+
+
+def rms_distance(a, b):
+    """Root of the mean squared distance between corresponding vertices, m."""
+    return float(np.sqrt(((a - b) ** 2).sum(axis=1).mean()))
+
+
+def hausdorff_distance(a, b):
+    """Largest distance from a vertex of either cloth to the nearest vertex of the other, m. Exact between the vertex sets;
+    between the surfaces it is at most half a longest edge too large."""
+    return max(_farthest(a, b), _farthest(b, a))
+
+
+def _farthest(a, b):
+    """max over a of the distance to b. A few vertices of b bound every vertex of a from above; those are then measured
+    exactly, the largest bound first, until no bound is left that could matter."""
+    bound = np.concatenate([_nearest(a[i:i + BLOCK], b[::16]) for i in range(0, len(a), BLOCK)])
+    order = np.argsort(-bound)
+    farthest = 0.0
+    for start in range(0, len(a), BLOCK):
+        block = order[start:start + BLOCK]
+        if bound[block[0]] <= farthest:
+            break
+        farthest = max(farthest, _nearest(a[block], b).max())
+    return float(farthest)
+
+
+def _nearest(points, others):
+    """(n) distance from each point to the nearest of the others."""
+    squared = sum((points[:, None, axis] - others[None, :, axis]) ** 2 for axis in range(3))
+    return np.sqrt(squared.min(axis=1))

@@ -1,0 +1,251 @@
+"""Fig. 5: crossover against adaptive springs over resolutions, and what in the difference is the springs and what the pins.
+
+The paper's adaptive runs also pin the 1-ring of the pinned vertex. Its comparison is the diagonal of a 2 x 2 table; this
+figure fills in the other two corners and a control, edge springs, and splits the effect.
+"""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import style
+from load import load_experiment, select, statuses, summary_spread, typical_frame
+from report import Claim, Section, Table, figure_main
+
+MODELS = ["crossover", "adaptive", "k_ring"]
+PAPER = [("crossover", 0), ("adaptive", 1)]  # Fig. 5a and 5b
+CONTROLS = [("crossover", 1), ("adaptive", 0), ("k_ring", 0), ("k_ring", 1)]
+PINS = {0: "pin alone", 1: "pin + 1-ring"}
+METRICS = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("pin_region_stretch", 1, "stretch − 1 near the pin (0.1 of size)"),
+           ("mean_strain", 0, "mean strain"), ("drop", 0, "drop below the pin (m)")]
+
+
+def main(results, out):
+    """Draws the sheets and the numbers of Fig. 5."""
+    section = Section("Crossover against adaptive springs over resolutions", "5")
+    undamped = section.uses(load_experiment(results, "paper/fig5")) + load_experiment(results, "paper/fig5_full").runs
+    damped = section.uses(load_experiment(results, "paper/fig5_damped"))
+    floor = Grid(undamped, "floor")
+    if floor.cells:
+        section.pictures += _pictures(floor, out)
+        section.pictures.append((_numbers(floor, out, "fig_5_numbers"), "Medians over the last second and over five seeds; "
+                                 "bars: smallest and largest seed. No damping."))
+        section.pictures.append((_factors(floor, out), "How much of the paper's effect each of the two changes earns, by "
+                                 "factors: bars add up to the whole (crossover with the pin alone against adaptive with its "
+                                 "1-ring)."))
+        section.pictures.append((_rounding(undamped, out), "Two readings of eq. 6."))
+    if damped:
+        section.pictures.append((_numbers(Grid(damped, "floor"), out, "fig_5_damped"),
+                                 "The same with a little rigid-mode damping (1 per second), three seeds."))
+    section.tables += [_table(floor), _factor_table(floor), _rounding_table(undamped)]
+    section.claims += _claims(floor)
+    return section
+
+
+class Grid:
+    """Runs by (model, pinned rings, cells), with one way to round m."""
+
+    def __init__(self, runs, rounding):
+        self.runs = {}
+        for run in runs:
+            if run.get("/bending/adaptive/m_rounding", rounding) == rounding:
+                self.runs.setdefault((run.model, run.get("/pins/ring"), run.get("/mesh/cells")), []).append(run)
+        self.cells = sorted({n for _, _, n in self.runs})
+
+    def spread(self, model, ring, n, metric, offset=0):
+        return summary_spread(self.runs.get((model, ring, n), []), metric) - offset
+
+    def over_cells(self, model, ring, metric, offset=0):
+        return [self.spread(model, ring, n, metric, offset) for n in self.cells]
+
+    def ends(self, model, ring, metric, offset=0):
+        """The coarsest and the finest resolution."""
+        known = self.over_cells(model, ring, metric, offset)
+        return (known[0], known[-1]) if known else (self.spread(model, ring, 0, metric),) * 2
+
+
+def factors(grid, n, metric, offset=1):
+    """The 2 x 2 in decades (log10): the whole effect, the model's share and the pinned 1-ring's (their mean over the other
+    factor, which add up to the whole), and the interaction: how much less the ring earns under adaptive springs."""
+    def level(model, ring):
+        s = grid.spread(model, ring, n, metric, offset)
+        return np.log10(s.median) if s.known and s.median > 0 else np.nan
+    c0, c1, a0, a1 = level("crossover", 0), level("crossover", 1), level("adaptive", 0), level("adaptive", 1)
+    return {"whole": c0 - a1, "model": ((c0 - a0) + (c1 - a1)) / 2, "ring": ((c0 - c1) + (a0 - a1)) / 2,
+            "interaction": (c0 - c1) - (a0 - a1)}
+
+
+def _pictures(grid, out):
+    samples = {(model, ring, n): typical_frame(grid.runs.get((model, ring, n), []))
+               for model, ring in PAPER + CONTROLS for n in grid.cells}
+    camera = style.camera_of(samples.values())
+    return [(_sheets(samples, camera, PAPER, grid.cells, out, "fig_5"), "Crossover springs with one pinned vertex (Fig. 5a) "
+             "and adaptive springs with its 1-ring pinned too (Fig. 5b); typical frames of the last second."),
+            (_sheets(samples, camera, CONTROLS, grid.cells, out, "fig_5_controls"), "What the paper leaves out: crossover "
+             "springs with the 1-ring pinned, adaptive springs without, and springs on the mesh's edges only.")]
+
+
+def _sheets(samples, camera, rows, cells, out, name):
+    figure, axes = plt.subplots(len(rows), len(cells), figsize=(2.45 * len(cells) + 1, 3.05 * len(rows)), squeeze=False,
+                                layout="compressed")
+    for row, (model, ring) in enumerate(rows):
+        for column, n in enumerate(cells):
+            sample = samples[model, ring, n]
+            caption = None
+            if sample:
+                caption = f"pin: σ₁ − 1 = {style.number(sample[0].metrics['pin_max_stretch'][sample[1]] - 1)}"
+            style.draw_cloth(axes[row, column], sample, camera, width=360, caption=caption)
+            axes[row, column].set_title(f"N = {n}")
+        axes[row, 0].text(-0.03, 0.5, f"{style.MODEL_NAMES[model]}, {PINS[ring]}", transform=axes[row, 0].transAxes,
+                          rotation=90, ha="right", va="center", fontsize=10)
+    style.stretch_bar(figure, axes, shrink=min(1, 1.6 / len(rows)), pad=0.01, aspect=24)
+    return style.save(figure, out, name)
+
+
+def _numbers(grid, out, name):
+    figure, axes = plt.subplots(2, 2, figsize=(9.6, 6.6), layout="constrained")
+    for panel, (metric, offset, label) in zip(axes.flat, METRICS):
+        for i, model in enumerate(MODELS):
+            for ring in (0, 1):
+                style.with_range(panel, grid.cells, grid.over_cells(model, ring, metric, offset),
+                                 label=f"{style.MODEL_NAMES[model]}, {PINS[ring]}", shift=1.02 ** (2 * i + ring - 2.5),
+                                 color=style.MODEL_COLOURS[model], linestyle="-" if ring else "--", marker="o",
+                                 markerfacecolor=style.MODEL_COLOURS[model] if ring else "white")
+        if metric == "drop":
+            panel.set_ylim(bottom=0)
+        else:
+            style.plain_log(panel)
+        style.resolution_axis(panel, grid.cells)
+        panel.set_title(label)
+        if offset:
+            panel.axhline(1, color=style.GREY, linewidth=0.8, zorder=0)
+            panel.text(grid.cells[0], 1, "twice as long", fontsize=7.5, color=style.GREY, va="bottom", ha="left")
+    style.legend_below(figure, axes[0, 0], 3)
+    return style.save(figure, out, name)
+
+
+def _factors(grid, out):
+    figure, axes = plt.subplots(1, 2, figsize=(9.6, 3.4), layout="constrained", sharey=True)
+    parts = [("model", "springs: adaptive instead of crossover", "#0072b2"),
+             ("ring", "pins: 1-ring pinned too", "#e69f00")]
+    x = np.arange(len(grid.cells))
+    for panel, (metric, offset, label) in zip(axes, METRICS[:2]):
+        effects = [factors(grid, n, metric, offset) for n in grid.cells]
+        for i, (part, name, colour) in enumerate(parts):
+            heights = [e[part] for e in effects]
+            panel.bar(x + 0.36 * (i - 0.5), heights, 0.34, color=colour, label=name)
+            for at, e in zip(x, effects):
+                if np.isfinite(e["whole"]):
+                    panel.annotate(f"×{style.number(10 ** e[part], 2)}", (at + 0.36 * (i - 0.5), e[part]), ha="center",
+                                   va="bottom" if e[part] >= 0 else "top", fontsize=8, xytext=(0, 1 if e[part] >= 0 else -1),
+                                   textcoords="offset points")
+        panel.plot(x, [e["whole"] for e in effects], "D", color=style.INK, markersize=5, label="both (the paper's comparison)")
+        panel.axhline(0, color=style.GREY, linewidth=0.8)
+        panel.set_xticks(x, labels=[str(n) for n in grid.cells])
+        panel.set_xlabel("resolution N (cells per side)")
+        panel.set_title(label)
+        panel.margins(y=0.12)
+        panel.grid(axis="x", visible=False)
+    axes[0].set_ylabel("reduction of stretch − 1\n(decades, log₁₀)")
+    style.legend_below(figure, axes[0], 3)
+    return style.save(figure, out, "fig_5_factors")
+
+
+def _rounding(runs, out):
+    grids = {rounding: Grid(runs, rounding) for rounding in ("floor", "round")}
+    figure, axes = plt.subplots(1, 3, figsize=(9.6, 3.2), layout="constrained")
+    columns = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain"),
+               ("springs_beyond_ring_1", 0, "springs beyond ring 1")]
+    for panel, (metric, offset, label) in zip(axes, columns):
+        for (rounding, grid), colour, marker in zip(grids.items(), ("#0072b2", "#b0579b"), "os"):
+            style.with_range(panel, grid.cells, grid.over_cells("adaptive", 1, metric, offset), label=f"m by {rounding}",
+                             shift=0.97 if rounding == "floor" else 1.03, color=colour, marker=marker)
+        style.plain_log(panel)
+        style.resolution_axis(panel, grids["floor"].cells)
+        panel.set_title(label)
+    axes[0].legend()
+    return style.save(figure, out, "fig_5_rounding")
+
+
+def _text(s):
+    return f"{style.number(s.median)} ({style.number(s.low, 2)} – {style.number(s.high, 2)})" if s.known else "–"
+
+
+def _table(grid):
+    rows = []
+    for model, ring in PAPER + CONTROLS:
+        for n in grid.cells:
+            runs = grid.runs.get((model, ring, n), [])
+            springs = summary_spread(runs, "springs")
+            state = statuses(runs)
+            rows.append([style.MODEL_NAMES[model], PINS[ring], n, f"{springs.median:,.0f}" if springs.known else "–",
+                         *(_text(grid.spread(model, ring, n, metric, offset)) for metric, offset, _ in METRICS),
+                         ", ".join(f"{count} {status}" for status, count in state.items()) or "missing"])
+    return Table("Median over the last second and over seeds (smallest – largest seed), m by floor",
+                 ["model", "pinned", "N", "springs", *(label for _, _, label in METRICS), "runs"], rows)
+
+
+def _factor_table(grid):
+    rows = []
+    for metric, offset, label in METRICS[:2]:
+        for n in grid.cells:
+            e = factors(grid, n, metric, offset)
+            share = lambda part: f"{100 * e[part] / e['whole']:.0f} %" if abs(e["whole"]) > 0.05 else "–"
+            rows.append([label, n, *("×" + style.number(10 ** e[part]) for part in ("whole", "model", "ring", "interaction")),
+                         share("model"), share("ring")])
+    return Table("Reduction from crossover with the pin alone to adaptive with its 1-ring. The model's and the ring's factor "
+                 "multiply to the whole; shares are of its logarithm. Interaction: how much more the ring earns under "
+                 "crossover than under adaptive springs.",
+                 ["", "N", "whole", "springs", "1-ring", "interaction", "springs' share", "1-ring's share"], rows)
+
+
+def _rounding_table(runs):
+    rows = []
+    for rounding in ("floor", "round"):
+        grid = Grid(runs, rounding)
+        for n in grid.cells:
+            if ("adaptive", 1, n) in grid.runs:
+                cell = lambda metric, offset=0: grid.spread("adaptive", 1, n, metric, offset)
+                rows.append([rounding, n, style.number(cell("model_m").median), style.number(cell("model_n").median),
+                             f"{cell('springs').median:,.0f}", f"{cell('springs_beyond_ring_1').median:,.0f}",
+                             _text(cell("pin_max_stretch", 1)), _text(cell("mean_strain"))])
+    return Table("Adaptive springs with the 1-ring pinned: two readings of eq. 6",
+                 ["m by", "N", "m", "n", "springs", "beyond ring 1", "stretch − 1 at the pin", "mean strain"], rows)
+
+
+def _claims(grid):
+    pin = ("pin_max_stretch", 1)
+    cells = grid.cells or [0]
+    low, high = cells[0], cells[-1]
+    names = [f"N = {n}" for n in cells]
+    crossover, adaptive = grid.over_cells("crossover", 0, *pin), grid.over_cells("adaptive", 1, *pin)
+    known = len(grid.cells) > 1 and all(s.known for s in crossover + adaptive)
+    medians = lambda spreads: dict(zip(names, (s.median for s in spreads)))
+    drops = grid.over_cells("adaptive", 1, "drop")
+    change = max(s.median for s in drops) / min(s.median for s in drops) - 1 if known else np.nan
+    effect = factors(grid, high, *pin)
+    return [
+        Claim("5a", "Crossover springs look right at low resolution and fail around the pin as resolution rises.",
+              f"pin alone: at N = {high} every seed's stretch − 1 at the pin is larger than any seed's at N = {low}, its median "
+              "is above 1 (twice as long), and the median never falls when N doubles",
+              medians(crossover),
+              known and crossover[-1].low > crossover[0].high and crossover[-1].median > 1
+              and all(b.median >= a.median for a, b in zip(crossover, crossover[1:])) if known else None),
+        Claim("5b", "Adaptive springs don't degrade with resolution: normal cloth at every resolution.",
+              "with the 1-ring pinned, the median stretch − 1 at the pin stays below 1 at every N and changes by less than a "
+              f"factor of 2 between N = {low} and {high}",
+              medians(adaptive),
+              all(s.median < 1 for s in adaptive) and adaptive[-1].median < 2 * adaptive[0].median if known else None),
+        Claim("5b", "Adaptive springs are as stiff at every resolution.",
+              "the median drop of the sheet differs by less than 10 % between resolutions",
+              {f"drop (m), {name}": s.median for name, s in zip(names, drops)} | {"largest over smallest − 1": change},
+              bool(change < 0.1) if known else None),
+        Claim("5", "The improvement comes from the adaptive springs.",
+              f"of the reduction of stretch − 1 at the pin at N = {high}, in logarithms, more than half is the springs' and not "
+              "the pinned 1-ring's",
+              {"reduction (factor)": 10 ** effect["whole"], "springs (factor)": 10 ** effect["model"],
+               "1-ring (factor)": 10 ** effect["ring"], "springs' share": effect["model"] / effect["whole"]},
+              bool(effect["model"] > effect["ring"]) if np.isfinite(effect["whole"]) else None),
+    ]
+
+
+if __name__ == "__main__":
+    figure_main(main)

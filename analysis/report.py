@@ -1,0 +1,72 @@
+"""What a figure hands to the page: pictures, tables, and claims whose verdict is computed from numbers by a stated rule."""
+import argparse
+import json
+from dataclasses import dataclass, field
+from pathlib import Path
+
+
+@dataclass
+class Claim:
+    figure: str
+    claim: str  # what the paper says
+    rule: str  # when we say that it holds
+    numbers: dict  # what was measured
+    holds: bool | None  # None: the runs that would decide it are missing
+    note: str = ""
+
+    def as_json(self):
+        return {"figure": self.figure, "claim": self.claim, "rule": self.rule, "numbers": rounded(self.numbers),
+                "holds": self.holds, "note": self.note}
+
+
+@dataclass
+class Table:
+    caption: str
+    columns: list
+    rows: list  # lists of text or numbers
+
+
+@dataclass
+class Section:
+    """One part of the page."""
+
+    title: str
+    figure: str
+    pictures: list = field(default_factory=list)  # (file name, caption)
+    tables: list = field(default_factory=list)
+    claims: list = field(default_factory=list)
+    commands: list = field(default_factory=list)
+    missing: list = field(default_factory=list)
+    text: str = ""
+
+    def uses(self, experiment):
+        """Notes the command that repeats an experiment and what is missing of it; hands its runs on."""
+        self.commands.append(experiment.command)
+        if experiment.missing:
+            shown = "; ".join(experiment.missing[:3]) + (" …" if len(experiment.missing) > 3 else "")
+            self.missing.append(f"configs/{experiment.config}.json: {len(experiment.missing)} runs, first {shown}")
+        return experiment.runs
+
+
+def rounded(value):
+    """Numbers to four significant digits, not-a-number as None, all the way down: stable, readable JSON."""
+    if isinstance(value, dict):
+        return {str(key): rounded(entry) for key, entry in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [rounded(entry) for entry in value]
+    if isinstance(value, bool) or value is None or isinstance(value, (str, int)):
+        return value
+    value = float(value)
+    if value != value:
+        return None
+    return float(f"{value:.4g}") if abs(value) != float("inf") else str(value)
+
+
+def figure_main(main):
+    """Command line of one figure: draws it and prints its claims as JSON."""
+    parser = argparse.ArgumentParser(description=main.__doc__)
+    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
+    parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the pictures")
+    arguments = parser.parse_args()
+    section = main(arguments.results, arguments.out)
+    print(json.dumps([claim.as_json() for claim in section.claims], indent=2, ensure_ascii=False))

@@ -1,0 +1,162 @@
+"""One look for every figure: fonts, sizes, colours, the stretch colour map, and how a panel with a cloth is drawn."""
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
+from PIL import Image
+
+import render
+
+# Okabe and Ito's palette: distinct also for the colour-blind.
+MODEL_COLOURS = {"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2", "lod": "#b0579b"}
+MODEL_NAMES = {"none": "no bending", "crossover": "crossover", "k_ring": "edge springs (k_ring 1)",
+               "adaptive": "adaptive", "lod": "LOD"}
+INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
+SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
+
+STRETCH = LinearSegmentedColormap.from_list("stretch", ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
+STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
+
+plt.rcParams.update({
+    "font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8.5,
+    "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK,
+    "xtick.color": GREY, "ytick.color": GREY, "xtick.labelcolor": INK, "ytick.labelcolor": INK, "axes.titlecolor": INK,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7,
+    "axes.axisbelow": True, "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
+    "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",
+})
+
+
+def stretch_colours(excess):
+    """(T) sigma_1 - 1 → (T, 3) sRGB. What is not a number is drawn as the largest."""
+    excess = np.nan_to_num(np.asarray(excess, float), nan=STRETCH_NORM.vmax, posinf=STRETCH_NORM.vmax)
+    return STRETCH(STRETCH_NORM(np.clip(excess, STRETCH_NORM.vmin, STRETCH_NORM.vmax)))[:, :3]
+
+
+def camera_of(samples, **how):
+    """The camera that all (run, frame) of a figure share; None where there are none."""
+    samples = [sample for sample in samples if sample]
+    if not samples:
+        return None
+    runs = [run for run, _ in samples]
+    rest, seeds = runs[0].rest_positions, runs[0].pin_seeds
+    pin = samples[0][0].positions(samples[0][1])[seeds[0]] if len(seeds) else rest.mean(axis=0)
+    return render.camera_for([run.positions(frame) for run, frame in samples], pin, runs[0].size, **how)
+
+
+def draw_cloth(axes, sample, camera, width=420, caption=None, whole=True):
+    """A cloth in a panel, pins marked; what left the frame is said unless the frame shows a part only (`whole`).
+    `sample` is (run, frame) or None, which says that the run is missing."""
+    axes.set_axis_off()
+    if sample is None:
+        axes.text(0.5, 0.5, "no run", ha="center", va="center", color=GREY, transform=axes.transAxes)
+        return
+    run, frame = sample
+    positions, triangles = run.positions(frame), run.triangles
+    excess = run.cell("max_stretch", frame) - 1
+    image = render.render(positions, triangles, stretch_colours(excess), camera, width)
+    height = image.shape[0]
+    axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
+    _mark_pins(axes, run, positions, camera, (height, width))
+    if caption:
+        axes.text(0.03, 0.025, caption, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35,
+                  bbox=dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72))
+    outside = share_outside(positions, camera, (height, width))
+    if whole and outside > 0.005:
+        axes.text(0.97, 0.975, f"{100 * outside:.0f} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5,
+                  ha="right", va="top", color="#8a1538")
+
+
+def share_outside(positions, camera, shape):
+    """Share of the vertices that the picture does not show because they left its frame."""
+    xy, nearness = camera.project(positions, shape)
+    inside = (nearness > 0) & (xy >= 0).all(axis=1) & (xy[:, 0] <= shape[1]) & (xy[:, 1] <= shape[0])
+    return 1 - inside.mean()
+
+
+def _mark_pins(axes, run, positions, camera, shape):
+    seeds = set(run.pin_seeds.tolist())
+    for vertices, size in ((np.flatnonzero(run.pinned), 5), (np.array(sorted(seeds), int), 26)):
+        xy, _ = camera.project(positions[vertices], shape)
+        axes.scatter(xy[:, 0], xy[:, 1], s=size, c="#111418", edgecolors="white", linewidths=0.7 if size > 9 else 0.25,
+                     zorder=3, clip_on=True)
+    axes.set_xlim(0, shape[1])
+    axes.set_ylim(shape[0], 0)
+
+
+def stretch_bar(figure, axes, **how):
+    """The colour bar of stretch, beside the given axes."""
+    bar = figure.colorbar(plt.cm.ScalarMappable(STRETCH_NORM, STRETCH), ax=axes, extend="both", **how)
+    bar.set_label("stretch σ₁ − 1")
+    ticks = [0.01, 0.03, 0.1, 0.3, 1, 3, 10]
+    bar.set_ticks(ticks, labels=[f"{tick:g}" for tick in ticks])
+    bar.ax.grid(False)
+    bar.outline.set_visible(False)
+    return bar
+
+
+def legend_below(figure, axes, columns):
+    """The legend of one panel, below them all."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=columns)
+
+
+def plain_log(axes, which="y"):
+    """A logarithmic axis with ticks like 0.2, 0.5, 1 instead of powers; call it after drawing."""
+    axis = axes.yaxis if which == "y" else axes.xaxis
+    (axes.set_yscale if which == "y" else axes.set_xscale)("log")
+    low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
+    decades = np.log10(high / low)
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,), numticks=20))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_minor_locator(NullLocator())
+
+
+def resolution_axis(axes, cells):
+    """x axis: cells per side, evenly spaced by factors of two."""
+    axes.set_xscale("log", base=2)
+    axes.set_xticks(cells, labels=[str(n) for n in cells])
+    axes.minorticks_off()
+    axes.set_xlabel("resolution N (cells per side)")
+
+
+def with_range(axes, x, spreads, label=None, shift=1.0, **look):
+    """A line through medians with a bar from the smallest to the largest seed; `shift` moves the bars apart."""
+    known = [(at * shift, s) for at, s in zip(x, spreads) if s.known]
+    if not known:
+        return
+    at = np.array([k[0] for k in known])
+    middle, low, high = (np.array([getattr(s, part) for _, s in known]) for part in ("median", "low", "high"))
+    high = np.where(np.isfinite(high), high, middle * 100)
+    axes.errorbar(at, middle, yerr=[middle - low, high - middle], label=label, capsize=2.5, elinewidth=1, **look)
+
+
+def number(value, digits=3):
+    """A number for a reader: 3 significant digits, no exponent between 0.001 and 10⁵; – where there is none."""
+    if value is None or np.isnan(value):
+        return "–"
+    if np.isinf(value):
+        return "∞"
+    if value == 0:
+        return "0"
+    if abs(value) >= 1e5 or abs(value) < 1e-3:
+        return f"{value:.{digits - 1}e}"
+    places = max(digits - 1 - int(np.floor(np.log10(abs(value)))), 0)
+    return f"{value:.{places}f}"
+
+
+def save(figure, folder, name):
+    """Writes folder/name.png, with a palette of 256 colours where that keeps it small; returns its name."""
+    path = Path(folder) / f"{name}.png"
+    path.parent.mkdir(parents=True, exist_ok=True)
+    figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", pil_kwargs={"optimize": True})
+    plt.close(figure)
+    if path.stat().st_size > 290_000:
+        with Image.open(path) as image:
+            small = image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)
+        small.save(path, optimize=True)
+    return path.name

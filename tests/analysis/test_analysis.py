@@ -1,0 +1,204 @@
+"""Tests of the analysis scripts on files and shapes whose answers are known beforehand. Run: python3 tests/analysis/test_analysis.py"""
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
+import fig_5  # noqa: E402
+import fig_structure  # noqa: E402
+import load  # noqa: E402
+import render  # noqa: E402
+import style  # noqa: E402
+from distance import hausdorff_distance, rms_distance  # noqa: E402
+from report import rounded  # noqa: E402
+
+SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
+TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
+
+
+def write_run(path, config, committed=3, extra=0, status="complete", summary=None):
+    """A square that falls by 0.1 m per frame; `extra` frames were begun and never committed."""
+    frames = committed + extra
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with h5py.File(path, "w") as file:
+        file.attrs["status"] = np.bytes_(status)
+        file.attrs["id"] = np.bytes_("0123456789abcdef")
+        file.attrs["name"] = np.bytes_(config["name"])
+        points = np.concatenate([SQUARE - [0, 0, 0.1 * k] for k in range(frames)])
+        points[committed * 4:] = np.nan
+        file["VTKHDF/Points"] = points.astype("f4")
+        file["VTKHDF/CellData/max_stretch"] = np.repeat(1.0 + np.arange(frames), 2).astype("f4")
+        file["rest/positions"] = SQUARE
+        file["rest/triangles"] = TRIANGLES.astype("i4")
+        file["rest/pinned"] = np.array([0, 0, 1, 0], "u1")
+        file["rest/pin_seeds"] = np.array([2], "i4")
+        file["metrics/time"] = 0.5 * np.arange(committed)
+        file["metrics/pin_max_stretch"] = 1.0 + np.arange(frames)
+        file.create_group("constraints/distance").attrs["count"] = 7
+        file["provenance/config"] = json.dumps(config)
+        for name, value in (summary or {}).items():
+            file.require_group("summary").attrs[name] = value
+    return path
+
+
+def config_of(name="fig5", cells=16, model="crossover", seed=1, **more):
+    return {"name": name, "mesh": {"cells": cells}, "pins": {"ring": 0}, "bending": {"model": model, model: {}},
+            "initial": {"seed": seed}, **more}
+
+
+class LoadTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = Path(folder.name)
+
+    def test_a_run_gives_back_what_was_written(self):
+        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of(), summary={"drop": 1.25, "springs": 7}))
+        self.assertEqual((run.status, run.id, run.frames, run.model), ("complete", "0123456789abcdef", 3, "crossover"))
+        self.assertEqual(run.summary, {"drop": 1.25, "springs": 7})
+        self.assertEqual(run.counts, {"distance": 7})
+        self.assertEqual(run.get("/mesh/cells"), 16)
+        self.assertIsNone(run.get("/mesh/file"))
+        np.testing.assert_allclose(run.positions(-1), SQUARE - [0, 0, 0.2], atol=1e-7)  # float32 of numbers below 1
+        np.testing.assert_array_equal(run.cell("max_stretch", 1), [2, 2])
+        np.testing.assert_array_equal(run.pinned, [False, False, True, False])
+        np.testing.assert_array_equal(run.last_second(), [0, 1, 2])  # 0, 0.5 and 1 s
+        self.assertAlmostEqual(run.size, 2**0.5, places=15)
+        with self.assertRaises(IndexError):
+            run.positions(3)
+        with self.assertRaises(KeyError):
+            run.constraints("distance")
+
+    def test_only_committed_frames_of_an_unfinished_run_count(self):
+        write_run(self.folder / "a/run.vtkhdf.part", config_of(), committed=2, extra=1, status="running")
+        run, = load.load_runs(self.folder)
+        self.assertEqual((run.status, run.frames, len(run.metrics["pin_max_stretch"])), ("interrupted", 2, 2))
+        self.assertTrue(np.isfinite(run.positions(-1)).all())
+
+    def test_what_is_no_run_is_left_out(self):
+        (self.folder / "a").mkdir()
+        (self.folder / "a/run.vtkhdf").write_bytes(b"cut off")
+        self.assertEqual(load.load_runs(self.folder), [])
+
+    def test_runs_with_other_settings_do_not_mix_in(self):
+        write_run(self.folder / "trial/run.vtkhdf", config_of(seed=1, duration=1))
+        for seed in (1, 2):
+            write_run(self.folder / f"{seed}/run.vtkhdf", config_of(seed=seed, duration=4))
+        runs = load.load_runs(self.folder, ["/initial/seed"])
+        self.assertEqual([(run.get("/duration"), run.get("/initial/seed")) for run in runs], [(4, 1), (4, 2)])
+
+    def test_missing_points_of_a_sweep_are_named(self):
+        config = json.loads((load.CONFIGS / "paper/fig1.json").read_text())
+        config.pop("sweep")
+        config["bending"].update(model="none")
+        config["mesh"]["cells"], config["initial"]["seed"] = 32, 1
+        write_run(self.folder / "fig1/run/run.vtkhdf", config)
+        experiment = load.load_experiment(self.folder, "paper/fig1")
+        self.assertEqual(len(experiment.runs), 1)
+        self.assertEqual(len(experiment.missing), 2 * 2 * 3 - 1)  # models x resolutions x seeds
+
+    def test_points_that_differ_only_in_another_models_settings_are_one(self):
+        sweep = {"/bending/model": ["crossover", "lod"], "/bending/lod/t": [1, 2]}
+        places = {load._place(load._with({"bending": {}}, point), sweep) for point in load._points(sweep)}
+        self.assertEqual(len(places), 3)
+
+    def test_spread_is_median_and_range(self):
+        s = load.spread([5, 1, 2]) - 1
+        self.assertEqual((s.median, s.low, s.high, s.count), (1, 0, 4, 3))
+        self.assertFalse(load.spread([]).known)
+
+    def test_the_typical_frame_is_the_one_nearest_to_the_median(self):
+        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of()))
+        self.assertEqual(load.typical_frame([run])[1], 1)  # 1, 2, 3: the middle one
+
+
+class DistanceTest(unittest.TestCase):
+    def test_a_shift_is_as_far_as_it_goes(self):
+        rng = np.random.default_rng(1)
+        sheet = np.c_[rng.random((500, 2)), np.zeros(500)]
+        shift = np.array([0, 0, 0.3])
+        self.assertAlmostEqual(rms_distance(sheet, sheet + shift), 0.3, places=14)
+        self.assertAlmostEqual(hausdorff_distance(sheet, sheet + shift), 0.3, places=14)  # straight above is nearest
+
+    def test_the_farther_direction_counts(self):
+        line = np.c_[np.linspace(0, 1, 101), np.zeros((101, 2))]
+        half = line[:51]
+        self.assertAlmostEqual(hausdorff_distance(line, half), 0.5, places=14)
+        self.assertAlmostEqual(hausdorff_distance(half, line), 0.5, places=14)
+
+    def test_concentric_circles_are_their_radii_apart(self):
+        angle = 2 * np.pi * np.arange(2000) / 2000
+        circle = np.c_[np.cos(angle), np.sin(angle), 0 * angle]
+        self.assertAlmostEqual(hausdorff_distance(circle, 1.7 * circle), 0.7, places=13)
+
+    def test_relabelled_vertices_are_the_same_set(self):
+        points = np.random.default_rng(2).random((300, 3))
+        self.assertEqual(hausdorff_distance(points, points[::-1]), 0)
+        self.assertGreater(rms_distance(points, points[::-1]), 0.1)
+
+
+class RasterTest(unittest.TestCase):
+    def test_two_triangles_cover_their_square_without_a_seam(self):
+        xy = np.array([[10, 10], [50, 10], [50, 50], [10, 50]], float)
+        owner, _ = render.rasterise(xy, np.ones(4), TRIANGLES, (60, 60))
+        inside = np.zeros((60, 60), bool)
+        inside[10:50, 10:50] = True
+        np.testing.assert_array_equal(owner >= 0, inside)
+
+    def test_the_nearer_triangle_wins_in_either_order(self):
+        xy = np.array([[0, 0], [20, 0], [0, 20]] * 2, float)
+        nearness = np.array([1, 1, 1, 2, 2, 2], float)
+        for order in ([[0, 1, 2], [3, 4, 5]], [[3, 4, 5], [0, 1, 2]]):
+            owner, best = render.rasterise(xy, nearness, np.array(order), (20, 20))
+            self.assertEqual(set(np.array(order)[owner[owner >= 0], 0]), {3})
+            self.assertEqual(best.max(), 2)
+
+    def test_interpenetrating_triangles_swap_at_their_intersection(self):
+        xy = np.array([[0, 0], [20, 0], [20, 20], [0, 20]] * 2, float)
+        nearness = np.array([1, 3, 3, 1, 3, 1, 1, 3], float)  # equal at x = 10
+        triangles = np.concatenate([TRIANGLES, TRIANGLES + 4])
+        owner, _ = render.rasterise(xy, nearness, triangles, (20, 20))
+        self.assertTrue((owner[:, :10] >= 2).all() and (owner[:, 10:] < 2).all())
+
+    def test_a_blown_up_vertex_does_not_move_the_camera(self):
+        pin = SQUARE[2]
+        blown = SQUARE.copy()
+        blown[0] = [300, -200, 900]
+        usual = render.camera_for([SQUARE], pin, 2**0.5)
+        both = render.camera_for([SQUARE, blown], pin, 2**0.5)
+        np.testing.assert_allclose(both.extent, usual.extent, rtol=1e-12)
+        self.assertEqual(style.share_outside(SQUARE, both, (100, 80)), 0)
+        self.assertEqual(style.share_outside(blown, both, (100, 80)), 0.25)
+
+
+class FigureTest(unittest.TestCase):
+    def test_the_factors_add_up_to_the_whole(self):
+        pin = {("crossover", 0): 10, ("crossover", 1): 2, ("adaptive", 0): 5, ("adaptive", 1): 1}  # stretch - 1
+        runs = []
+        for (model, ring), excess in pin.items():
+            config = config_of(model=model)
+            config["pins"]["ring"] = ring
+            runs.append(load.Run(Path("-"), "", "", "complete", config, {"pin_max_stretch": 1.0 + excess}, {"time": []}))
+        effect = fig_5.factors(fig_5.Grid(runs, "floor"), 16, "pin_max_stretch")
+        self.assertAlmostEqual(effect["whole"], 1, places=14)  # 10 → 1
+        self.assertAlmostEqual(effect["model"], np.log10(2), places=14)  # 10 → 5 and 2 → 1
+        self.assertAlmostEqual(effect["ring"], np.log10(5), places=14)  # 10 → 2 and 5 → 1
+        self.assertAlmostEqual(effect["interaction"], 0, places=14)
+
+    def test_rings_of_a_strip(self):
+        triangles = np.array([[i, i + 1, i + 2] for i in range(6)])  # i touches i + 1 and i + 2
+        np.testing.assert_array_equal(fig_structure.ring_of(triangles, 0, 8), [0, 1, 1, 2, 2, 3, 3, 4])
+
+    def test_numbers_are_written_for_readers(self):
+        self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
+                         ["0.123", "12.3", "1234", "0", "∞", "–"])
+        self.assertEqual(rounded({"a": [0.123456, np.inf, np.nan, True, "x"]}), {"a": [0.1235, "inf", None, True, "x"]})
+
+
+if __name__ == "__main__":
+    unittest.main()
