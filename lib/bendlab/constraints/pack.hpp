@@ -140,16 +140,47 @@ BENDLAB_INLINE void transpose(Pack<Real>& a, Pack<Real>& b, Pack<Real>& c, Pack<
   d = blend<2, 3, 6, 7, Real>(ab_high, cd_high);
 }
 
+template <class Real>
+struct QuadType {
+  typedef Real type __attribute__((vector_size(4 * sizeof(Real))));
+};
+
+template <class Real>
+BENDLAB_INLINE typename QuadType<Real>::type load_point(const Point<Real>& point) {
+  typename QuadType<Real>::type quad;
+  std::memcpy(&quad, &point, sizeof(quad));
+  return quad;
+}
+
+template <class First, class Second, int... lane>
+BENDLAB_INLINE auto concatenated(const First& first, const Second& second,
+                                 std::integer_sequence<int, lane...>) {
+  return __builtin_shufflevector(first, second, lane...);
+}
+
+// Points indices[0], indices[4], indices[8], … side by side in one pack, joined in registers: assembled in
+// memory, the wide load would wait for the narrow stores before it.
+template <class Real>
+BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* indices) {
+  constexpr std::make_integer_sequence<int, 8> eight{};
+  if constexpr (lanes<Real> == 4) {
+    return load_point(points[indices[0]]);
+  } else if constexpr (lanes<Real> == 8) {
+    return concatenated(load_point(points[indices[0]]), load_point(points[indices[4]]), eight);
+  } else {
+    const auto low = concatenated(load_point(points[indices[0]]), load_point(points[indices[4]]), eight);
+    const auto high = concatenated(load_point(points[indices[8]]), load_point(points[indices[12]]), eight);
+    return concatenated(low, high, std::make_integer_sequence<int, 16>{});
+  }
+}
+
 }  // namespace detail
 
 /// Points `indices[0 .. lanes)` as packs.
 template <class Real>
 BENDLAB_INLINE PackPoints<Real> gather(const Point<Real>* points, const int* indices) {
-  alignas(pack_bytes) Pack<Real> row[4];
-  for (int block = 0; block < lanes<Real> / 4; ++block)
-    for (int r = 0; r < 4; ++r)
-      std::memcpy(reinterpret_cast<Real*>(&row[r]) + 4 * block, points + indices[4 * block + r],
-                  sizeof(Point<Real>));
+  Pack<Real> row[4];
+  for (int r = 0; r < 4; ++r) row[r] = detail::rows_by_fours(points, indices + r);
   detail::transpose<Real>(row[0], row[1], row[2], row[3]);
   return {{row[0], row[1], row[2]}, row[3]};
 }
