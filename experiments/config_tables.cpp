@@ -223,7 +223,7 @@ constexpr std::array quality = {
               .meaning = "A triangle with a larger angle is a cap",
               .minimum = 90, .maximum = 180},
     Parameter{.name = "small_angle", .type = number, .unit = "degrees", .default_value = 10.0,
-              .meaning = "A triangle with a smaller angle counts as degenerate in the metrics",
+              .meaning = "A triangle with a smaller angle is counted in the metric small_angles",
               .minimum = 0, .maximum = 60},
 };
 

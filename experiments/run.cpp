@@ -113,6 +113,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
                        {"ordering_hash", header.constraints[0].hash + header.constraints[1].hash},
                        {"started", utc_now()}};
+  if (!scene.mesh_notes.empty())
+    header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
   header.config = config.resolved.dump(2);
   header.double_positions = scene.precision == Precision::double_precision;
   return header;
@@ -202,8 +204,8 @@ void make_folder(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);
   if (error)
-    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out", folder.string(),
-                                   error.message()));
+    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out",
+                                   folder.string(), error.message()));
 }
 
 }  // namespace
@@ -240,7 +242,9 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;
-  outcome.message = stepping.message;
+  outcome.message =
+      fmt::format("{}{}{}", fmt::join(scene.mesh_notes, "; "),
+                  scene.mesh_notes.empty() || stepping.message.empty() ? "" : "; ", stepping.message);
   outcome.summary = recorder.summary(*simulation);
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())

@@ -18,7 +18,7 @@
 namespace bendlab {
 namespace {
 
-TriangleMesh generated_mesh(const ParameterValues& mesh) {
+TriangleMesh generate(const ParameterValues& mesh) {
   const double width = mesh.number("width"), height = mesh.number("height");
   const int cells = static_cast<int>(mesh.integer("cells"));
   const std::string& generator = mesh.text("generator");
@@ -36,17 +36,30 @@ TriangleMesh generated_mesh(const ParameterValues& mesh) {
                                    : Diagonal::alternating);
 }
 
-TriangleMesh mesh_from_file(const std::filesystem::path& file) {
+TriangleMesh generated_mesh(const ParameterValues& mesh) {
   try {
-    return read_mesh(file);
+    return generate(mesh);
+  } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
+    throw ConfigError("mesh generator", {{"/mesh", error.what()}});
+  }
+}
+
+TriangleMesh mesh_from_file(const std::filesystem::path& file, std::vector<std::string>& notes) {
+  try {
+    return read_mesh(file, &notes);
   } catch (const MeshFileError& error) {
     if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
     throw RunFileError(error.what());
   }
 }
 
-Pins pins_of(const RunConfig& config, const RestMesh& rest) {
+Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes) {
   const ParameterValues values = config.section("/pins");
+  if (!mesh_notes.empty() && !values.numbers("indices").empty())
+    throw MeshError(fmt::format(
+        "{}: {}; /pins/indices would name other vertices than the file does. Remove them from the "
+        "file, or pin by name in /pins/vertices",
+        config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices"))
     for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
@@ -163,18 +176,21 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
 
 }  // namespace
 
-TriangleMesh rest_mesh_of(const RunConfig& config) {
+TriangleMesh rest_mesh_of(const RunConfig& config, std::vector<std::string>& notes) {
   const ParameterValues values = config.section("/mesh");
-  TriangleMesh mesh = config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file);
+  TriangleMesh mesh =
+      config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file, notes);
   mesh.positions *= values.number("scale");
   return mesh;
 }
 
 Scene build_scene(const RunConfig& config) {
-  Scene scene{.rest = RestMesh(rest_mesh_of(config))};
+  std::vector<std::string> mesh_notes;
+  TriangleMesh mesh = rest_mesh_of(config, mesh_notes);
+  Scene scene{.rest = RestMesh(std::move(mesh)), .mesh_notes = std::move(mesh_notes)};
   const RestMesh& rest = scene.rest;
   const ParameterValues material = config.section("/material"), solver = config.section("/solver");
-  scene.pins = pins_of(config, rest);
+  scene.pins = pins_of(config, rest, scene.mesh_notes);
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
   scene.thresholds = quality_thresholds(config.section("/quality"));

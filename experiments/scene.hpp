@@ -25,7 +25,8 @@ enum class Precision { single_precision, double_precision };
 
 struct Scene {
   RestMesh rest;
-  Pins pins;
+  std::vector<std::string> mesh_notes{};  ///< what was left out of the mesh file
+  Pins pins{};
   std::vector<BendingFact> bending_facts;
   int springs_beyond_ring_1 = 0;  ///< distance constraints that are not edges of the mesh
   SimulationInput input;

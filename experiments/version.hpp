@@ -11,9 +11,9 @@ struct BuildInfo {
   bool git_dirty = false;        ///< sources or build files differed from that commit
   std::string_view source_hash;  ///< 16 hex digits over the sources that decide results: all of lib/bendlab
                                  ///< and experiments/*.{hpp,cpp} (not experiments/cli)
-  std::string_view compiler;    ///< name and version
-  std::string_view flags;       ///< compiler flags, space-separated
-  std::string_view build_type;  ///< Release, Debug, RelWithDebInfo
+  std::string_view compiler;     ///< name and version
+  std::string_view flags;        ///< compiler flags, space-separated
+  std::string_view build_type;   ///< Release, Debug, RelWithDebInfo
 };
 
 const BuildInfo& build_info();

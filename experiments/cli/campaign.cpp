@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
+#include <exception>
 #include <map>
 #include <mutex>
 #include <numeric>
@@ -52,11 +54,14 @@ void remove_run_files(const fs::path& folder) {
 /// Runs of two experiments of one name may be the same: they would write the same file. Each run → the one
 /// that is executed for it.
 std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
-  std::map<std::pair<std::string, std::string>, std::size_t> first;
+  std::map<std::string, std::size_t> first;
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < runs.size(); ++i) {
-    const auto key = std::pair(runs[i].experiment->name, runs[i].config->resolved.dump());
-    result.push_back(first.try_emplace(key, i).first->second);
+    const RunConfig& config = *runs[i].config;
+    const std::string what_names_the_file =
+        fmt::format("{}\n{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]),
+                    config.mesh_file.string(), identity_text(config));
+    result.push_back(first.try_emplace(what_names_the_file, i).first->second);
   }
   return result;
 }
@@ -99,6 +104,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   std::mutex mutex;  // guards what follows
   std::vector<bool> over(runs.size(), false);
   std::size_t ready = 0;
+  std::exception_ptr failure;  // of on_ready
 
   const auto finish = [&](std::size_t index) {
     const CampaignRun& run = runs[index];
@@ -127,12 +133,20 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
                                  progress.update(index, done_s, total_s);
                                }};
       if (!stop_flag()) execute(runs[index], options, control);
-      finish(index);
+      try {
+        finish(index);
+      } catch (...) {  // nobody reads stdout any more: the runs go on, they are kept in their files
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+      }
     }
   };
-  std::vector<std::jthread> workers;
-  for (int job = 1; job < jobs_for(runs, options.jobs); ++job) workers.emplace_back(work);
-  work();
+  {
+    std::vector<std::jthread> workers;
+    for (int job = 1; job < jobs_for(runs, options.jobs); ++job) workers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
 }
 
 int campaign_exit_code(const std::vector<CampaignRun>& runs) {

@@ -1,6 +1,7 @@
 #include "experiments/cli/command_line.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -187,7 +188,7 @@ int dispatch(int argc, char** argv) {
 int command_line(int argc, char** argv) {
   try {
     const int code = dispatch(argc, argv);
-    if (std::fflush(stdout) == 0) return code;
+    if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
     fmt::print(stderr, "bendlab: the output could not be written to stdout\n");
     return exit_io;
   } catch (...) {

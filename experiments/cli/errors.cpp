@@ -1,7 +1,7 @@
 #include "experiments/cli/errors.hpp"
 
-#include <filesystem>
 #include <new>
+#include <system_error>
 
 #include "bendlab/mesh/files.hpp"
 #include "experiments/config.hpp"
@@ -24,7 +24,7 @@ Failure current_failure() {
     return {error.kind() == MeshFileError::Kind::refused ? exit_mesh : exit_io, error.what()};
   } catch (const RunFileError& error) {
     return {exit_io, error.what()};
-  } catch (const std::filesystem::filesystem_error& error) {
+  } catch (const std::system_error& error) {
     return {exit_io, error.what()};
   } catch (const std::bad_alloc&) {
     return {exit_failed, "out of memory: try fewer runs side by side (--jobs 1) or a coarser mesh"};

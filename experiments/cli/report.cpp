@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <map>
 
 #include "experiments/cli/table.hpp"
 #include "experiments/expectations.hpp"
@@ -24,14 +23,13 @@ std::string value_text(const Json& value) {
 }
 
 std::string status_text(const CampaignRun& run) {
-  if (!run.started()) return "not started";
   if (!run.outcome) return "failed";
   return to_string(run.outcome->status) + (run.outcome->reused ? ", reused" : "");
 }
 
 std::string coloured_status(const CampaignRun& run) {
   const std::string text = status_text(run);
-  return run.exit_code == 0 && run.started() ? text : coloured(text, Colour::red, stdout);
+  return run.exit_code == 0 ? text : coloured(text, Colour::red, stdout);
 }
 
 std::vector<ExpectationResult> check(const CampaignRun& run) {
@@ -39,40 +37,58 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(*run.experiment, *run.config, run.outcome->summary);
 }
 
-/// A line per expectation that holds, with the first run it was checked on; one per run where it does not.
-std::string expectations_text(std::span<const CampaignRun> runs) {
-  struct Holding {
-    std::string first;
+/// A line per expectation and run where it does not hold.
+std::string failed_expectations(std::span<const CampaignRun> runs) {
+  std::string text;
+  for (const CampaignRun& run : runs)
+    for (const ExpectationResult& result : check(run))
+      if (!result.holds)
+        text += fmt::format("{} {}: {}\n", coloured("FAIL", Colour::red, stdout), place_text(run),
+                            result.message);
+  return text;
+}
+
+/// A line per expectation that holds, with the first run it was checked on.
+std::string held_expectations(std::span<const CampaignRun> runs) {
+  struct Held {
+    std::string key, first;
     int runs = 0;
   };
-  std::map<std::string, Holding> holding;
-  std::vector<std::string> order;
-  std::string failed, held;
+  std::vector<Held> all;
   for (const CampaignRun& run : runs) {
     for (const ExpectationResult& result : check(run)) {
-      const std::string line = fmt::format("{}: {}", place_text(run), result.message);
-      if (!result.holds) {
-        failed += fmt::format("{} {}\n", coloured("FAIL", Colour::red, stdout), line);
-        continue;
-      }
+      if (!result.holds) continue;
       const Expectation& e = result.expectation;
       const std::string key = fmt::format("{} {} {} {} {}", e.metric, e.minimum.value_or(NAN),
                                           e.maximum.value_or(NAN), e.why, e.where.dump());
-      if (holding[key].runs++ == 0) {
-        holding[key].first = line;
-        order.push_back(key);
-      }
+      auto held = std::ranges::find(all, key, &Held::key);
+      if (held == all.end())
+        held = all.insert(held, {key, fmt::format("{}: {}", place_text(run), result.message), 0});
+      ++held->runs;
     }
   }
-  for (const std::string& key : order) {
-    const auto& [first, count] = holding[key];
-    const std::string more = count == 1 ? "" : fmt::format(" (and in {} more)", count - 1);
-    held += fmt::format("{} {}{}\n", coloured("ok  ", Colour::green, stdout), first, more);
-  }
-  return held + failed;
+  std::string text;
+  for (const Held& held : all)
+    text += fmt::format("{} {}{}\n", coloured("ok  ", Colour::green, stdout), held.first,
+                        held.runs == 1 ? "" : fmt::format(" (and in {} more)", held.runs - 1));
+  return text;
 }
 
-/// Wall and CPU time of what was computed now, and which passes took it.
+/// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if there are none.
+std::string pass_shares(const std::vector<PassTime>& passes) {
+  double all = 0;
+  for (const PassTime& pass : passes) all += pass.seconds;
+  std::vector<PassTime> sorted = passes;
+  std::ranges::stable_sort(sorted, std::ranges::greater{}, &PassTime::seconds);
+  std::string text;
+  for (const PassTime& pass : sorted) {
+    if (!(pass.seconds >= 0.01 * all) || all == 0) continue;
+    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", pass.name, 100 * pass.seconds / all);
+  }
+  return text;
+}
+
+/// Wall and CPU time of the runs (reused ones: when they were computed), and which passes took it.
 std::string time_text(std::span<const CampaignRun> runs) {
   double wall_s = 0, cpu_s = 0;
   std::vector<PassTime> passes;
@@ -98,19 +114,6 @@ std::string time_text(std::span<const CampaignRun> runs) {
 bool expectations_hold(std::span<const CampaignRun> runs) {
   return std::ranges::all_of(
       runs, [](const auto& run) { return std::ranges::all_of(check(run), &ExpectationResult::holds); });
-}
-
-std::string pass_shares(const std::vector<PassTime>& passes) {
-  double all = 0;
-  for (const PassTime& pass : passes) all += pass.seconds;
-  std::vector<PassTime> sorted = passes;
-  std::ranges::stable_sort(sorted, std::ranges::greater{}, &PassTime::seconds);
-  std::string text;
-  for (const PassTime& pass : sorted) {
-    if (!(pass.seconds >= 0.01 * all) || all == 0) continue;
-    text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", pass.name, 100 * pass.seconds / all);
-  }
-  return text;
 }
 
 std::vector<std::string> axis_headings(const Experiment& experiment) {
@@ -195,7 +198,23 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
-  return text + expectations_text(runs);
+  return text + held_expectations(runs) + failed_expectations(runs);
+}
+
+std::string experiment_line(std::span<const CampaignRun> runs) {
+  const auto count = [&](auto&& predicate) { return std::ranges::count_if(runs, predicate); };
+  const auto complete = count([](const CampaignRun& run) { return run.started() && run.exit_code == 0; });
+  const auto reused = count([](const CampaignRun& run) { return run.outcome && run.outcome->reused; });
+  std::string text = fmt::format("{}: {} runs, {} complete ({} reused)", runs.front().experiment->name,
+                                 runs.size(), complete, reused);
+  for (const RunStatus status : {RunStatus::diverged, RunStatus::interrupted}) {
+    const auto here =
+        count([&](const CampaignRun& run) { return run.outcome && run.outcome->status == status; });
+    if (here > 0) text += fmt::format(", {} {}", here, to_string(status));
+  }
+  if (const auto failed = count([](const CampaignRun& run) { return !run.error.empty(); }); failed > 0)
+    text += fmt::format(", {} failed", failed);
+  return text + "; " + time_text(runs) + "\n" + failed_expectations(runs);
 }
 
 }  // namespace bendlab

@@ -16,6 +16,10 @@ Json run_json(const CampaignRun& run);
 /// `runs` are those of one experiment.
 std::string experiment_text(std::span<const CampaignRun> runs);
 
+/// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", with a further line per expectation that
+/// does not hold.
+std::string experiment_line(std::span<const CampaignRun> runs);
+
 /// Whether every expectation holds in every run that has a summary.
 bool expectations_hold(std::span<const CampaignRun> runs);
 
@@ -30,8 +34,5 @@ std::vector<std::string> axis_headings(const Experiment& experiment);
 
 /// The run's values under axis_headings(), empty where an axis does not apply to it.
 std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfig& config);
-
-/// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if there are none.
-std::string pass_shares(const std::vector<PassTime>& passes);
 
 }  // namespace bendlab

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <span>
 #include <system_error>
 
 #include "experiments/cli/commands.hpp"
@@ -45,21 +44,28 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON.
-int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, bool json) {
+/// How the runs are reported on stdout.
+enum class Report { tables, lines, json };
+
+/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
+/// were not started because of a signal are left out.
+int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options,
+                   Report report) {
   check_writable(options.out);
   catch_stop_signals();
   std::vector<CampaignRun> runs = plan_campaign(experiments);
-  std::size_t first = 0;  // run of the experiment that is on
-  bool printed = false;
+  std::vector<CampaignRun> of_experiment;
+  bool first = true;
   run_campaign(runs, options, [&](std::size_t index) {
-    if (json) fmt::print("{}\n", run_json(runs[index]).dump());
-    if (index + 1 == runs.size() || runs[index + 1].experiment != runs[first].experiment) {
-      const std::span<const CampaignRun> of_experiment(&runs[first], index + 1 - first);
-      if (!json) fmt::print("{}{}", printed ? "\n" : "", experiment_text(of_experiment));
-      printed = true;
-      first = index + 1;
+    if (runs[index].started()) of_experiment.push_back(runs[index]);
+    if (report == Report::json && runs[index].started()) fmt::print("{}\n", run_json(runs[index]).dump());
+    const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
+    if (last && !of_experiment.empty()) {
+      if (report == Report::tables) fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment));
+      if (report == Report::lines) fmt::print("{}", experiment_line(of_experiment));
+      first = false;
     }
+    if (last) of_experiment.clear();
     std::fflush(stdout);
   });
 
@@ -121,7 +127,7 @@ std::string state_on_disk(const fs::path& folder) {
 }  // namespace
 
 int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json) {
-  return run_and_report(load_experiments(configs), options, json);
+  return run_and_report(load_experiments(configs), options, json ? Report::json : Report::tables);
 }
 
 int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
@@ -168,7 +174,7 @@ int reproduce_command(CampaignOptions options, const fs::path& out, bool full) {
   for (const char* folder : {"paper", "ablations"})
     std::ranges::copy(configs_in(source / "configs" / folder, full), std::back_inserter(configs.files));
 
-  const int runs_code = run_and_report(load_experiments(configs), options, false);
+  const int runs_code = run_and_report(load_experiments(configs), options, Report::lines);
   if (stop_exit_code() != 0) return runs_code;
 
   const fs::path page = options.out / "paper";

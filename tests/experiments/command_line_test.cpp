@@ -150,6 +150,7 @@ TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or wr
   CHECK_THAT(here.err(), ContainsSubstring("--out"));
   CHECK(here.run("list nowhere") == 5);
   CHECK(here.run("list . >/dev/full") == 5);
+  CHECK(here.run("run small.json --json >/dev/full") == 5);
 }
 
 TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[command line]") {
@@ -162,7 +163,8 @@ TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[
   CHECK_THAT(here.out(), !ContainsSubstring("\x1b"));  // no colours where nobody sees them
 }
 
-TEST_CASE("--json prints an object per run with what the run was and what came out", "[command line]") {
+TEST_CASE("The option --json prints an object per run with what the run was and what came out",
+          "[command line]") {
   Workplace here;
   here.write("small.json", small);
   REQUIRE(here.run("run small.json --json --jobs 2") == 0);
@@ -214,7 +216,7 @@ TEST_CASE("--json prints an object per run with what the run was and what came o
   }
 }
 
-TEST_CASE("--set overrides a value and replaces an axis, --out says where", "[command line]") {
+TEST_CASE("The option --set overrides a value and replaces an axis, and --out says where", "[command line]") {
   Workplace here;
   here.write("small.json", small);
   REQUIRE(here.run("run small.json --json --set /mesh/cells=4 --set /bending/model=none --out elsewhere") ==

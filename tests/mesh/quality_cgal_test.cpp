@@ -22,8 +22,7 @@ TEST_CASE("needles, caps and collinear triangles are CGAL's", "[mesh][quality]")
   const double cap_cosine = std::cos(thresholds.cap_angle * std::numbers::pi / 180);
 
   // Corners on a coarse lattice, so that many triangles are collinear, and some of them moved by one part in
-  // 10¹⁵, so that many are nearly so. No side ratio is exactly 4 and no angle exactly 160° by chance alone:
-  // the lattice has ratios of 4, and those are decided exactly by both.
+  // 10¹⁵, so that many are nearly so.
   std::mt19937_64 random(11);
   int needles = 0, caps = 0, collinear = 0;
   for (int trial = 0; trial < 6000; ++trial) {

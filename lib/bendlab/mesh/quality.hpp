@@ -43,7 +43,7 @@ struct MeshQuality {
   int needles = 0;       ///< longest edge >= needle_ratio · shortest (CGAL's is_needle_triangle_face)
   int caps = 0;          ///< an angle >= cap_angle and no edge of length 0 (CGAL's is_cap_triangle_face)
   int collinear = 0;     ///< the three points are exactly collinear (CGAL's exact predicate)
-  int non_finite = 0;    ///< a coordinate is not finite, or so large that its square is not
+  int non_finite = 0;    ///< a coordinate, or the difference of two, is not finite
   int small_angles = 0;  ///< an angle < small_angle
   int degenerate_triangles = 0;  ///< needle, cap, collinear or not finite; each triangle counts once
 };
