@@ -63,7 +63,8 @@ TEST_CASE("frame writer: counts the processor time of its thread only", "[io]") 
   writer.drain();
   const double wall_s = std::chrono::duration<double>(Clock::now() - begin).count();
   CHECK(writer.cpu_s() > 0);
-  CHECK(writer.cpu_s() <= wall_s - 0.2 + 0.01);  // the 200 ms of sleep don't count; clocks tick at most every 10 ms
+  CHECK(writer.cpu_s() <=
+        wall_s - 0.2 + 0.01);  // the 200 ms of sleep don't count; clocks tick at most every 10 ms
 }
 
 TEST_CASE("frame writer: the queue is bounded", "[io]") {

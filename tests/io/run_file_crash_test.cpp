@@ -62,7 +62,7 @@ void acknowledge(int pipe_end) {
 TEST_CASE("run file: kill -9 at any moment keeps every written frame", "[io]") {
   constexpr int kills = 20;
   std::mt19937 random(1);
-  std::uniform_int_distribution<int> delay_us(0, 30000);
+  std::uniform_int_distribution<int> delay_us(0, 10000);
   for (int i = 0; i < kills; ++i) {
     const TemporaryFolder folder;
     const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
@@ -101,9 +101,9 @@ assert run['metrics/drop'].shape == (frames,) and run.attrs['status'] == 'interr
 }
 
 TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {
-  // A limit on the file's size stands in for the disk: writes beyond it fail, as they do on a full disk. The sizes
-  // are spread, so that frames, chunk indices and metrics each meet the limit at least once.
-  for (rlim_t limit = 180000; limit < 280000; limit += 4777) {
+  // A limit on the file's size stands in for the disk: writes beyond it fail, as they do on a full disk. The
+  // sizes are spread, so that frames, chunk indices and metrics each meet the limit at least once.
+  for (rlim_t limit = 180000; limit < 210000; limit += 3777) {
     CAPTURE(limit);
     const TemporaryFolder folder;
     const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";

@@ -20,7 +20,9 @@ namespace fs = std::filesystem;
 using Catch::Matchers::ContainsSubstring;
 #else
 namespace {
-auto ContainsSubstring(const std::string& text) { return Catch::Matchers::Contains(text); }
+auto ContainsSubstring(const std::string& text) {
+  return Catch::Matchers::Contains(text);
+}
 }  // namespace
 #endif
 
@@ -202,8 +204,9 @@ TEST_CASE("run file: bad folders are refused with the system's reason and advice
     return error_text<RunFileError>([&] { RunFileWriter(path, square_header()); });
   };
   const auto absent = folder / "absent" / "run.vtkhdf";
-  CHECK_THAT(refusal(absent), ContainsSubstring(absent.string() + ".part: can't be written: No such file or") &&
-                                  ContainsSubstring("its folder has to exist"));
+  CHECK_THAT(refusal(absent),
+             ContainsSubstring(absent.string() + ".part: can't be written: No such file or") &&
+                 ContainsSubstring("its folder has to exist"));
   std::ofstream(folder / "file") << "text";
   CHECK_THAT(refusal(folder / "file" / "run.vtkhdf"), ContainsSubstring("Not a directory"));
   if (geteuid() == 0) return;  // root may write anywhere
@@ -234,7 +237,8 @@ TEST_CASE("run file: what is no run file is refused", "[io]") {
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }),
              ContainsSubstring("it has no frame 3; it holds 3 frames"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, -4); }), ContainsSubstring("no frame -4"));
-  CHECK_THAT(error_text<RunFileError>([&] { repair_run(path); }), ContainsSubstring("unfinished run ends in .part"));
+  CHECK_THAT(error_text<RunFileError>([&] { repair_run(path); }),
+             ContainsSubstring("unfinished run ends in .part"));
 }
 
 TEST_CASE("run file: a frame of the wrong size is a mistake of the caller", "[io]") {

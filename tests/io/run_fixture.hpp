@@ -1,4 +1,5 @@
-// A run whose every number is known beforehand: a unit square of two triangles that rises by one metre per frame.
+// A run whose every number is known beforehand: a unit square of two triangles that rises by one metre per
+// frame.
 #pragma once
 
 #include <cstdlib>
@@ -85,7 +86,8 @@ inline std::size_t wrong_frames(const std::filesystem::path& path) {
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < times.size(); ++i) {
     const Frame frame = square_frame(static_cast<int>(i));
-    const bool right = times[i] == frame.time && drop[i] == frame.metrics[0] && energy[i] == frame.metrics[1] &&
+    const bool right = times[i] == frame.time && drop[i] == frame.metrics[0] &&
+                       energy[i] == frame.metrics[1] &&
                        read_positions(path, static_cast<std::int64_t>(i)) == frame.positions;
     if (!right) ++wrong;
   }
@@ -108,7 +110,8 @@ std::string error_text(const Action& action) {
   return {};
 }
 
-/// Runs a script with `file` as `run`, opened by h5py, and numpy as np. True where every assertion in it held.
+/// Runs a script with `file` as `run`, opened by h5py, and numpy as np. True where every assertion in it
+/// held.
 inline bool h5py_accepts(const std::filesystem::path& file, const std::string& script) {
   const auto path = file.string() + ".check.py";
   std::ofstream(path) << "import sys, h5py, numpy as np\nrun = h5py.File(sys.argv[1], 'r')\n" << script;

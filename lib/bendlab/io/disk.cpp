@@ -45,7 +45,8 @@ std::string advice(int code) {
     case ENOSPC:
     case EDQUOT:
     case EFBIG:
-      return "Free some space or choose another folder, and run again; what was written before stays readable";
+      return "Free some space or choose another folder, and run again; what was written before stays "
+             "readable";
     case EACCES:
     case EPERM:
     case EROFS:
@@ -66,7 +67,9 @@ RunFileError file_error(const fs::path& path, const std::string& what, const std
   return RunFileError(fmt::format("{}: {}: {}. {}.", path.string(), what, reason, advice(code)));
 }
 
-fs::path part_path(const fs::path& file) { return file.string() + ".part"; }
+fs::path part_path(const fs::path& file) {
+  return file.string() + ".part";
+}
 
 void require_readable(const fs::path& file) {
   if (Descriptor(file, O_RDONLY) >= 0) return;

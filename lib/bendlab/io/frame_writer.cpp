@@ -18,7 +18,9 @@ FrameWriter::FrameWriter(const std::filesystem::path& path, const RunHeader& hea
                          std::function<void(Frame&)> prepare)
     : writer_(path, header), prepare_(std::move(prepare)), thread_([this] { run(); }) {}
 
-FrameWriter::~FrameWriter() { stop(); }
+FrameWriter::~FrameWriter() {
+  stop();
+}
 
 void FrameWriter::push(Frame frame) {
   std::unique_lock lock(mutex_);

@@ -18,7 +18,8 @@ namespace bendlab {
 
 class FrameWriter {
  public:
-  static constexpr std::size_t capacity = 4;  ///< frames; enough to ride out a slow write, little enough to hold
+  static constexpr std::size_t capacity =
+      4;  ///< frames; enough to ride out a slow write, little enough to hold
 
   /// `prepare` runs on the writer thread, one frame at a time in order, before the frame is written: it fills
   /// metrics and cell fields from time and positions. What it touches is the caller's again after drain().
@@ -38,8 +39,8 @@ class FrameWriter {
   /// Waits until every frame pushed is in the file. Throws as push() does.
   void drain();
 
-  /// drain(), then RunFileWriter::finish(). Where an exception of `prepare` was already reported, finishes the
-  /// file with the frames before it.
+  /// drain(), then RunFileWriter::finish(). Where an exception of `prepare` was already reported, finishes
+  /// the file with the frames before it.
   void finish(const RunFooter& footer);
 
   std::uint64_t frames() const;  ///< written so far

@@ -18,7 +18,8 @@
 
 namespace bendlab::hdf5 {
 
-/// A call of the library failed. what() is the reason: the system's text where there is one, else the library's.
+/// A call of the library failed. what() is the reason: the system's text where there is one, else the
+/// library's.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& text, int code = 0) : std::runtime_error(text), code_(code) {}
@@ -86,12 +87,13 @@ hid_t type_of() {
 Handle create_file(const std::string& path);                 ///< replaces what is there
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
-/// Gives the file this much room on the disk beyond its end, or throws Failure before anything of it has changed.
-/// A flush that meets a full disk half-way leaves a file that can't be opened.
-void reserve(hid_t file, std::uint64_t bytes);
+/// Throws Failure unless the disk has room for this many bytes more, eightfold: other runs may be writing
+/// too. A flush that meets a full disk half-way can leave a file that doesn't open, so the question comes
+/// first.
+void require_room(hid_t file, std::uint64_t bytes);
 
-/// Flushes and closes; the file ends where its contents do, whatever was reserved.
-void close_file(Handle& file, const std::string& path);
+/// Hands what was written to the operating system: a killed process loses nothing of it, a power cut may.
+void flush(hid_t file);
 
 Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);

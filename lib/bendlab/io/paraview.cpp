@@ -16,13 +16,15 @@ namespace {
 using hdf5::Handle;
 
 /// One of the four cell arrays that PolyData has, #C cells of `vertices_per_cell` vertices.
-void write_cells(hid_t vtk, const std::string& name, const std::vector<int>& vertices, int vertices_per_cell) {
+void write_cells(hid_t vtk, const std::string& name, const std::vector<int>& vertices,
+                 int vertices_per_cell) {
   const Handle group = hdf5::create_group(vtk, name);
   const std::size_t count = vertices.size() / static_cast<std::size_t>(vertices_per_cell);
   std::vector<std::int64_t> offsets(count + 1);
   for (std::size_t i = 0; i <= count; ++i) offsets[i] = static_cast<std::int64_t>(i) * vertices_per_cell;
   hdf5::write_array(group, "NumberOfCells", std::vector{static_cast<std::int64_t>(count)});
-  hdf5::write_array(group, "NumberOfConnectivityIds", std::vector{static_cast<std::int64_t>(vertices.size())});
+  hdf5::write_array(group, "NumberOfConnectivityIds",
+                    std::vector{static_cast<std::int64_t>(vertices.size())});
   hdf5::write_array(group, "Offsets", offsets);
   hdf5::write_array(group, "Connectivity", std::vector<std::int64_t>(vertices.begin(), vertices.end()));
 }
@@ -38,17 +40,28 @@ std::string escaped(const std::string& text) {
   std::string result;
   for (const char c : text) {
     switch (c) {
-      case '&': result += "&amp;"; break;
-      case '<': result += "&lt;"; break;
-      case '>': result += "&gt;"; break;
-      case '"': result += "&quot;"; break;
-      default: result += c;
+      case '&':
+        result += "&amp;";
+        break;
+      case '<':
+        result += "&lt;";
+        break;
+      case '>':
+        result += "&gt;";
+        break;
+      case '"':
+        result += "&quot;";
+        break;
+      default:
+        result += c;
     }
   }
   return result;
 }
 
-/// Rows first … first + count of a dataset of `rows` rows.
+/// Rows first … first + count of a dataset of `rows` rows. The comment inside differs from frame to frame,
+/// because ParaView's Xdmf reader takes what stands first in a geometry's item for the name of its data, and
+/// shows a geometry of the same name again instead of reading it.
 std::string hyperslab(const std::string& dataset, const std::string& number, std::uint64_t first,
                       std::uint64_t count, std::uint64_t rows, int columns) {
   const auto shape = [&](std::uint64_t n) {
@@ -57,10 +70,10 @@ std::string hyperslab(const std::string& dataset, const std::string& number, std
   const std::string selection = columns == 1 ? fmt::format("{} 1 {}", first, count)
                                              : fmt::format("{} 0 1 1 {} {}", first, count, columns);
   return fmt::format(
-      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\">"
+      "<DataItem ItemType=\"HyperSlab\" Dimensions=\"{}\"><!-- from row {} -->"
       "<DataItem Dimensions=\"3 {}\" Format=\"XML\">{}</DataItem>"
       "<DataItem Dimensions=\"{}\" {} Format=\"HDF\">{}</DataItem></DataItem>",
-      shape(count), columns == 1 ? 1 : 2, selection, shape(rows), number, dataset);
+      shape(count), first, columns == 1 ? 1 : 2, selection, shape(rows), number, dataset);
 }
 
 std::string xdmf_frame(const std::string& file, const ParaViewShape& shape, std::size_t k) {
@@ -73,12 +86,12 @@ std::string xdmf_frame(const std::string& file, const ParaViewShape& shape, std:
       t, file);
   text += fmt::format("<Geometry GeometryType=\"XYZ\">{}</Geometry>\n",
                       hyperslab(file + ":/VTKHDF/Points",
-                                shape.double_positions ? "NumberType=\"Float\" Precision=\"8\"" : real, k * v, v,
-                                frames * v, 3));
+                                shape.double_positions ? "NumberType=\"Float\" Precision=\"8\"" : real, k * v,
+                                v, frames * v, 3));
   for (const auto& field : shape.cell_fields)
-    text += fmt::format("<Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n",
-                        escaped(field),
-                        hyperslab(file + ":/VTKHDF/CellData/" + escaped(field), real, k * t, t, frames * t, 1));
+    text += fmt::format(
+        "<Attribute Name=\"{}\" AttributeType=\"Scalar\" Center=\"Cell\">{}</Attribute>\n", escaped(field),
+        hyperslab(file + ":/VTKHDF/CellData/" + escaped(field), real, k * t, t, frames * t, 1));
   text += fmt::format(
       "<Attribute Name=\"pinned\" AttributeType=\"Scalar\" Center=\"Node\"><DataItem Dimensions=\"{}\" "
       "NumberType=\"UChar\" Precision=\"1\" Format=\"HDF\">{}:/VTKHDF/PointData/pinned</DataItem></Attribute>"

@@ -1,7 +1,9 @@
-// ParaView's view of a run: the group /VTKHDF (ParaView 5.12 and later) and an .xdmf sidecar (5.11 and earlier).
+// ParaView's view of a run: the group /VTKHDF (ParaView 5.12 and later) and an .xdmf sidecar (5.11 and
+// earlier).
 //
 // VTKHDF 2.0 PolyData, https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/. The topology is
-// written once; a step says where its points and values begin. Only sources of this folder include this header.
+// written once; a step says where its points and values begin. Only sources of this folder include this
+// header.
 #pragma once
 
 #include <filesystem>

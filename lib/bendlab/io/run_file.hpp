@@ -1,13 +1,13 @@
-// One HDF5 file per run, ours and ParaView's at once: VTKHDF 2.0 PolyData with Steps, and beside it our own groups.
+// One HDF5 file per run, ours and ParaView's at once: VTKHDF 2.0 PolyData with Steps, and beside it our own
+// groups.
 //
 //   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
-//   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of them
-//   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
-//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s
-//   /provenance             attributes; dataset `config` (resolved config, JSON text)
-//   /summary                attributes, one number each
-//   attributes of /         status: running | complete | diverged | interrupted; id; name
+//   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of
+//   them /constraints/<kind>     attributes `count`, `hash`; datasets only on request /timing pass (P) names,
+//   seconds (P), calls (P); attributes wall_s, cpu_s /provenance             attributes; dataset `config`
+//   (resolved config, JSON text) /summary                attributes, one number each attributes of / status:
+//   running | complete | diverged | interrupted; id; name
 //
 // The number of committed frames is the length of /metrics/time, which is written last in every frame.
 #pragma once
@@ -37,12 +37,12 @@ struct Column {
 };
 
 struct ConstraintRecord {
-  std::string kind;                ///< "strain", "distance", …
+  std::string kind;  ///< "strain", "distance", …
   std::uint64_t count = 0;
-  std::string hash;                ///< of vertices and rest values in solver order
-  int vertices_per_constraint = 0; ///< columns of `vertices`
-  std::vector<int> vertices;       ///< #C by vertices_per_constraint, row by row; empty unless recorded
-  std::vector<double> rest;        ///< #C rest values; empty unless recorded
+  std::string hash;                 ///< of vertices and rest values in solver order
+  int vertices_per_constraint = 0;  ///< columns of `vertices`
+  std::vector<int> vertices;        ///< #C by vertices_per_constraint, row by row; empty unless recorded
+  std::vector<double> rest;         ///< #C rest values; empty unless recorded
 };
 
 /// What is known before the first step.
@@ -52,8 +52,8 @@ struct RunHeader {
   std::vector<int> triangles;          ///< 3T
   std::vector<std::uint8_t> pinned;    ///< V
   std::vector<int> pin_seeds;
-  std::vector<Column> metrics;         ///< one per value of Frame::metrics; `time` is added by the writer
-  std::vector<Column> cell_fields;     ///< one per field of Frame::cell_fields
+  std::vector<Column> metrics;      ///< one per value of Frame::metrics; `time` is added by the writer
+  std::vector<Column> cell_fields;  ///< one per field of Frame::cell_fields
   std::vector<ConstraintRecord> constraints;
   std::map<std::string, std::string> provenance;  ///< attribute → text
   std::string config;                             ///< resolved config as JSON text
@@ -61,9 +61,9 @@ struct RunHeader {
 };
 
 struct Frame {
-  double time = 0;                        ///< s
-  std::vector<double> positions;          ///< 3V, m
-  std::vector<double> metrics;            ///< one per RunHeader::metrics
+  double time = 0;                              ///< s
+  std::vector<double> positions;                ///< 3V, m
+  std::vector<double> metrics;                  ///< one per RunHeader::metrics
   std::vector<std::vector<float>> cell_fields;  ///< per RunHeader::cell_fields, T values
 };
 
@@ -81,7 +81,9 @@ struct RunFooter {
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
-/// Writes `<path>.part`, renamed to `path` by finish(). A crash leaves the .part file with every flushed frame.
+/// Writes `<path>.part`, renamed to `path` by finish(). A crash leaves the .part file with every frame whose
+/// write() returned. Writers in several threads take turns frame by frame. The folder has to exist. Throws
+/// RunFileError when the disk refuses, std::invalid_argument when sizes don't match the header.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header);
@@ -98,7 +100,7 @@ class RunFileWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A finished (or interrupted) run as read back, without its frames.
+/// A run, finished or not (a .part file), as read back, without its frames.
 struct RunRecord {
   std::filesystem::path file;
   std::string id, name;
@@ -119,8 +121,10 @@ std::vector<double> read_metric(const std::filesystem::path& file, const std::st
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
 
-/// Writes `Steps` and the sidecar into an interrupted .part file and renames it (status `interrupted`), so that
-/// every committed frame opens in ParaView. Returns the number of frames kept.
+/// Makes an interrupted .part file whole: copies its committed frames, with `Steps`, to the name without
+/// .part (status `interrupted`), writes the sidecar and removes the .part file, so that every committed frame
+/// opens in ParaView. Returns the number of frames kept. Throws RunFileError, also while a writer holds the
+/// file.
 std::uint64_t repair_run(const std::filesystem::path& part_file);
 
 }  // namespace bendlab

@@ -61,7 +61,8 @@ std::vector<double> read_positions(const fs::path& path, std::int64_t frame) {
     if (index < 0 || index >= frames)
       throw hdf5::Failure(fmt::format("it has no frame {}; it holds {} frames", frame, frames));
     const Handle points = hdf5::open_dataset(file, "/VTKHDF/Points");
-    return hdf5::read_rows<double>(points, static_cast<std::uint64_t>(index) * shape.vertices, shape.vertices);
+    return hdf5::read_rows<double>(points, static_cast<std::uint64_t>(index) * shape.vertices,
+                                   shape.vertices);
   });
 }
 

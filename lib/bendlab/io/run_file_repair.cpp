@@ -1,5 +1,5 @@
-// An interrupted run is copied, not mended: only committed frames are touched, and the .part file stays until the
-// copy is on the disk.
+// An interrupted run is copied, not mended: only committed frames are touched, and the .part file stays until
+// the copy is on the disk.
 #include "bendlab/io/run_series.hpp"
 
 namespace bendlab {
@@ -15,7 +15,8 @@ void copy(hid_t from, hid_t to, const char* name) {
 
 template <class T>
 void copy_frames(hid_t from, Series& to, std::uint64_t rows, std::size_t frames) {
-  for (std::size_t k = 0; k < frames; ++k) to.append(std::span<const T>(hdf5::read_rows<T>(from, k * rows, rows)));
+  for (std::size_t k = 0; k < frames; ++k)
+    to.append(std::span<const T>(hdf5::read_rows<T>(from, k * rows, rows)));
 }
 
 Column describe(hid_t dataset, const std::string& name) {
@@ -54,7 +55,8 @@ void copy_run(hid_t from, hid_t to, const ParaViewShape& shape) {
     hdf5::write_attribute(to, name, hdf5::read_text_attribute(from, name));
   // A run that was stopped between its footer and the rename has a status, and keeps it.
   const RunStatus status = read_status(from);
-  hdf5::write_attribute(to, "status", to_string(status == RunStatus::running ? RunStatus::interrupted : status));
+  hdf5::write_attribute(to, "status",
+                        to_string(status == RunStatus::running ? RunStatus::interrupted : status));
   for (const char* name : {"rest", "constraints", "provenance", "timing", "summary"})
     if (hdf5::has_link(from, name)) copy(from, to, name);
   copy_vtkhdf(from, to, shape);
@@ -76,7 +78,8 @@ std::uint64_t repair_run(const fs::path& part_file) {
     try {
       Handle to = hdf5::create_file(copied.string());
       copy_run(from, to, committed);
-      hdf5::close_file(to, copied.string());
+      hdf5::flush(to);
+      to.close();
     } catch (const hdf5::Failure& failure) {
       fs::remove(copied);
       throw file_error(part_file, "can't be repaired", failure.what(), failure.code());

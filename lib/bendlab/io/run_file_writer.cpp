@@ -11,7 +11,8 @@ namespace {
 using hdf5::Handle;
 using hdf5::Series;
 
-// What a dataset's index may grow by with a frame, generously: 1000 entries of 16 bytes, as after 100 000 frames.
+// What a dataset's index may grow by with a frame, generously: 1000 entries of 16 bytes, as after 100 000
+// frames.
 constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
 
@@ -22,7 +23,8 @@ void write_constraints(hid_t file, const std::vector<ConstraintRecord>& records)
     hdf5::write_attribute(group, "count", record.count);
     hdf5::write_attribute(group, "hash", record.hash);
     if (!record.vertices.empty())
-      hdf5::write_array(group, "vertices", record.vertices, static_cast<hsize_t>(record.vertices_per_constraint));
+      hdf5::write_array(group, "vertices", record.vertices,
+                        static_cast<hsize_t>(record.vertices_per_constraint));
     if (!record.rest.empty()) hdf5::write_array(group, "rest", record.rest);
   }
 }
@@ -138,23 +140,23 @@ void RunFileWriter::Impl::create(const RunHeader& header) {
   const Handle group = hdf5::create_group(file, "metrics");
   for (const auto& metric : header.metrics) metrics.push_back(create_metric(group, metric));
   time = create_metric(group, {"time", "s", "simulated time"});
-  hdf5::check(H5Fflush(file, H5F_SCOPE_LOCAL));
+  hdf5::flush(file);
 }
 
 void RunFileWriter::Impl::append(const Frame& frame) {
   auto& [file, points, time, metrics, cell_fields] = *open;
-  hdf5::reserve(file, frame_bytes());
+  hdf5::require_room(file, frame_bytes());
   if (shape.double_positions)
     points.append(frame.positions);
   else
     points.append(narrow);
   for (std::size_t i = 0; i < cell_fields.size(); ++i) cell_fields[i].append(frame.cell_fields[i]);
   for (std::size_t i = 0; i < metrics.size(); ++i) metrics[i].append(std::span(&frame.metrics[i], 1));
-  // The frame counts once its time is there, and its time is there once everything else has left for the file.
-  hdf5::check(H5Fflush(file, H5F_SCOPE_LOCAL));
-  hdf5::reserve(file, index_bytes);
+  // The frame counts once its time is there, and its time is there once everything else has left for the
+  // file.
+  hdf5::flush(file);
   time.append(std::span(&frame.time, 1));
-  hdf5::check(H5Fflush(file, H5F_SCOPE_LOCAL));
+  hdf5::flush(file);
 }
 
 std::uint64_t RunFileWriter::Impl::frame_bytes() const {
@@ -166,12 +168,13 @@ std::uint64_t RunFileWriter::Impl::frame_bytes() const {
 
 void RunFileWriter::Impl::close(const RunFooter& footer) {
   // Steps has at most 16 numbers a frame beside its offsets of cell fields; the footer is small.
-  hdf5::reserve(open->file, footer_bytes + 8 * (16 + shape.cell_fields.size()) * shape.times.size());
+  hdf5::require_room(open->file, footer_bytes + 8 * (16 + shape.cell_fields.size()) * shape.times.size());
   write_steps(open->file, shape);
   write_footer(open->file, footer);
+  hdf5::flush(open->file);
   Handle file = std::move(open->file);
   open.reset();
-  hdf5::close_file(file, part.string());
+  file.close();
 }
 
 void RunFileWriter::Impl::require_matching(const Frame& frame) const {

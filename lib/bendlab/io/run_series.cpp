@@ -17,9 +17,26 @@ std::uint64_t rows(hid_t parent, const std::string& name) {
   return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);
 }
 
+/// Whether every dataset has frame k.
+bool is_readable(hid_t file, const ParaViewShape& shape, std::uint64_t k) {
+  const auto read = [&](const std::string& name, std::uint64_t rows_per_frame) {
+    return hdf5::read_rows<double>(hdf5::open_dataset(file, name), k * rows_per_frame, rows_per_frame);
+  };
+  try {
+    read("/VTKHDF/Points", shape.vertices);
+    for (const auto& field : shape.cell_fields) read("/VTKHDF/CellData/" + field, shape.triangles);
+    for (const auto& metric : hdf5::links(hdf5::open_group(file, "metrics"))) read("/metrics/" + metric, 1);
+    return std::isfinite(shape.times.at(k));
+  } catch (const hdf5::Failure&) {
+    return false;
+  }
+}
+
 }  // namespace
 
-std::string to_string(RunStatus status) { return status_names.at(static_cast<std::size_t>(status)); }
+std::string to_string(RunStatus status) {
+  return status_names.at(static_cast<std::size_t>(status));
+}
 
 RunStatus read_status(hid_t file) {
   const std::string text = hdf5::read_text_attribute(file, "status");
@@ -34,7 +51,8 @@ Series create_points(hid_t vtk, const ParaViewShape& shape) {
 }
 
 Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape) {
-  Series series(cell_data, field.name, {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles, .compressed = true});
+  Series series(cell_data, field.name,
+                {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles, .compressed = true});
   series.describe(field.unit, field.meaning);
   return series;
 }
@@ -53,7 +71,8 @@ Handle open_run(const std::filesystem::path& path) {
     if (failure.code() == EWOULDBLOCK) throw hdf5::Failure("another process is writing it", EWOULDBLOCK);
     throw;
   }
-  if (!hdf5::has_attribute(file, "status") || !hdf5::has_link(file, "metrics") || !hdf5::has_link(file, "VTKHDF"))
+  if (!hdf5::has_attribute(file, "status") || !hdf5::has_link(file, "metrics") ||
+      !hdf5::has_link(file, "VTKHDF"))
     throw hdf5::Failure("it is an HDF5 file, but not a run file");
   return file;
 }
@@ -67,16 +86,12 @@ ParaViewShape read_shape(hid_t file) {
                       .times = {},
                       .cell_fields = hdf5::links(cell_data),
                       .double_positions = H5Tget_size(type) == sizeof(double)};
-  std::uint64_t frames = rows(metrics, "time");
-  // Times are written last, so nothing below should cut; a disk that lost a page at a power cut may still surprise.
-  const auto limit = [&](std::uint64_t size, std::uint64_t per_frame) {
-    if (per_frame > 0) frames = std::min(frames, size / per_frame);
-  };
-  limit(hdf5::shape_of(points).at(0), shape.vertices);
-  for (const auto& field : shape.cell_fields) limit(rows(cell_data, field), shape.triangles);
-  for (const auto& metric : hdf5::links(metrics)) limit(rows(metrics, metric), 1);
+  const std::uint64_t frames = rows(metrics, "time");
   shape.times = hdf5::read_rows<double>(hdf5::open_dataset(metrics, "time"), 0, frames);
-  while (!shape.times.empty() && !std::isfinite(shape.times.back())) shape.times.pop_back();
+  if (read_status(file) != RunStatus::running) return shape;
+  // Times are written last, so nothing should be cut here; a disk that lost pages at a power cut may still
+  // surprise.
+  while (!shape.times.empty() && !is_readable(file, shape, shape.times.size() - 1)) shape.times.pop_back();
   return shape;
 }
 

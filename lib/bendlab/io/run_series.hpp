@@ -1,5 +1,5 @@
-// The datasets of a run that grow with its frames, and a run file opened for reading. Only sources of this folder
-// include this header.
+// The datasets of a run that grow with its frames, and a run file opened for reading. Only sources of this
+// folder include this header.
 #pragma once
 
 #include <filesystem>
