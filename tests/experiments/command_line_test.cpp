@@ -253,6 +253,24 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
   CHECK(runs[1].at("status") == "complete");
 }
 
+TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other", "[command line]") {
+  // Gravity that doubles as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
+  Workplace here;
+  here.write("wild.json", R"({"name": "wild", "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
+      "sweep": {"/effects/0/acceleration": [[0, 0, -1e9], [0, 0, -9.81]]},
+      "effects": [{"type": "gravity"}]})");
+  CHECK(here.run("run wild.json --json") == 6);
+  const std::vector<json> runs = here.out_lines();
+  REQUIRE(runs.size() == 2);
+  CHECK(runs[0].at("status") == "diverged");
+  CHECK_THAT(runs[0].at("message").get<std::string>(),
+             ContainsSubstring("diverged at t = ") && ContainsSubstring("vertex"));
+  CHECK(runs[0].at("summary").contains("mean_strain"));  // of the frames before
+  CHECK(runs[1].at("status") == "complete");
+  CHECK(here.run("run wild.json --json") == 6);  // found, not computed again
+  CHECK(here.out_lines().at(0).at("reused") == true);
+}
+
 TEST_CASE("A signal keeps the frames and the same command again completes the run", "[command line]") {
   const auto [signal, code] = GENERATE(std::pair(SIGINT, 130), std::pair(SIGTERM, 143));
   Workplace here;
