@@ -171,20 +171,22 @@ TEST_CASE("pinned vertices stay where they are", "[solver]") {
 }
 
 TEST_CASE("both orders and both sweeps solve the same problem", "[solver]") {
-  // With compliance everywhere a step has one solution, which any order converges to; XPBD takes its
-  // gradients on the way there, which leaves a difference of second order in the step's motion (a few
-  // centimetres here).
+  // With compliance everywhere a step has one solution, which any order converges to. XPBD takes its gradients on the way
+  // there, which leaves a difference of second order in the step's motion: under a tenth of gravity, a sheet that moves by
+  // some 5 mm may differ by a small fraction of that.
   SimulationInput input = pinned_sheet(8);
   input.settings.iterations = 400;
   input.strain_stiffness.kind = input.spring_stiffness.kind = StiffnessKind::compliance;
   input.strain_stiffness.compliance = 1e-3;
   input.spring_stiffness.compliance = 1e-2;
-  const Positions colour = after<double>(input, 6);
+  const Positions colour = after<double>(input, 6, 0.981);
+  const double motion = (colour - input.positions).cwiseAbs().maxCoeff();
+  REQUIRE(motion > 1e-3);
   input.settings.order = ConstraintOrder::mesh;
-  CHECK((after<double>(input, 6) - colour).cwiseAbs().maxCoeff() < 2e-3);
+  CHECK((after<double>(input, 6, 0.981) - colour).cwiseAbs().maxCoeff() < 0.01 * motion);
   input.settings.order = ConstraintOrder::colour;
   input.settings.sweep = Sweep::symmetric;
-  CHECK((after<double>(input, 6) - colour).cwiseAbs().maxCoeff() < 2e-3);
+  CHECK((after<double>(input, 6, 0.981) - colour).cwiseAbs().maxCoeff() < 0.01 * motion);
 }
 
 TEST_CASE("XPBD with zero compliance is PBD with k = 1", "[solver]") {

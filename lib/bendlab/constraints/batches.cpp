@@ -1,20 +1,22 @@
 #include "bendlab/constraints/batches.hpp"
 
+#include <limits>
+
 namespace bendlab {
 namespace {
 
-// Index of corner `corner` in lane `lane`: the constraint's vertex, or the lane's own dummy.
+// offset_of() corner `corner` in every lane: of the constraint's vertex, or of the lane's own dummy.
 template <std::size_t arity>
-std::vector<int> corner_indices(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
+std::vector<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
                                 int corner, int vertex_count) {
-  std::vector<int> indices(order.constraint_of_lane.size());
-  for (std::size_t lane = 0; lane < indices.size(); ++lane) {
+  std::vector<int> offsets(order.constraint_of_lane.size());
+  for (std::size_t lane = 0; lane < offsets.size(); ++lane) {
     const int constraint = order.constraint_of_lane[lane];
-    indices[lane] = constraint >= 0
-                        ? vertices[static_cast<std::size_t>(constraint)][static_cast<std::size_t>(corner)]
-                        : vertex_count + corner * max_lanes + static_cast<int>(lane) % max_lanes;
+    offsets[lane] = offset_of(
+        constraint >= 0 ? vertices[static_cast<std::size_t>(constraint)][static_cast<std::size_t>(corner)]
+                        : vertex_count + corner * max_lanes + static_cast<int>(lane) % max_lanes);
   }
-  return indices;
+  return offsets;
 }
 
 // Rest data of every lane; a padded lane gets `padding`.
@@ -33,9 +35,17 @@ template <class Real>
 DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count) {
   DistanceBatch<Real> batch;
   batch.count = list.size();
-  batch.a = corner_indices(list.vertices, order, 0, vertex_count);
-  batch.b = corner_indices(list.vertices, order, 1, vertex_count);
-  batch.rest_length = lane_values<Real>(order, 1, [&](std::size_t c) { return list.rest_length[c]; });
+  // A star that is shorter than its run ends in padded lanes: its centre is that of its first spring.
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  for (std::size_t run = 0; run < order.run_count(); ++run)
+    for (std::size_t lane = 0; lane < width; ++lane) {
+      const int first = order.constraint_of_lane[order.runs[run] + lane];
+      batch.a.push_back(offset_of(first >= 0 ? list.vertices[static_cast<std::size_t>(first)][0]
+                                             : vertex_count + static_cast<int>(lane)));
+    }
+  batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
+  batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::infinity(),
+                                        [&](std::size_t c) { return list.rest_length[c]; });
   batch.order = std::move(order);
   return batch;
 }
@@ -44,9 +54,9 @@ template <class Real>
 StrainBatch<Real> make_strain_batch(const StrainConstraints& list, BatchOrder order, int vertex_count) {
   StrainBatch<Real> batch;
   batch.count = list.size();
-  batch.a = corner_indices(list.vertices, order, 0, vertex_count);
-  batch.b = corner_indices(list.vertices, order, 1, vertex_count);
-  batch.c = corner_indices(list.vertices, order, 2, vertex_count);
+  batch.a = corner_offsets(list.vertices, order, 0, vertex_count);
+  batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
+  batch.c = corner_offsets(list.vertices, order, 2, vertex_count);
   const auto entry = [&](std::size_t e, Real padding) {
     return lane_values<Real>(order, padding, [&](std::size_t c) { return list.inverse_rest[c][e]; });
   };

@@ -1,6 +1,14 @@
-// Constraints as the kernels want them: a structure of arrays per kind, grouped by colour (no two constraints
-// of a colour share a vertex), each colour padded to whole packs of max_lanes lanes. A padded lane points to
-// dummy points behind the cloth's own, whose inverse mass is 0.
+// Constraints as the kernels want them: a structure of arrays per kind, in groups of max_lanes lanes that are
+// projected side by side. Groups form runs, runs form colours:
+//
+//   group   max_lanes constraints, no two of which share a vertex
+//   run     groups one after another in which every lane keeps its first vertex (a star of springs around one
+//   centre):
+//           the kernel holds the centres in registers and moves half as many points through memory
+//   colour  runs no two of which share a vertex: they may go side by side on any number of threads with the
+//   same result
+//
+// A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
 #pragma once
 
 #include <cstddef>
@@ -14,12 +22,15 @@
 
 namespace bendlab {
 
-/// Where each constraint stands: lane → constraint index, or -1 for a padded lane.
+/// Where each constraint stands.
 struct BatchOrder {
-  std::vector<int> constraint_of_lane;  ///< a multiple of max_lanes
-  std::vector<std::size_t> colours;     ///< first lane of each colour, then the number of lanes
-  bool conflict_free =
-      true;  ///< no vertex twice in a colour; false: only the reference may run it, lane by lane
+  std::vector<int>
+      constraint_of_lane;            ///< constraint index, or -1 for a padded lane; a multiple of max_lanes
+  std::vector<std::size_t> runs;     ///< first lane of each run, then the number of lanes
+  std::vector<std::size_t> colours;  ///< first run of each colour, then the number of runs
+  bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the reference may run it
+
+  std::size_t run_count() const { return runs.size() - 1; }
 };
 
 /// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
@@ -28,8 +39,10 @@ inline constexpr int dummy_points = 4 * max_lanes;
 template <class Real>
 struct DistanceBatch {
   BatchOrder order;
-  std::vector<int> a, b;
-  std::vector<Real> rest_length;
+  std::vector<int> a;  ///< max_lanes per run: offset_of() the star's centre
+  std::vector<int> b;  ///< offset_of() the other end
+  std::vector<Real>
+      rest_length;  ///< infinite in a padded lane, which so never counts as long enough to be corrected
   std::vector<Real> multiplier;  ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
@@ -45,7 +58,7 @@ enum class StrainForm {
 template <class Real>
 struct StrainBatch {
   BatchOrder order;
-  std::vector<int> a, b, c;
+  std::vector<int> a, b, c;              ///< offset_of() each corner
   std::vector<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
   std::vector<Real> multiplier;          ///< λ of warp, weft, shear, area after one another; XPBD only
   StrainForm form = StrainForm::normalised;

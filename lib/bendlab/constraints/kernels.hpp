@@ -1,5 +1,6 @@
-// The hot loops: project a range of lanes of a batch, all lanes of a pack at once. The range must lie within
-// one colour and begin and end on whole packs. `substep` is h in s, used by XPBD only.
+// The hot loops: project a range of runs of a batch, all lanes of a pack at once. The runs must lie within
+// one colour. `substep` is h in s, used by XPBD only; `backwards` goes through the constraints in the
+// opposite order.
 #pragma once
 
 #include "bendlab/constraints/batches.hpp"
@@ -7,11 +8,11 @@
 namespace bendlab {
 
 template <class Real>
-void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first_lane, std::size_t last_lane,
-             Real substep);
+void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first_run, std::size_t last_run,
+             Real substep, bool backwards = false);
 template <class Real>
-void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first_lane, std::size_t last_lane,
-             Real substep);
+void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first_run, std::size_t last_run,
+             Real substep, bool backwards = false);
 
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
 /// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Of a triangle

@@ -3,14 +3,24 @@
 namespace bendlab {
 namespace {
 
-// Calls `project(lane)` for every lane that holds a constraint.
-template <class Project>
-void for_lanes(const BatchOrder& order, bool backwards, Project project) {
-  const std::size_t count = order.constraint_of_lane.size();
-  for (std::size_t step = 0; step < count; ++step) {
-    const std::size_t lane = backwards ? count - 1 - step : step;
-    if (order.constraint_of_lane[lane] >= 0) project(lane);
+// Calls visit(lane, run) for every lane that holds a constraint.
+template <class Visit>
+void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
+  for (std::size_t step = 0; step < order.run_count(); ++step) {
+    const std::size_t run = backwards ? order.run_count() - 1 - step : step;
+    const std::size_t begin = order.runs[run], end = order.runs[run + 1];
+    for (std::size_t at = begin; at < end; ++at) {
+      const std::size_t lane = backwards ? end - 1 - (at - begin) : at;
+      if (order.constraint_of_lane[lane] >= 0) visit(lane, run);
+    }
   }
+}
+
+// Offset of a spring's first vertex: the centre of its star.
+template <class Real>
+int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t run) {
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  return batch.a[run * width + lane % width];
 }
 
 template <class Real, class P, std::size_t N>
@@ -25,8 +35,9 @@ std::array<Vector3Of<Real>, N> vectors_of(const std::array<P*, N>& points) {
 template <class Real>
 void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards) {
   const Real alpha = batch.compliance / (substep * substep);
-  for_lanes(batch.order, backwards, [&](std::size_t lane) {
-    const std::array<Point<Real>*, 2> p = {points + batch.a[lane], points + batch.b[lane]};
+  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
+    const std::array<Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
+                                           &point_at(points, batch.b[lane])};
     const bool compliant = batch.kind == StiffnessKind::compliance;
     project_reference(p, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), batch.k,
                       compliant ? &batch.multiplier[lane] : nullptr, compliant ? alpha : Real(0));
@@ -37,9 +48,9 @@ template <class Real>
 void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
-  for_lanes(batch.order, backwards, [&](std::size_t lane) {
-    const std::array<Point<Real>*, 3> p = {points + batch.a[lane], points + batch.b[lane],
-                                           points + batch.c[lane]};
+  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
+    const std::array<Point<Real>*, 3> p = {&point_at(points, batch.a[lane]), &point_at(points, batch.b[lane]),
+                                           &point_at(points, batch.c[lane])};
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
@@ -59,9 +70,11 @@ void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real subst
 template <class Real>
 void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k) {
-  for_lanes(batch.order, false, [&](std::size_t lane) {
-    const std::array<const Point<Real>*, 2> p = {points + batch.a[lane], points + batch.b[lane]};
-    const std::array<Point<Real>*, 2> v = {velocities + batch.a[lane], velocities + batch.b[lane]};
+  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t run) {
+    const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
+                                                 &point_at(points, batch.b[lane])};
+    const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, run)),
+                                           &point_at(velocities, batch.b[lane])};
     damp_reference(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
   });
 }
@@ -69,11 +82,12 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const Di
 template <class Real>
 void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k) {
-  for_lanes(batch.order, false, [&](std::size_t lane) {
-    const std::array<const Point<Real>*, 3> p = {points + batch.a[lane], points + batch.b[lane],
-                                                 points + batch.c[lane]};
-    const std::array<Point<Real>*, 3> v = {velocities + batch.a[lane], velocities + batch.b[lane],
-                                           velocities + batch.c[lane]};
+  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
+    const std::array<const Point<Real>*, 3> p = {
+        &point_at(points, batch.a[lane]), &point_at(points, batch.b[lane]), &point_at(points, batch.c[lane])};
+    const std::array<Point<Real>*, 3> v = {&point_at(velocities, batch.a[lane]),
+                                           &point_at(velocities, batch.b[lane]),
+                                           &point_at(velocities, batch.c[lane])};
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     const auto x = vectors_of<Real>(p);
     if (batch.warp != 0) damp_reference(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);

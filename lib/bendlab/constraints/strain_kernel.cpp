@@ -41,10 +41,11 @@ BENDLAB_INLINE Pack<Real> absolute(const Pack<Real>& x) {
 template <class Real>
 struct Scaled {
   PackVector<Real> direction;
+  Pack<Real> squared;  // |direction|²
   Pack<Real> gb, gc;
   BENDLAB_INLINE Pack<Real> weighted_square(const Corners<Real>& t) const {
     const Pack<Real> ga = gb + gc;
-    return (t.a.w * ga * ga + t.b.w * gb * gb + t.c.w * gc * gc) * dot(direction, direction);
+    return (t.a.w * ga * ga + t.b.w * gb * gb + t.c.w * gc * gc) * squared;
   }
   BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
     t.a.position = t.a.position - scaled<Real>(s * mass.a.w * (gb + gc), direction);
@@ -73,10 +74,12 @@ struct PerCorner {
   }
 };
 
-// Value and gradient of one term; `defined` is a lane mask.
+// One term as C = ratio · scale and ∇C = scale · gradient, so that PBD's correction C / Σ w|∇C|² ∇C needs no
+// scale: it is ratio / Σ w|gradient|² gradient, which saves most square roots and divisions. `defined` is a
+// lane mask.
 template <class Real, class Gradient>
 struct Term {
-  Pack<Real> value;
+  Pack<Real> ratio, scale;
   Gradient gradient;
   decltype(Pack<Real>{} > Pack<Real>{}) defined;
 };
@@ -85,16 +88,18 @@ template <class Real, StrainForm form>
 BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real>& t, const Pack<Real>& gb,
                                                 const Pack<Real>& gc) {
   const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
-  const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f), length = square_root(squared);
-  const auto defined = length > broadcast<Real>(collapsed_ratio<Real>);
-  if constexpr (form == StrainForm::normalised) {
-    const Pack<Real> inverse = one / (defined ? length : one);
-    return {length - one, {scaled<Real>(inverse, f), gb, gc}, defined};
+  const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f),
+                   shortest = broadcast<Real>(collapsed_ratio<Real>);
+  const auto defined = squared > shortest * shortest;
+  if constexpr (form == StrainForm::normalised) {  // C = l - 1, ∇C = f / l
+    const Pack<Real> length = square_root(squared);
+    return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
   } else {
-    return {squared - one, {f, gb + gb, gc + gc}, defined};
+    return {squared - one, one, {f, squared, gb + gb, gc + gc}, defined};
   }
 }
 
+// Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise.
 template <class Real, StrainForm form>
 BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const RestInverse<Real>& q) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
@@ -104,30 +109,33 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const R
   const Pack<Real> s11 = dot(f1, f1), s22 = dot(f2, f2), s12 = dot(f1, f2);
   if constexpr (form == StrainForm::green) {
     return {s12,
+            one,
             {combination<Real>(q.q00, f2, q.q01, f1), combination<Real>(q.q10, f2, q.q11, f1)},
             s11 + s22 > collapsed * collapsed};
   } else {
-    const auto long_enough = (s11 > collapsed * collapsed) & (s22 > collapsed * collapsed);
-    const Pack<Real> i1 = one / square_root(long_enough ? s11 : one),
-                     i2 = one / square_root(long_enough ? s22 : one);
-    const PackVector<Real> n1 = scaled<Real>(i1, f1), n2 = scaled<Real>(i2, f2);
-    const Pack<Real> cosine = dot(n1, n2);
-    const PackVector<Real> a1 = scaled<Real>(i1, n2 - scaled<Real>(cosine, n1));
-    const PackVector<Real> a2 = scaled<Real>(i2, n1 - scaled<Real>(cosine, n2));
-    return {cosine,
+    const Pack<Real> product = s11 * s22, not_parallel = product - s12 * s12;  // (l1 l2 sin)²
+    const auto defined = (s11 > collapsed * collapsed) & (s22 > collapsed * collapsed) &
+                         (not_parallel > broadcast<Real>(parallel_sine_squared<Real>) * product);
+    const Pack<Real> inverse = one / (defined ? product : one);
+    const PackVector<Real> a1 = f2 - scaled<Real>(s12 * s22 * inverse, f1);
+    const PackVector<Real> a2 = f1 - scaled<Real>(s12 * s11 * inverse, f2);
+    return {s12,
+            square_root(inverse),
             {combination<Real>(q.q00, a1, q.q01, a2), combination<Real>(q.q10, a1, q.q11, a2)},
-            long_enough & (one - cosine * cosine > broadcast<Real>(parallel_sine_squared<Real>))};
+            defined};
   }
 }
 
+// C = A / A0 - 1, ∇C along e2 × n and n × e1 with the unnormalised normal.
 template <class Real>
 BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real>& t, const Pack<Real>& inverse_rest) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge(), normal = cross(e1, e2);
   const Pack<Real> one = broadcast<Real>(1), twice_area = square_root(dot(normal, normal));
   const auto defined = twice_area * inverse_rest > broadcast<Real>(collapsed_ratio<Real>);
-  const PackVector<Real> n = scaled<Real>(one / (defined ? twice_area : one), normal);
-  return {twice_area * inverse_rest - one,
-          {scaled<Real>(inverse_rest, cross(e2, n)), scaled<Real>(inverse_rest, cross(n, e1))},
+  const Pack<Real> scale = inverse_rest / (defined ? twice_area : one);
+  return {(twice_area * inverse_rest - one) * twice_area / inverse_rest,
+          scale,
+          {cross(e2, normal), cross(normal, e1)},
           defined};
 }
 
@@ -135,18 +143,18 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real>& t, const Pa
 template <class Real, bool compliant, class Gradient>
 BENDLAB_INLINE void apply(Corners<Real>& t, const Term<Real, Gradient>& term, Real k, const Pack<Real>& alpha,
                           Real* multipliers) {
-  const Pack<Real> zero{}, one = broadcast<Real>(1);
-  const Pack<Real> sum =
-      compliant ? term.gradient.weighted_square(t) + alpha : term.gradient.weighted_square(t);
+  const Pack<Real> zero{}, one = broadcast<Real>(1), weighted = term.gradient.weighted_square(t);
+  const Pack<Real> sum = compliant ? term.scale * term.scale * weighted + alpha : weighted;
   const auto acts = term.defined & (sum > zero);
   const Pack<Real> divisor = acts ? sum : one;
-  Pack<Real> change;
+  Pack<Real> change;  // along `gradient`
   if constexpr (compliant) {
     const Pack<Real> multiplier = load(multipliers);
-    change = acts ? (-term.value - alpha * multiplier) / divisor : zero;
-    store(multipliers, multiplier + change);
+    const Pack<Real> step = acts ? (-term.ratio * term.scale - alpha * multiplier) / divisor : zero;
+    store(multipliers, multiplier + step);
+    change = term.scale * step;
   } else {
-    change = acts ? -k * term.value / divisor : zero;
+    change = acts ? -k * term.ratio / divisor : zero;
   }
   term.gradient.add(t, change, t);
 }
@@ -157,7 +165,8 @@ void project_lanes(Point<Real>* points, StrainBatch<Real>& batch, std::size_t fi
   const std::size_t count = batch.order.constraint_of_lane.size();
   const Real inverse_h2 = compliant ? 2 * batch.compliance / (substep * substep) : Real(0);
   Real* const multiplier = batch.multiplier.data();
-  for (std::size_t lane = first; lane < last; lane += static_cast<std::size_t>(lanes<Real>)) {
+  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
+       lane += static_cast<std::size_t>(lanes<Real>)) {
     Corners<Real> t{gather(points, &batch.a[lane]), gather(points, &batch.b[lane]),
                     gather(points, &batch.c[lane])};
     const RestInverse<Real> q(batch, lane);
@@ -195,9 +204,10 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity,
 
 }  // namespace
 
+// Backwards or not: the triangles of a run share no vertex, so their order does not matter.
 template <class Real>
-void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
-             Real substep) {
+void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first, std::size_t last, Real substep,
+             bool) {
   const bool green = batch.form == StrainForm::green;
   if (batch.kind == StiffnessKind::compliance)
     green ? project_lanes<Real, StrainForm::green, true>(points, batch, first, last, substep)
@@ -224,8 +234,8 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
   }
 }
 
-template void project(Point<float>*, StrainBatch<float>&, std::size_t, std::size_t, float);
-template void project(Point<double>*, StrainBatch<double>&, std::size_t, std::size_t, double);
+template void project(Point<float>*, StrainBatch<float>&, std::size_t, std::size_t, float, bool);
+template void project(Point<double>*, StrainBatch<double>&, std::size_t, std::size_t, double, bool);
 template void damp(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
 template void damp(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
 

@@ -1,5 +1,5 @@
-// When an element has no direction left to be corrected along. All are ratios to the element's rest state, so they do
-// not depend on the mesh's units.
+// When an element has no direction left to be corrected along. All are ratios to the element's rest state, so
+// they do not depend on the mesh's units.
 #pragma once
 
 #include <limits>
@@ -10,9 +10,10 @@ namespace bendlab {
 template <class Real>
 inline constexpr Real collapsed_ratio = 16 * std::numeric_limits<Real>::epsilon();
 
-/// sin² of the angle between warp and weft below which normalised shear is not corrected: 0.06 degrees from parallel.
-/// Above it the published projection overshoots by up to 1 / sin = 1000 element sizes, which is part of the failure that
-/// the paper describes. The same for both precisions (float's rounding of 1 - cos² is 2·10⁻⁷), so that both fail alike.
+/// sin² of the angle between warp and weft below which normalised shear is not corrected: 0.06 degrees from
+/// parallel. Above it the published projection overshoots by up to 1 / sin = 1000 element sizes, which is
+/// part of the failure that the paper describes. The same for both precisions (float's rounding of 1 - cos²
+/// is 2·10⁻⁷), so that both fail alike.
 template <class Real>
 inline constexpr Real parallel_sine_squared = Real(1e-6);
 

@@ -4,6 +4,7 @@
 #include <bit>
 #include <cstdint>
 #include <numeric>
+#include <span>
 
 namespace bendlab {
 namespace {
@@ -15,8 +16,9 @@ class UsedColours {
       : words_(static_cast<std::size_t>(colours / 64 + 1)),
         bits_(static_cast<std::size_t>(vertex_count) * words_, 0) {}
 
-  template <std::size_t arity>
-  int take_first_free(const std::array<int, arity>& vertices) {
+  // The first colour that none of the vertices has used, which all of them use from now on; -1: no room for
+  // it.
+  int take_first_free(std::span<const int> vertices) {
     for (std::size_t word = 0; word < words_; ++word) {
       std::uint64_t used = 0;
       for (const int vertex : vertices) used |= at(vertex, word);
@@ -26,6 +28,15 @@ class UsedColours {
       return static_cast<int>(word) * 64 + bit;
     }
     return -1;
+  }
+
+  // Twice as many colours.
+  void make_room() {
+    std::vector<std::uint64_t> wider(2 * bits_.size(), 0);
+    for (std::size_t row = 0; row * words_ < bits_.size(); ++row)
+      std::copy_n(&bits_[row * words_], words_, &wider[2 * row * words_]);
+    bits_ = std::move(wider);
+    words_ *= 2;
   }
 
  private:
@@ -44,9 +55,73 @@ int largest_degree(const std::vector<std::array<int, arity>>& vertices, int vert
   return degree.empty() ? 0 : *std::max_element(degree.begin(), degree.end());
 }
 
+constexpr auto width = static_cast<std::size_t>(max_lanes);
+
 std::size_t padded(std::size_t count) {
-  constexpr auto width = static_cast<std::size_t>(max_lanes);
   return (count + width - 1) / width * width;
+}
+
+// Colours with a group a run: lanes [0, 16), [16, 32), …
+void give_each_group_a_run(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
+  for (std::size_t lane = 0; lane <= order.constraint_of_lane.size(); lane += width)
+    order.runs.push_back(lane);
+  for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / width);
+}
+
+// Pairs with the same first vertex, or a part of them: members[begin .. end) of Stars.
+struct Star {
+  int centre;
+  std::size_t begin, end;
+  std::size_t length() const { return end - begin; }
+};
+
+struct Stars {
+  std::vector<int> members;  // pair indices, grouped by first vertex, in list order
+  std::vector<Star> stars;
+};
+
+Stars stars_of(const std::vector<std::array<int, 2>>& pairs, int vertex_count) {
+  std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
+  for (const auto& pair : pairs) ++begin[static_cast<std::size_t>(pair[0]) + 1];
+  const auto centres =
+      static_cast<std::size_t>(std::count_if(begin.begin(), begin.end(), [](auto n) { return n > 0; }));
+  // A pinned vertex with its n-ring has many times the usual pairs; in one lane they would leave the other
+  // lanes idle.
+  const std::size_t longest = std::max<std::size_t>(4, 2 * pairs.size() / std::max<std::size_t>(1, centres));
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  Stars all;
+  all.members.resize(pairs.size());
+  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
+  for (std::size_t p = 0; p < pairs.size(); ++p)
+    all.members[next[static_cast<std::size_t>(pairs[p][0])]++] = static_cast<int>(p);
+  for (int centre = 0; centre < vertex_count; ++centre) {
+    const std::size_t end = begin[static_cast<std::size_t>(centre) + 1];
+    for (std::size_t at = begin[static_cast<std::size_t>(centre)]; at < end; at += longest)
+      all.stars.push_back({centre, at, std::min(end, at + longest)});
+  }
+  return all;
+}
+
+// Stars of each colour.
+std::vector<std::vector<Star>> coloured(const Stars& all, const std::vector<std::array<int, 2>>& pairs,
+                                        int vertex_count) {
+  std::vector<std::vector<Star>> colours;
+  UsedColours used(vertex_count, 64);
+  std::vector<int> vertices;
+  for (const Star& star : all.stars) {
+    vertices.assign(1, star.centre);
+    for (std::size_t at = star.begin; at < star.end; ++at)
+      vertices.push_back(pairs[static_cast<std::size_t>(all.members[at])][1]);
+    int colour = used.take_first_free(vertices);
+    while (colour < 0) {
+      used.make_room();
+      colour = used.take_first_free(vertices);
+    }
+    if (static_cast<std::size_t>(colour) >= colours.size())
+      colours.resize(static_cast<std::size_t>(colour) + 1);
+    colours[static_cast<std::size_t>(colour)].push_back(star);
+  }
+  return colours;
 }
 
 }  // namespace
@@ -63,13 +138,36 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
       sizes.resize(static_cast<std::size_t>(colour[c]) + 1, 0);
     ++sizes[static_cast<std::size_t>(colour[c])];
   }
+  std::vector<std::size_t> first_lane(1, 0);
+  for (const std::size_t size : sizes) first_lane.push_back(first_lane.back() + padded(size));
   BatchOrder order;
-  order.colours.assign(1, 0);
-  for (const std::size_t size : sizes) order.colours.push_back(order.colours.back() + padded(size));
-  order.constraint_of_lane.assign(order.colours.back(), -1);
-  std::vector<std::size_t> next(order.colours.begin(), order.colours.end() - 1);
+  order.constraint_of_lane.assign(first_lane.back(), -1);
+  give_each_group_a_run(order, first_lane);
   for (std::size_t c = 0; c < vertices.size(); ++c)
-    order.constraint_of_lane[next[static_cast<std::size_t>(colour[c])]++] = static_cast<int>(c);
+    order.constraint_of_lane[first_lane[static_cast<std::size_t>(colour[c])]++] = static_cast<int>(c);
+  return order;
+}
+
+BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count) {
+  const Stars all = stars_of(pairs, vertex_count);
+  BatchOrder order;
+  order.constraint_of_lane.reserve(pairs.size() + pairs.size() / 16);
+  for (std::vector<Star>& stars : coloured(all, pairs, vertex_count)) {
+    std::stable_sort(stars.begin(), stars.end(),
+                     [](const Star& l, const Star& r) { return l.length() > r.length(); });
+    order.colours.push_back(order.runs.size());
+    for (std::size_t first = 0; first < stars.size(); first += width) {
+      const std::size_t begin = order.constraint_of_lane.size();
+      order.runs.push_back(begin);
+      order.constraint_of_lane.resize(begin + stars[first].length() * width, -1);
+      for (std::size_t lane = 0; lane < width && first + lane < stars.size(); ++lane)
+        for (std::size_t step = 0; step < stars[first + lane].length(); ++step)
+          order.constraint_of_lane[begin + step * width + lane] =
+              all.members[stars[first + lane].begin + step];
+    }
+  }
+  order.colours.push_back(order.runs.size());
+  order.runs.push_back(order.constraint_of_lane.size());
   return order;
 }
 
@@ -78,7 +176,7 @@ BatchOrder list_order(std::size_t constraint_count) {
   order.constraint_of_lane.resize(constraint_count);
   std::iota(order.constraint_of_lane.begin(), order.constraint_of_lane.end(), 0);
   order.constraint_of_lane.resize(padded(constraint_count), -1);
-  order.colours = {0, order.constraint_of_lane.size()};
+  give_each_group_a_run(order, {0, order.constraint_of_lane.size()});
   order.conflict_free = false;
   return order;
 }

@@ -15,6 +15,12 @@ namespace bendlab {
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count);
 
+/// Pairs as stars: the pairs with the same first vertex follow one another in one lane, so that a kernel
+/// keeps that vertex in registers and meets the others while they are near. Stars are coloured first-fit (no
+/// two of a colour share any vertex), sorted by length within a colour and laid side by side; one much longer
+/// than usual is cut into several.
+BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count);
+
 /// List order, one after another (for project_reference()).
 BatchOrder list_order(std::size_t constraint_count);
 

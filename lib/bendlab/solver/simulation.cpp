@@ -23,13 +23,6 @@ struct PlannedPass {
   std::size_t statistics;  // its row in passes()
 };
 
-template <class Real, std::size_t arity>
-BatchOrder ordered(const std::vector<std::array<int, arity>>& vertices, int vertex_count,
-                   ConstraintOrder order) {
-  return order == ConstraintOrder::colour ? colour_order(vertices, vertex_count)
-                                          : list_order(vertices.size());
-}
-
 template <class Real>
 class SimulationOf final : public Simulation {
  public:
@@ -94,9 +87,11 @@ class SimulationOf final : public Simulation {
 
   void fill_constraints(const SimulationInput& input) {
     const int projections = settings_.projections_per_substep();
+    const bool coloured = settings_.order == ConstraintOrder::colour;
     StrainBatch<Real>& strain = constraints_.strain;
     strain = make_strain_batch<Real>(
-        input.strain, ordered<Real>(input.strain.vertices, state_.vertex_count, settings_.order),
+        input.strain,
+        coloured ? colour_order(input.strain.vertices, state_.vertex_count) : list_order(input.strain.size()),
         state_.vertex_count);
     const StrainStiffness& s = input.strain_stiffness;
     const auto fraction = [&](double k) {
@@ -108,13 +103,14 @@ class SimulationOf final : public Simulation {
     if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
 
     DistanceBatch<Real>& distance = constraints_.distance;
-    distance = make_distance_batch<Real>(
-        input.distance, ordered<Real>(input.distance.vertices, state_.vertex_count, settings_.order),
-        state_.vertex_count);
+    distance = make_distance_batch<Real>(input.distance,
+                                         coloured ? star_order(input.distance.vertices, state_.vertex_count)
+                                                  : list_order(input.distance.size()),
+                                         state_.vertex_count);
     const SpringStiffness& d = input.spring_stiffness;
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
-    if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.a.size(), 0);
+    if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
@@ -178,12 +174,13 @@ class SimulationOf final : public Simulation {
       project_reference(points, batch, h, backwards);
       return;
     }
-    const std::vector<std::size_t>& colours = batch.order.colours;
+    const std::vector<std::size_t>&colours = batch.order.colours, &runs = batch.order.runs;
     for (std::size_t step = 0; step + 1 < colours.size(); ++step) {
       const std::size_t colour = backwards ? colours.size() - 2 - step : step;
+      const std::size_t first = colours[colour], last = colours[colour + 1];
       workers_.for_range(
-          colours[colour], colours[colour + 1], max_lanes, worthwhile_lanes,
-          [&](std::size_t first, std::size_t last) { project(points, batch, first, last, h); });
+          first, last, runs[last] - runs[first] >= worthwhile_lanes,
+          [&](std::size_t from, std::size_t to) { project(points, batch, from, to, h, backwards); });
     }
   }
 
@@ -217,7 +214,8 @@ class SimulationOf final : public Simulation {
 
   template <class Task>
   void for_vertices(const Task& task) {
-    workers_.for_range(0, static_cast<std::size_t>(state_.vertex_count), 64, worthwhile_vertices, task);
+    const auto count = static_cast<std::size_t>(state_.vertex_count);
+    workers_.for_range(0, count, count >= worthwhile_vertices, task);
   }
 
   Positions to_rows(const Points<Real>& points, const Vector3& origin) const {

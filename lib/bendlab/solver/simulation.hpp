@@ -56,10 +56,10 @@ struct SpringStiffness {
 
 /// A scene as the solver sees it.
 struct SimulationInput {
-  Positions positions;  ///< #V by 3, m: where the cloth starts
-  Positions velocities;           ///< #V by 3, m/s, or empty: at rest
-  Vector3 origin;       ///< coordinates are kept relative to it, m
-  double size = 1;      ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
+  Positions positions;   ///< #V by 3, m: where the cloth starts
+  Positions velocities;  ///< #V by 3, m/s, or empty: at rest
+  Vector3 origin;        ///< coordinates are kept relative to it, m
+  double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;     ///< #V, kg
   std::vector<char> is_pinned;  ///< #V
   StrainConstraints strain;

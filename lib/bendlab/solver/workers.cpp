@@ -24,16 +24,14 @@ Workers::Workers(int threads) : threads_(threads) {
 
 Workers::~Workers() = default;
 
-void Workers::split(std::size_t first, std::size_t last, std::size_t step, const void* task, Call call) {
-  const std::size_t steps = (last - first + step - 1) / step;
-  const auto parts = std::min(steps, static_cast<std::size_t>(threads_));
+void Workers::split(std::size_t first, std::size_t last, const void* task, Call call) {
+  const std::size_t count = last - first, parts = std::min(count, static_cast<std::size_t>(threads_));
   const auto caller = std::this_thread::get_id();
   arena_->arena.execute([&] {
     tbb::parallel_for(
         std::size_t{0}, parts,
         [&](std::size_t part) {
-          const std::size_t from = first + steps * part / parts * step;
-          const std::size_t to = std::min(last, first + steps * (part + 1) / parts * step);
+          const std::size_t from = first + count * part / parts, to = first + count * (part + 1) / parts;
           if (from == to) return;
           const auto start = std::chrono::steady_clock::now();
           call(task, from, to);

@@ -14,15 +14,14 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Calls task(first, last) on parts of [first, last) that begin at multiples of `step` from `first`; a
-  /// range of fewer than `worthwhile` elements stays on the calling thread.
+  /// Calls task(first, last) on as many equal parts of [first, last) as there are threads, side by side, or
+  /// on the whole where that is not worthwhile.
   template <class Task>
-  void for_range(std::size_t first, std::size_t last, std::size_t step, std::size_t worthwhile,
-                 const Task& task) {
-    if (threads_ == 1 || last - first < worthwhile)
+  void for_range(std::size_t first, std::size_t last, bool worthwhile, const Task& task) {
+    if (threads_ == 1 || !worthwhile)
       task(first, last);
     else
-      split(first, last, step, &task, [](const void* t, std::size_t from, std::size_t to) {
+      split(first, last, &task, [](const void* t, std::size_t from, std::size_t to) {
         (*static_cast<const Task*>(t))(from, to);
       });
   }
@@ -32,7 +31,7 @@ class Workers {
 
  private:
   using Call = void (*)(const void*, std::size_t, std::size_t);
-  void split(std::size_t first, std::size_t last, std::size_t step, const void* task, Call call);
+  void split(std::size_t first, std::size_t last, const void* task, Call call);
 
   struct Arena;
   int threads_;
