@@ -1,34 +1,28 @@
 #include "experiments/run.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 #include <xxhash.h>
 
 #include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstring>
-#include <ctime>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/io/frame_writer.hpp"
+#include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/version.hpp"
 
 namespace bendlab {
 namespace {
 
-std::string hex_hash(const void* data, std::size_t bytes, XXH64_hash_t seed = 0) {
-  return fmt::format("{:016x}", XXH3_64bits_withSeed(data, bytes, seed));
-}
-
-double thread_cpu_s() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+std::string hex_hash(const std::string& text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
 std::string file_bytes(const std::filesystem::path& file) {
@@ -39,42 +33,26 @@ std::string file_bytes(const std::filesystem::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-std::string processor_name() {
-  std::ifstream info("/proc/cpuinfo");
-  for (std::string line; std::getline(info, line);)
-    if (line.starts_with("model name")) return line.substr(line.find(':') + 2);
-  return "unknown";
-}
-
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof(name) - 1) == 0 ? name : "unknown";
-}
-
-std::string utc_now() {
-  const std::time_t now = std::time(nullptr);
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32] = {};
-  std::strftime(text, sizeof(text), "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
-
-// Vertices and rest values of a list in the order the solver projects them (padded lanes left out).
+// Vertices and rest values of a list in the order the solver projects them (padded lanes left out). Hashed
+// one by one: a copy of millions of springs would be the largest thing in memory.
 template <class List, class RestOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
                            RestOf rest_of) {
-  ConstraintRecord record{.kind = kind, .count = list.size(), .hash = {}};
+  ConstraintRecord record{.kind = kind, .count = list.size()};
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), &XXH3_freeState);
+  XXH3_64bits_reset(hash.get());
   for (const int constraint : order.constraint_of_lane) {
     if (constraint < 0) continue;
     const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
-    record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
-    record.rest.push_back(rest_of(static_cast<std::size_t>(constraint)));
+    const double rest = rest_of(static_cast<std::size_t>(constraint));
     record.vertices_per_constraint = static_cast<int>(vertices.size());
+    XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
+    XXH3_64bits_update(hash.get(), &rest, sizeof(rest));
+    if (!in_full) continue;
+    record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
+    record.rest.push_back(rest);
   }
-  record.hash = hex_hash(record.rest.data(), record.rest.size() * sizeof(double),
-                         XXH3_64bits(record.vertices.data(), record.vertices.size() * sizeof(int)));
-  if (!in_full) record.vertices.clear(), record.rest.clear();
+  record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
   return record;
 }
 
@@ -213,7 +191,7 @@ void make_folder(const std::filesystem::path& folder) {
 std::string run_id(const RunConfig& config) {
   std::string identity = identity_text(config) + std::string(build_info().source_hash);
   if (!config.mesh_file.empty()) identity += file_bytes(config.mesh_file);
-  return hex_hash(identity.data(), identity.size());
+  return hex_hash(identity);
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,

@@ -14,6 +14,7 @@
 #include "bendlab/mesh/delaunay.hpp"
 #include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/numbering.hpp"
 
 namespace bendlab {
 namespace {
@@ -203,6 +204,7 @@ Scene build_scene(const RunConfig& config) {
   input.size = rest.size();
   input.mass = lumped_masses(rest, material.number("density"));
   input.is_pinned = scene.pins.is_pinned;
+  input.place = local_numbering(rest);
   input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
   input.settings = solver_settings(solver);

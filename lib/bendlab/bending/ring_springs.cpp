@@ -72,11 +72,31 @@ int euclidean_ring(const RestMesh& rest, int a, int b) {
                   static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
 }
 
+// About how many springs there will be, so that the lists grow once: on a lattice ring r holds 6 r vertices,
+// and a pair of equal levels is reached from both ends.
+std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rule) {
+  std::vector<std::size_t> with_level;
+  for (const int level : levels) {
+    if (static_cast<std::size_t>(level) >= with_level.size())
+      with_level.resize(static_cast<std::size_t>(level) + 1, 0);
+    ++with_level[static_cast<std::size_t>(level)];
+  }
+  std::size_t expected = 0;
+  for (std::size_t level = 1; level < with_level.size(); ++level) {
+    const std::size_t of_one = rule.fill == RingFill::last ? 6 * level : 3 * level * (level + 1);
+    const bool usual = 2 * with_level[level] > levels.size();
+    expected += with_level[level] * (usual && !rule.shared_pairs_twice ? of_one / 2 : of_one);
+  }
+  return std::min(expected, levels.size() * (levels.size() - 1));
+}
+
 }  // namespace
 
 DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
                                  const RingRule& rule) {
   DistanceConstraints springs;
+  springs.vertices.reserve(expected_springs(levels, rule));
+  springs.rest_length.reserve(springs.vertices.capacity());
   RingWalker walker(rest.one_ring());
   PathLengths path(rest);
   const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numeric>
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
@@ -23,11 +24,40 @@ struct PlannedPass {
   std::size_t statistics;  // its row in passes()
 };
 
+// A list's constraints by place instead of vertex, in the order of their first place, and where each came
+// from.
+template <std::size_t arity>
+struct Placed {
+  std::vector<std::array<int, arity>> vertices;
+  std::vector<int> original;
+
+  Placed(const std::vector<std::array<int, arity>>& list, const std::vector<int>& place)
+      : original(list.size()) {
+    std::vector<std::array<int, arity>> placed(list.size());
+    for (std::size_t c = 0; c < list.size(); ++c)
+      for (std::size_t i = 0; i < arity; ++i) placed[c][i] = place[static_cast<std::size_t>(list[c][i])];
+    const auto first = [&](int c) {
+      const auto& corners = placed[static_cast<std::size_t>(c)];
+      return *std::min_element(corners.begin(), corners.end());
+    };
+    std::iota(original.begin(), original.end(), 0);
+    std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
+    for (const int c : original) vertices.push_back(placed[static_cast<std::size_t>(c)]);
+  }
+
+  BatchOrder in_terms_of_the_list(BatchOrder order) const {
+    for (int& constraint : order.constraint_of_lane)
+      if (constraint >= 0) constraint = original[static_cast<std::size_t>(constraint)];
+    return order;
+  }
+};
+
 template <class Real>
 class SimulationOf final : public Simulation {
  public:
   SimulationOf(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : settings_(input.settings),
+        place_(input.settings.order == ConstraintOrder::colour ? input.place : std::vector<int>()),
         bound_(static_cast<Real>(divergence_bound * input.size)),
         workers_(input.settings.threads) {
     fill_state(input);
@@ -70,29 +100,44 @@ class SimulationOf final : public Simulation {
     const auto count = static_cast<std::size_t>(input.positions.rows());
     state_.vertex_count = static_cast<int>(count);
     state_.origin = input.origin;
-    state_.mass = input.mass;
+    state_.mass.resize(count);
     state_.position.resize(count + dummy_points);
     state_.velocity.resize(count + dummy_points);
     for (std::size_t v = 0; v < count; ++v) {
-      const Vector3 local = input.positions.row(static_cast<Eigen::Index>(v)).transpose() - input.origin;
-      state_.position[v].set(local.cast<Real>());
-      state_.position[v].w =
-          input.is_pinned[v] || !(input.mass[v] > 0) ? Real(0) : static_cast<Real>(1 / input.mass[v]);
+      const auto row = static_cast<Eigen::Index>(v);
+      const std::size_t at = place_of(v);
+      state_.mass[at] = input.mass[v];
+      state_.position[at].set((input.positions.row(row).transpose() - input.origin).template cast<Real>());
+      const bool free = !input.is_pinned[v] && input.mass[v] > 0;
+      state_.position[at].w = free ? static_cast<Real>(1 / input.mass[v]) : Real(0);
+      if (free && input.velocities.rows() > 0)
+        state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
     }
-    for (Eigen::Index v = 0; v < input.velocities.rows(); ++v)
-      if (state_.position[static_cast<std::size_t>(v)].w > 0)
-        state_.velocity[static_cast<std::size_t>(v)].set(input.velocities.row(v).transpose().cast<Real>());
     state_.previous = state_.position;
+  }
+
+  std::size_t place_of(std::size_t vertex) const {
+    return place_.empty() ? vertex : static_cast<std::size_t>(place_[vertex]);
+  }
+
+  // A batch of a list's constraints: coloured by `colour`, of vertices where they stand.
+  template <class List, class Colour, class Make>
+  auto batch_of(const List& list, Colour colour, Make make) const {
+    if (settings_.order == ConstraintOrder::mesh)
+      return make(list, list_order(list.size()), state_.vertex_count);
+    if (place_.empty()) return make(list, colour(list.vertices, state_.vertex_count), state_.vertex_count);
+    const Placed placed(list.vertices, place_);
+    List in_place = list;
+    for (std::size_t c = 0; c < list.size(); ++c)
+      in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];
+    return make(in_place, placed.in_terms_of_the_list(colour(placed.vertices, state_.vertex_count)),
+                state_.vertex_count);
   }
 
   void fill_constraints(const SimulationInput& input) {
     const int projections = settings_.projections_per_substep();
-    const bool coloured = settings_.order == ConstraintOrder::colour;
     StrainBatch<Real>& strain = constraints_.strain;
-    strain = make_strain_batch<Real>(
-        input.strain,
-        coloured ? colour_order(input.strain.vertices, state_.vertex_count) : list_order(input.strain.size()),
-        state_.vertex_count);
+    strain = batch_of(input.strain, colour_order<3>, make_strain_batch<Real>);
     const StrainStiffness& s = input.strain_stiffness;
     const auto fraction = [&](double k) {
       return static_cast<Real>(k_of_projection(s.kind, k, projections));
@@ -103,10 +148,7 @@ class SimulationOf final : public Simulation {
     if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
 
     DistanceBatch<Real>& distance = constraints_.distance;
-    distance = make_distance_batch<Real>(input.distance,
-                                         coloured ? star_order(input.distance.vertices, state_.vertex_count)
-                                                  : list_order(input.distance.size()),
-                                         state_.vertex_count);
+    distance = batch_of(input.distance, star_order, make_distance_batch<Real>);
     const SpringStiffness& d = input.spring_stiffness;
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
@@ -201,11 +243,10 @@ class SimulationOf final : public Simulation {
     for (int v = 0; v < state_.vertex_count; ++v)
       inside &= within_bound(state_.position[static_cast<std::size_t>(v)]);
     if (inside) return;
-    int vertex = 0;
-    while (within_bound(state_.position[static_cast<std::size_t>(vertex)])) ++vertex;
-    divergence_.vertex = vertex;
-    divergence_.position =
-        state_.position[static_cast<std::size_t>(vertex)].vector().template cast<double>() + state_.origin;
+    std::size_t vertex = 0;
+    while (within_bound(state_.position[place_of(vertex)])) ++vertex;
+    divergence_.vertex = static_cast<int>(vertex);
+    divergence_.position = state_.position[place_of(vertex)].vector().template cast<double>() + state_.origin;
   }
 
   bool within_bound(const Point<Real>& p) const {
@@ -221,12 +262,13 @@ class SimulationOf final : public Simulation {
   Positions to_rows(const Points<Real>& points, const Vector3& origin) const {
     Positions rows(state_.vertex_count, 3);
     for (int v = 0; v < state_.vertex_count; ++v)
-      rows.row(v) =
-          (points[static_cast<std::size_t>(v)].vector().template cast<double>() + origin).transpose();
+      rows.row(v) = (points[place_of(static_cast<std::size_t>(v))].vector().template cast<double>() + origin)
+                        .transpose();
     return rows;
   }
 
   SolverSettings settings_;
+  std::vector<int> place_;  // of each vertex; empty: its own
   Real bound_;
   Workers workers_;
   State<Real> state_;

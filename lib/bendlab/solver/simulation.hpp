@@ -4,6 +4,32 @@
 //
 // (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
 // time.
+//
+// Why the constraints lie in memory as they do. A projection is a handful of arithmetic between reading two
+// or three points and writing them back; what it costs is moving them. So
+//
+// * a vertex is four numbers, position and inverse mass, moved by one load or store and transposed in
+// registers: one load
+//   where x, y, z and w apart would take four;
+// * constraints without a common vertex go side by side, one per lane. Colouring finds them: a greedy
+// first-fit over the list,
+//   after the pins are known (a constraint between pinned vertices is not there to be coloured). It knows
+//   nothing of lane width or threads, so neither changes a bit of the result;
+// * springs are coloured as whole stars, all springs of one centre in one lane: the centre stays in a
+// register (half the
+//   traffic), the ring around it is small enough for the first-level cache, and the colours are few and
+//   large, which is what threads want: they meet once per colour;
+// * triangles are coloured one by one: they share too few vertices for stars to pay;
+// * a batch stores what the kernel needs in the order in which it needs it: offsets ready for an address,
+// rest values, XPBD's
+//   multipliers; nothing is computed twice and nothing is branched on;
+// * vertices keep the mesh's numbering where that is local, else the reverse Cuthill-McKee order (a scanned
+// or exported mesh
+//   may be numbered at random).
+//
+// What colouring costs is convergence: a colour sees its neighbours' corrections only after a whole colour,
+// where list order passes them on at once. `bendlab bench` measures by how much; `order: mesh` runs the list
+// order on the reference kernels.
 #pragma once
 
 #include <cstdint>
@@ -62,6 +88,7 @@ struct SimulationInput {
   double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;     ///< #V, kg
   std::vector<char> is_pinned;  ///< #V
+  std::vector<int> place;  ///< #V, where each vertex stands in the solver's memory; empty: in its own place
   StrainConstraints strain;
   DistanceConstraints distance;
   StrainStiffness strain_stiffness;
