@@ -15,10 +15,11 @@ namespace bendlab {
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count);
 
-/// Pairs as stars: the pairs with the same first vertex follow one another in one lane, so that a kernel
-/// keeps that vertex in registers and meets the others while they are near. Stars are coloured first-fit (no
-/// two of a colour share any vertex), sorted by length within a colour and laid side by side; one much longer
-/// than usual is cut into several.
+/// Pairs as stars: up to four pairs with the same first vertex follow one another in one lane, so that a
+/// kernel keeps that vertex in registers. Stars are coloured first-fit (no two of a colour share any vertex),
+/// sorted by length within a colour and laid side by side. The last pairs of every vertex go first: models
+/// list a vertex's partners from near to far, and the near ones, which hold the strain, so have the last
+/// word.
 BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count);
 
 /// List order, one after another (for project_reference()).
