@@ -27,10 +27,11 @@ constexpr std::string_view footer =
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
-  bool json = false, full = false;
+  bool json = false, full = false, list = false;
   std::string run = "", folder = "results";
   std::filesystem::path mesh_file, reproduce_out;
   QualityThresholds thresholds;
+  BenchOptions bench;
   std::function<int()> command;
 };
 
@@ -123,6 +124,22 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
   add_json(mesh, a, "As one JSON object");
 }
 
+void add_bench_command(CLI::App& app, Arguments& a) {
+  CLI::App* bench = add_command(app, a, "bench", "Measure what the solver costs on this machine",
+                                [&a] { return bench_command(a.bench, a.list, a.json); });
+  bench->add_option("--filter", a.bench.filter, "Only benchmarks whose name matches (and their oracles)")
+      ->type_name("REGEX");
+  bench->add_flag("--quick", a.bench.quick, "Small meshes, short repetitions: seconds instead of minutes");
+  bench->add_option("--repetitions", a.bench.repetitions, "Repetitions, of which the median counts")
+      ->check(CLI::Range(1, 1000))
+      ->capture_default_str();
+  bench->add_option("--threads", a.bench.threads, "Threads of the whole steps, besides one")
+      ->check(CLI::Range(1, 256))
+      ->capture_default_str();
+  bench->add_flag("--list", a.list, "Name the benchmarks, measure nothing");
+  add_json(bench, a, "A context and one JSON object per row");
+}
+
 void add_reference(CLI::App& app, Arguments& a, const char* name, const char* summary, std::string (*text)(),
                    Json (*json)()) {
   CLI::App* command = add_command(app, a, name, summary, [&a, text, json] {
@@ -162,6 +179,7 @@ int dispatch(int argc, char** argv) {
   add_run_commands(app, arguments);
   add_read_commands(app, arguments);
   add_mesh_command(app, arguments);
+  add_bench_command(app, arguments);
   add_reference(app, arguments, "models", "List the bending models: parameters, defaults, sources",
                 models_text, models_json);
   add_reference(app, arguments, "effects", "List the effects: parameters, defaults, sources", effects_text,

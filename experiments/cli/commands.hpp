@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bendlab/mesh/quality.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/cli/campaign.hpp"
 
 namespace bendlab {
@@ -28,6 +29,9 @@ int list_command(const std::filesystem::path& folder, bool json);
 
 /// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`.
 int show_command(const std::string& run, const std::filesystem::path& folder, bool json);
+
+/// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
+int bench_command(const BenchOptions& options, bool list, bool json);
 
 /// Diagnosis and quality of a mesh file.
 int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds, bool json);

@@ -1,0 +1,99 @@
+#include "experiments/bench/bench.hpp"
+
+#include <benchmark/benchmark.h>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <regex>
+#include <set>
+
+#include "experiments/bench/families.hpp"
+#include "experiments/cli/errors.hpp"
+
+namespace bendlab {
+namespace {
+
+/// Keeps what Google Benchmark measured instead of printing it.
+class Collector : public benchmark::BenchmarkReporter {
+ public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override {
+    for (const Run& run : runs)
+      if (run.run_type == Run::RT_Iteration)
+        seconds.push_back(run.real_accumulated_time / static_cast<double>(run.iterations));
+  }
+  std::vector<double> seconds;  // per iteration, of each repetition
+};
+
+std::vector<BenchCase> all_cases(const BenchOptions& options) {
+  std::vector<BenchCase> all;
+  for (const auto& family : {cloth_cases, set_up_cases, run_cases, convergence_cases})
+    for (BenchCase& one : family(options)) all.push_back(std::move(one));
+  return all;
+}
+
+std::regex expression_of(const std::string& filter) {
+  try {
+    return std::regex(filter);
+  } catch (const std::regex_error& error) {
+    throw UsageError(fmt::format("--filter '{}' is no regular expression: {}", filter, error.what()));
+  }
+}
+
+}  // namespace
+
+Spread spread_of(std::vector<double> values) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const std::size_t middle = values.size() / 2;
+  const double median = values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
+  return {median, values.front(), values.back()};
+}
+
+std::string bench_id(const std::string& name, const std::string& scalar, int threads) {
+  return fmt::format("{}/{}{}", name, scalar, threads > 1 ? fmt::format("/threads:{}", threads) : "");
+}
+
+Spread repeated(const std::string& id, int repetitions, double least_s,
+                const std::function<double()>& measure) {
+  benchmark::ClearRegisteredBenchmarks();
+  auto* const registered = benchmark::RegisterBenchmark(id.c_str(), [&](benchmark::State& state) {
+    for ([[maybe_unused]] const auto _ : state) state.SetIterationTime(measure());
+  });
+  registered->UseManualTime()->Repetitions(repetitions);
+  least_s > 0 ? registered->MinTime(least_s) : registered->Iterations(1);
+  Collector collector;
+  benchmark::RunSpecifiedBenchmarks(&collector, "all");
+  benchmark::ClearRegisteredBenchmarks();
+  return spread_of(std::move(collector.seconds));
+}
+
+std::vector<BenchCase> bench_cases(const BenchOptions& options) {
+  const std::regex filter = expression_of(options.filter);
+  std::vector<BenchCase> all = all_cases(options), chosen;
+  std::set<std::string> wanted;
+  for (const BenchCase& one : all)
+    if (std::regex_search(one.id, filter)) wanted.insert({one.id, one.oracle});
+  for (BenchCase& one : all)
+    if (wanted.contains(one.id)) chosen.push_back(std::move(one));
+  if (chosen.empty())
+    throw UsageError(
+        fmt::format("--filter '{}' chooses no benchmark; bendlab bench --list names them", options.filter));
+  return chosen;
+}
+
+std::vector<BenchRow> run_bench(const std::vector<BenchCase>& cases,
+                                const std::function<void(const std::string& id)>& on_start) {
+  std::vector<BenchRow> rows;
+  std::map<std::string, double> ns;  // per id
+  for (const BenchCase& one : cases) {
+    on_start(one.id);
+    rows.push_back(one.run());
+    ns[one.id] = rows.back().ns.median;
+    if (!one.oracle.empty()) rows.back().ratio_to_oracle = ns.at(one.oracle) / ns[one.id];
+  }
+  return rows;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,186 @@
+// Kernels where they work: in the steps of a cloth that moves, so that positions, branches and caches are as
+// in a run.
+#include <fmt/format.h>
+
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <tuple>
+
+#include "experiments/bench/families.hpp"
+#include "experiments/bench/roofline.hpp"
+#include "experiments/config.hpp"
+#include "experiments/machine.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr int iterations = 10, warm_up_steps = 30;
+
+struct ClothKind {
+  int cells = 0;
+  std::string model;
+  std::string scalar;
+  int threads = 1;
+  bool oracle = false;
+  bool operator==(const ClothKind&) const = default;
+};
+
+RunConfig config_of(const ClothKind& kind) {
+  const std::string text = fmt::format(
+      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}, "initial": {{"perturbation": 1e-6}},
+          "solver": {{"iterations": {}, "precision": "{}", "threads": {}, "order": "{}"}}}})",
+      kind.cells, kind.model, iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
+      kind.oracle ? "mesh" : "colour");
+  return parse_experiment(text, "bench").runs.front();
+}
+
+/// Seconds of a step, and of its two projection passes.
+struct StepTime {
+  double strain = 0, bending = 0, all = 0;
+};
+
+/// A square that falls from the horizontal, one corner and its 1-ring pinned.
+class MovingCloth {
+ public:
+  explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {
+    const Scene scene = build_scene(config_of(kind));
+    vertices = scene.rest.vertex_count();
+    triangles = static_cast<std::int64_t>(scene.input.strain.size());
+    springs = static_cast<std::int64_t>(scene.input.distance.size());
+    simulation_ = simulation_of(scene);
+    for (int step = 0; step < warm_up_steps; ++step) this->step();
+  }
+
+  /// Processor time where one thread works, else wall time. A pass has its share of the step's wall time.
+  StepTime step() {
+    const StepTime before = passes();
+    const double cpu_start = thread_cpu_s();
+    const auto start = std::chrono::steady_clock::now();
+    if (!simulation_->step()) throw std::runtime_error("the cloth of a benchmark diverged");
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double all = threads_ == 1 ? thread_cpu_s() - cpu_start : wall;
+    const StepTime after = passes();
+    return {all * (after.strain - before.strain) / wall, all * (after.bending - before.bending) / wall, all};
+  }
+
+  double mean_speed() const { return simulation_->velocities().rowwise().norm().mean(); }  // m/s
+
+  int vertices = 0;
+  std::int64_t triangles = 0, springs = 0;
+
+ private:
+  StepTime passes() const {
+    StepTime time;
+    for (const PassStatistics& pass : simulation_->passes()) {
+      if (pass.name == "strain") time.strain = pass.seconds;
+      if (pass.name == "bending") time.bending = pass.seconds;
+    }
+    return time;
+  }
+
+  int threads_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+/// The cloth that was used last: cases of the same cloth follow one another.
+class LastCloth {
+ public:
+  MovingCloth& of(const ClothKind& kind) {
+    if (!cloth_ || kind != kind_) {
+      cloth_.reset();  // two large ones at once would only cost memory
+      cloth_ = std::make_unique<MovingCloth>(kind);
+      kind_ = kind;
+    }
+    return *cloth_;
+  }
+
+ private:
+  ClothKind kind_;
+  std::unique_ptr<MovingCloth> cloth_;
+};
+
+enum class Part { strain, bending, step };
+
+std::string name_of(Part part, const ClothKind& kind) {
+  const char* what = part == Part::strain        ? "strain"
+                     : part == Part::step        ? "step"
+                     : kind.model == "crossover" ? "crossover"
+                                                 : "dense";
+  return fmt::format("{}{}/{}", what, kind.oracle ? "_oracle" : "", kind.cells);
+}
+
+/// Least seconds of one round over the part's constraints.
+double roofline_of(Part part, const ClothKind& kind, const MovingCloth& cloth) {
+  const std::size_t scalar = kind.scalar == "float" ? sizeof(float) : sizeof(double);
+  const auto triangles = static_cast<std::size_t>(cloth.triangles),
+             springs = static_cast<std::size_t>(cloth.springs);
+  const std::size_t scene = triangles * streamed_bytes(strain_cost, scalar) +
+                            springs * streamed_bytes(distance_cost, scalar) +
+                            static_cast<std::size_t>(cloth.vertices) * 4 * scalar;
+  const auto least = [&](const ConstraintCost& cost, std::int64_t constraints) {
+    const auto count = static_cast<double>(constraints);
+    return count * roofline_seconds(cost, scalar, cloth.vertices / count, scene);
+  };
+  return (part != Part::bending ? least(strain_cost, cloth.triangles) : 0) +
+         (part != Part::strain ? least(distance_cost, cloth.springs) : 0);
+}
+
+BenchRow measure(Part part, const ClothKind& kind, MovingCloth& cloth, const BenchOptions& options) {
+  BenchRow row{.name = name_of(part, kind),
+               .scalar = kind.scalar,
+               .threads = kind.threads,
+               .vertices = cloth.vertices,
+               .constraints =
+                   (part != Part::bending ? cloth.triangles : 0) + (part != Part::strain ? cloth.springs : 0),
+               .repetitions = options.repetitions};
+  const Spread seconds = repeated(
+      bench_id(row.name, row.scalar, row.threads), options.repetitions, options.quick ? 0.005 : 0.15, [&] {
+        const StepTime time = cloth.step();
+        return part == Part::strain ? time.strain : part == Part::bending ? time.bending : time.all;
+      });
+  const double to_ns = 1e9 / static_cast<double>(iterations * row.constraints);
+  row.ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
+  row.roofline_fraction = iterations * roofline_of(part, kind, cloth) / kind.threads / seconds.median;
+  if (part == Part::step) row.more["step_ms"] = 1e3 * seconds.median;
+  row.more["mean_speed_m_per_s"] = cloth.mean_speed();
+  return row;
+}
+
+}  // namespace
+
+std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
+  std::vector<BenchCase> cases;
+  const auto last = std::make_shared<LastCloth>();
+  const int usual = options.quick ? 32 : 128;  // cells of oracle and steps
+  const auto add = [&](Part part, const ClothKind& kind) {
+    ClothKind oracle = kind;
+    oracle.cells = usual, oracle.threads = 1, oracle.oracle = true;
+    cases.push_back({.id = bench_id(name_of(part, kind), kind.scalar, kind.threads),
+                     .oracle = kind.oracle ? "" : bench_id(name_of(part, oracle), kind.scalar),
+                     .run = [=] { return measure(part, kind, last->of(kind), options); }});
+  };
+  using Sizes = std::vector<int>;
+  for (const char* scalar : {"float", "double"}) {
+    for (const char* model : {"crossover", "adaptive"}) {
+      const bool dense = std::string_view(model) == "adaptive";
+      const auto add_all = [&](const ClothKind& kind) {
+        if (!dense) add(Part::strain, kind);
+        add(Part::bending, kind);
+        if (!dense && kind.cells == usual) add(Part::step, kind);
+      };
+      add_all({.cells = usual, .model = model, .scalar = scalar, .oracle = true});
+      for (const int cells : options.quick ? Sizes{32}
+                             : dense       ? Sizes{128, 256}
+                                           : Sizes{32, 64, 128, 256, 512, 1024})
+        add_all({.cells = cells, .model = model, .scalar = scalar});
+    }
+    for (const int threads : options.threads)
+      if (threads != 1)
+        add(Part::step, {.cells = usual, .model = "crossover", .scalar = scalar, .threads = threads});
+  }
+  return cases;
+}
+
+}  // namespace bendlab

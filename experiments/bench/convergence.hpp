@@ -1,0 +1,32 @@
+// What the coloured order costs in sweeps: the strain error it leaves, against the mesh order.
+#pragma once
+
+#include <span>
+#include <string_view>
+#include <vector>
+
+namespace bendlab {
+
+struct ConvergenceScene {
+  std::string_view name, config;  ///< config as JSON text
+};
+
+/// A square that hangs from a corner, a strip from its top edge, an irregular square from two corners.
+std::span<const ConvergenceScene> convergence_scenes();
+
+/// Edges along the long side of each scene.
+inline constexpr int convergence_cells = 32;
+
+/// Mean strain error, mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), after one step of `sweeps` sweeps.
+struct ConvergenceError {
+  int sweeps = 0;
+  double colour = 0, mesh = 0;
+  int sweeps_to_match = 0;  ///< with which `colour` first leaves no more than `mesh`; 0: not with four times
+                            ///< (sweeps + convergence_cells)
+};
+
+/// Both orders do one step from the same state, in double precision: positions and velocities of the scene
+/// after 0.5 s.
+std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, std::span<const int> sweeps);
+
+}  // namespace bendlab

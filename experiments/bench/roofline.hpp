@@ -1,0 +1,51 @@
+// The roofline: the least time that a projection can take on this machine (Williams, Waterman & Patterson
+// 2009, with a bandwidth for each level of the memory as in Yang et al. 2020).
+//
+//   time ≥ max( flops / peak,
+//               (streamed + corners) / bandwidth of the first-level cache,
+//               (streamed + points)  / bandwidth of the level that holds the whole scene )
+//
+// in bytes per constraint. Streamed: its indices, 4 bytes each, and its rest data. Corners: position and
+// inverse mass, four scalars, read and written, of the corners that no register keeps from the constraint
+// before: all of a triangle, one of a spring (the other is the centre of its star). Points: the same for
+// every vertex once per sweep, shared among the constraints: what even the best order has to bring in. A
+// level's bandwidth is that of a triad a = b + s c on arrays that together are as large, the peak that of
+// independent multiply-adds in registers; both are measured in this process on one thread.
+//
+// Flops count as in the kernels' formulas: add, multiply, divide and square root are one each.
+#pragma once
+
+#include <cstddef>
+
+namespace bendlab {
+
+/// What one constraint of a kind takes.
+struct ConstraintCost {
+  int corners = 0;  ///< each with its index; see above
+  int rest_scalars = 0;
+  double flops = 0;
+};
+
+/// d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
+inline constexpr ConstraintCost distance_cost{.corners = 1, .rest_scalars = 1, .flops = 28};
+
+/// Warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24. Shear: edges
+/// 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|² 23, step 2,
+/// corrections 21.
+inline constexpr ConstraintCost strain_cost{.corners = 3, .rest_scalars = 4, .flops = 240};
+
+/// Bytes of indices and rest data of one constraint.
+std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes);
+
+/// Least seconds per constraint. `scalar_bytes`: 4 or 8; `scene_bytes`: all that a sweep over every kind
+/// passes through.
+double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, double points_per_constraint,
+                        std::size_t scene_bytes);
+
+/// Bytes per second of a triad on `bytes` in all, measured once per size.
+double triad_bandwidth(std::size_t bytes);
+
+/// Floating-point operations per second; scalar_bytes 4 or 8. Measured once.
+double peak_flops(std::size_t scalar_bytes);
+
+}  // namespace bendlab

@@ -1,0 +1,131 @@
+// What it takes to get from a rest mesh to the first step with `adaptive`: rings and pairs, colours and
+// batches.
+#include <fmt/format.h>
+#include <malloc.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <stdexcept>
+
+#include "experiments/bench/families.hpp"
+#include "experiments/config.hpp"
+#include "experiments/machine.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+namespace {
+
+RunConfig config_of(int cells, const char* model) {
+  return parse_experiment(
+             fmt::format(R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}}})",
+                         cells, model),
+             "bench")
+      .runs.front();
+}
+
+/// Kilobytes as /proc/self/status names them; 0 where it does not.
+double status_kilobytes(std::string_view key) {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key)) return std::stod(line.substr(key.size() + 1));
+  return 0;
+}
+
+/// A scene without springs yet, one corner and its 1-ring pinned.
+class SetUp {
+ public:
+  explicit SetUp(int cells)
+      : scene_(build_scene(config_of(cells, "none"))),
+        parameters_(config_of(cells, "adaptive").bending_parameters()) {}
+
+  struct Times {
+    double springs = 0, order = 0;  // s
+  };
+
+  Times run() {
+    const double start = thread_cpu_s();
+    scene_.input.distance =
+        find_bending_model("adaptive")->build({scene_.rest, scene_.pins, parameters_}).distance;
+    const double built = thread_cpu_s();
+    const auto simulation = make_simulation<float>(scene_.input, {});
+    const Times times{built - start, thread_cpu_s() - built};
+    springs_ = static_cast<std::int64_t>(scene_.input.distance.size());
+    scene_.input.distance = {};
+    return times;
+  }
+
+  /// Growth of the process's peak resident memory, bytes, in a child of its own: it begins with nothing freed
+  /// that could be used again, and its peak is not hidden by an earlier one.
+  double peak_bytes() {
+    std::array<int, 2> channel{};
+    if (pipe(channel.data()) != 0) throw std::runtime_error("no pipe for measuring memory");
+    malloc_trim(0);
+    const pid_t child = fork();
+    if (child < 0) throw std::runtime_error("no process for measuring memory");
+    if (child == 0) {
+      const double before = status_kilobytes("VmRSS:");
+      run();
+      const double growth = 1024 * (status_kilobytes("VmHWM:") - before);
+      _exit(write(channel[1], &growth, sizeof(growth)) == sizeof(growth) ? 0 : 1);
+    }
+    double growth = 0;
+    close(channel[1]);
+    const bool complete = read(channel[0], &growth, sizeof(growth)) == sizeof(growth);
+    close(channel[0]);
+    waitpid(child, nullptr, 0);
+    if (!complete) throw std::runtime_error("the set-up failed in the process that measures its memory");
+    return growth;
+  }
+
+  int vertices() const { return scene_.rest.vertex_count(); }
+  std::int64_t springs() const { return springs_; }
+
+ private:
+  Scene scene_;
+  ParameterValues parameters_;
+  std::int64_t springs_ = 0;
+};
+
+BenchRow measure(const std::string& name, int cells, int repetitions) {
+  SetUp set_up(cells);
+  const double bytes = set_up.peak_bytes();
+  std::vector<double> springs, order;
+  const Spread seconds = repeated(bench_id(name, "float"), repetitions, 0, [&] {
+    const SetUp::Times times = set_up.run();
+    springs.push_back(times.springs), order.push_back(times.order);
+    return times.springs + times.order;
+  });
+  const auto count = static_cast<double>(set_up.springs());
+  BenchRow row{
+      .name = name,
+      .scalar = "float",
+      .vertices = set_up.vertices(),
+      .constraints = set_up.springs(),
+      .ns = {1e9 * seconds.median / count, 1e9 * seconds.lowest / count, 1e9 * seconds.highest / count},
+      .repetitions = repetitions};
+  row.more = {{"set_up_s", seconds.median},
+              {"rings_and_pairs_s", spread_of(springs).median},
+              {"colours_and_batches_s", spread_of(order).median},
+              {"springs_per_s", count / seconds.median},
+              {"peak_bytes_per_spring", bytes / count}};
+  return row;
+}
+
+}  // namespace
+
+std::vector<BenchCase> set_up_cases(const BenchOptions& options) {
+  std::vector<BenchCase> cases;
+  for (const int cells : options.quick ? std::vector{32} : std::vector{64, 128, 256}) {
+    const std::string name = fmt::format("set_up/{}", cells);
+    cases.push_back(
+        {.id = bench_id(name, "float"), .oracle = "", .run = [=, repetitions = options.repetitions] {
+           return measure(name, cells, repetitions);
+         }});
+  }
+  return cases;
+}
+
+}  // namespace bendlab

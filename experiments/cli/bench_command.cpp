@@ -1,0 +1,25 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/errors.hpp"
+
+namespace bendlab {
+
+int bench_command(const BenchOptions& options, bool list, bool json) {
+  const std::vector<BenchCase> cases = bench_cases(options);
+  if (list) {
+    for (const BenchCase& one : cases) fmt::print("{}\n", one.id);
+    return exit_ok;
+  }
+  const bool show_progress = isatty(STDERR_FILENO) != 0;
+  std::size_t done = 0;
+  const std::vector<BenchRow> rows = run_bench(cases, [&](const std::string& id) {
+    if (show_progress) fmt::print(stderr, "\r\033[K[{}/{}] {}", ++done, cases.size(), id);
+  });
+  if (show_progress) fmt::print(stderr, "\r\033[K");
+  fmt::print("{}", json ? bench_json(rows) : bench_text(rows));
+  return exit_ok;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,106 @@
+// `bendlab bench`: that it measures, and that programs can read what it prints.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "experiments/bench/bench.hpp"
+#include "experiments/bench/roofline.hpp"
+#include "experiments/cli/errors.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinRel;
+
+std::string output_of(const std::string& arguments) {
+  std::FILE* const pipe = popen(("'" BENDLAB_PROGRAM "' bench --quick " + arguments).c_str(), "r");
+  REQUIRE(pipe);
+  std::string text;
+  for (std::array<char, 4096> buffer;
+       const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe);)
+    text.append(buffer.data(), count);
+  CHECK(pclose(pipe) == 0);
+  return text;
+}
+
+nlohmann::json rows_of(const std::string& filter) {
+  return nlohmann::json::parse(output_of("--json --repetitions 2 --filter '" + filter + "'")).at("rows");
+}
+
+}  // namespace
+
+TEST_CASE("bench prints a context and a row per benchmark as JSON", "[bench]") {
+  const auto json =
+      nlohmann::json::parse(output_of("--json --repetitions 3 --filter '^(strain|crossover)/32/float'"));
+  for (const char* key :
+       {"schema_version", "date", "host", "processor", "compiler", "flags", "vector_bits"}) {
+    INFO(key);
+    CHECK(json.at("context").contains(key));
+  }
+  const auto& rows = json.at("rows");
+  REQUIRE(rows.size() == 4);  // the two, and before them their oracles
+  for (const auto& row : rows) {
+    CHECK(row.at("scalar") == "float");
+    CHECK(row.at("threads") == 1);
+    CHECK(row.at("vertices") == 33 * 33);
+    CHECK(row.at("repetitions") == 3);
+    CHECK(row.at("ns_lowest") <= row.at("ns_per_constraint"));
+    CHECK(row.at("ns_per_constraint") <= row.at("ns_highest"));
+    CHECK(row.at("roofline_fraction") > 0);
+  }
+  CHECK(rows[2].at("name") == "strain/32");
+  CHECK(rows[2].at("constraints") == 2 * 32 * 32 - 2);  // less the two triangles with all corners pinned
+  CHECK(rows[3].at("constraints") == 3 * 32 * 32 - 2 * 32 - 1);  // interior edges, less the one at the pin
+  CHECK(rows[0].at("ratio_to_oracle").is_null());
+  const double ratio =
+      rows[0].at("ns_per_constraint").get<double>() / rows[2].at("ns_per_constraint").get<double>();
+  CHECK_THAT(rows[2].at("ratio_to_oracle").get<double>(), WithinRel(ratio, 1e-12));  // one division, rounded
+}
+
+TEST_CASE("bench measures set-up, recording, sweeps and convergence", "[bench]") {
+  const auto rows = rows_of("^(set_up|recording|sweep|convergence/corner/10)/");
+  REQUIRE(rows.size() == 4);
+  CHECK(rows[0].at("peak_bytes_per_spring") > 0);
+  CHECK(rows[0].at("springs_per_s") > 0);
+  CHECK(rows[1].at("wall_ratio") > 0);
+  CHECK(rows[1].at("writer_cpu_s") > 0);
+  CHECK(rows[2].at("speed_up") > 0);
+  CHECK(rows[3].at("ns_per_constraint").is_null());
+  CHECK(rows[3].at("colour_over_mesh") > 0);
+}
+
+TEST_CASE("bench prints a table with the spread beside the median", "[bench]") {
+  const std::string table = output_of("--repetitions 2 --filter '^dense/32/double'");
+  for (const char* text : {"dense/32", "dense_oracle/32", "lowest", "highest", "roofline", "GB/s"})
+    CHECK_THAT(table, ContainsSubstring(text));
+}
+
+TEST_CASE("a filter that chooses nothing is an error", "[bench]") {
+  CHECK_THROWS_AS(bench_cases({.filter = "no such benchmark"}), UsageError);
+  CHECK_THROWS_AS(bench_cases({.filter = "("}), UsageError);
+}
+
+TEST_CASE("median and range of a few values", "[bench]") {
+  const Spread odd = spread_of({5, 1, 3}), even = spread_of({4, 1, 3, 2});
+  CHECK(odd.median == 3);
+  CHECK(odd.lowest == 1);
+  CHECK(odd.highest == 5);
+  CHECK(even.median == 2.5);
+  CHECK(std::isnan(spread_of({}).median));
+}
+
+TEST_CASE("the roofline's model counts what a constraint moves", "[bench]") {
+  CHECK(streamed_bytes(distance_cost, 4) == 4 + 4);        // index of the end, rest length
+  CHECK(streamed_bytes(strain_cost, 8) == 3 * 4 + 4 * 8);  // three indices, Q⁻¹
+  // Neither limit can be beaten: flops at the peak, streamed bytes at the bandwidth of their level.
+  const std::size_t scene = std::size_t{1} << 22;
+  const double least = roofline_seconds(strain_cost, 4, 0.5, scene);
+  CHECK(least >= strain_cost.flops / peak_flops(4));
+  CHECK(least >= 28 / triad_bandwidth(scene));
+}
+
+}  // namespace bendlab
