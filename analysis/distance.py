@@ -1,5 +1,9 @@
-"""Distances between two cloths with the same vertices; (V, 3) arrays in m."""
+"""Distances between cloths with the same vertices: (V, 3) arrays in m, or whole groups of runs."""
+from functools import lru_cache
+
 import numpy as np
+
+from load import load_run, spread
 
 BLOCK = 128  # vertices measured at once
 
@@ -33,3 +37,23 @@ def _nearest(points, others):
     """(n) distance from each point to the nearest of the others."""
     squared = sum((points[:, None, axis] - others[None, :, axis]) ** 2 for axis in range(3))
     return np.sqrt(squared.min(axis=1))
+
+
+def between_runs(some, others):
+    """(RMS, Hausdorff) spreads relative to the sheets' size, over all pairs of a run of each group with different seeds. An
+    RMS is the median over the last second, a Hausdorff distance is the last frame's. With `some` twice: how far two runs of
+    the same scene are apart, the yardstick for chaotic sheets."""
+    rms, hausdorff = [], []
+    for i, a in enumerate(some):
+        for b in others[i + 1:] if some is others else others:
+            if a.get("/initial/seed") != b.get("/initial/seed"):
+                one, two = _last_second(a.file), _last_second(b.file)
+                rms.append(np.median([rms_distance(p, q) for p, q in zip(one, two)]) / a.size)
+                hausdorff.append(hausdorff_distance(one[-1], two[-1]) / a.size)
+    return spread(rms), spread(hausdorff)
+
+
+@lru_cache(maxsize=64)
+def _last_second(file):
+    run = load_run(file)
+    return [run.positions(frame) for frame in run.last_second()]

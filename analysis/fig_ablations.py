@@ -26,8 +26,8 @@ def main(results, out):
     if rows:
         section.pictures.append((_picture(rows, out), "Median over the last second and over three seeds; bars: smallest and "
                                  "largest seed. Filled: our default."))
-    section.tables.append(Table("Median (smallest – largest seed)", ["question", "choice", "N", *(label for *_, label in METRICS),
-                                                                     "springs"],
+    columns = ["question", "choice", "N", *(label for *_, label in METRICS), "springs"]
+    section.tables.append(Table("Median (smallest – largest seed)", columns,
                                 [[row["question"] if row["first"] else "", row["choice"], row["cells"],
                                   *(_text(s) for s in row["spreads"]), f"{row['springs']:,.0f}"] for row in rows]))
     return section
@@ -42,8 +42,10 @@ def _rows(question, experiment):
     rows = []
     for i in sorted(groups):
         some = groups[i]
-        rows.append({"question": question.replace("_", " "), "choice": _choice(pointer, answers[i]), "default": answers[i] == default, "first": i == min(groups),
-                     "cells": some[0].get("/mesh/cells", "file"), "springs": summary_spread(some, "springs").median,
+        rows.append({"question": question.replace("_", " "), "choice": _choice(pointer, answers[i]),
+                     "default": answers[i] == default, "first": i == min(groups),
+                     "cells": round((some[0].summary["triangles"] / 2) ** 0.5),  # a mesh from a file has no /mesh/cells
+                     "springs": summary_spread(some, "springs").median,
                      "spreads": [summary_spread(some, metric) - offset for metric, offset, _ in METRICS]})
     return rows
 
@@ -80,6 +82,7 @@ def _picture(rows, out):
         panel.set_title(label)
         panel.grid(axis="y", visible=False)
         panel.tick_params(axis="y", length=0)
+        panel.tick_params(axis="x", top=True, labeltop=True)
         for row, y in zip(rows, heights):
             if row["first"]:
                 panel.axhline(y - 0.8, color=style.GRID, linewidth=0.8)

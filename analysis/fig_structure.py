@@ -31,9 +31,13 @@ def main(results, out):
 
 def neighbours(run):
     """(pinned vertex, its partners, free vertex, its partners) of the springs a run recorded."""
-    springs, rest = run.constraints("distance"), run.rest_positions
+    springs = run.constraints("distance")
     pinned, free = int(run.pin_seeds[0]), _free_vertex(run)
-    partners = lambda v: np.unique(springs[(springs == v).any(axis=1)][springs[(springs == v).any(axis=1)] != v])
+
+    def partners(vertex):
+        own = springs[(springs == vertex).any(axis=1)]
+        return np.unique(own[own != vertex])
+
     return pinned, partners(pinned), free, partners(free)
 
 
@@ -68,16 +72,17 @@ def _picture(panels, out):
         panel.set_aspect("equal")
     for panel, (title, run) in zip(axes.flat, panels):
         rest, triangles = run.rest_positions[:, :2], run.triangles
-        panel.add_collection(PolyCollection(rest[triangles], facecolors="#f6f7f8", edgecolors="#c9ced4", linewidths=0.5))
+        panel.add_collection(PolyCollection(rest[triangles], facecolors="#f6f7f8", edgecolors="#c9ced4",
+                                            linewidths=0.5))
         pinned, of_pinned, free, of_free = neighbours(run)
         for centre, partners, colour in ((pinned, of_pinned, PINNED), (free, of_free, FREE)):
             lines = [(rest[centre], rest[other]) for other in partners]
             panel.add_collection(LineCollection(lines, colors=colour, linewidths=1.0, alpha=0.8))
             panel.plot(*rest[partners].T, "o", color=colour, markersize=3.2, markeredgecolor="white", markeredgewidth=0.4)
             panel.plot(*rest[centre], "o", color=colour, markersize=7, markeredgecolor="white", zorder=4)
-            panel.annotate(f"{len(partners)} springs", (rest[centre, 0], rest[partners, 1].max() if len(partners) else rest[centre, 1]),
-                           xytext=(0, 6), textcoords="offset points", ha="center", va="bottom", color=colour, fontsize=9,
-                           bbox=dict(boxstyle="round,pad=0.2", fc="white", ec="none", alpha=0.85))
+            top = rest[[centre, *partners], 1].max()
+            panel.annotate(f"{len(partners)} springs", (rest[centre, 0], top), xytext=(0, 6), textcoords="offset points",
+                           ha="center", va="bottom", color=colour, fontsize=9, bbox=style.LABEL)
         panel.plot(*rest[run.pinned].T, "o", color="#111418", markersize=2.6, zorder=3)
         _frame_on(panel, rest, [pinned, free], [of_pinned, of_free])
         panel.set_title(title)
@@ -111,7 +116,8 @@ def _claim(panels):
             right.append(set(partners) == set(np.flatnonzero(wanted)))
     return Claim("2-4", "A pinned vertex is joined to its n-ring, a free one to its m-ring; with LOD only to the ring t.",
                  "the partners of the drawn vertices are exactly the vertices that a breadth-first walk over the mesh finds in "
-                 "these rings; a spring is there if either end asks for it, and not between two pinned vertices", numbers, all(right) if right else None)
+                 "these rings; a spring is there if either end asks for it, and not between two pinned vertices",
+                 numbers, all(right) if right else None)
 
 
 if __name__ == "__main__":

@@ -200,7 +200,8 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True):
 
     middle = camera.eye - 3.2 * camera.size * camera.axes[2]
     shadows = _ShadowMap(positions, triangles, middle, 1.3 * camera.size)
-    image = _background(camera, shape, shadows)
+    backdrop = _background(camera, (shape[0] // SUPERSAMPLE, width), shadows)  # smooth: needs no supersampling
+    image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
     seen = owner >= 0
     if seen.any():
         image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines)
@@ -217,7 +218,7 @@ def _background(camera, shape, shadows):
     distance = (camera.floor - camera.eye[2]) / np.where(rays[..., 2] < -1e-6, rays[..., 2], np.inf)
     hit = (distance > 0) & (distance < 9 * camera.size)
     points = camera.eye + distance[hit][:, None] * rays[hit]
-    lit = shadows.light(points, bias=0.0, radius=14, taps=6)
+    lit = shadows.light(points, bias=0.0, radius=14, taps=9)
     fade = np.clip(1 - (distance[hit] / camera.size - 3.0) / 4.0, 0, 1)
     image[hit] *= (1 - 0.34 * fade * (1 - lit))[:, None]
     return image

@@ -19,8 +19,11 @@ MODEL_NAMES = {"none": "no bending", "crossover": "crossover", "k_ring": "edge s
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 
+LARGE = 290_000  # bytes from which a picture gets a palette
 STRETCH = LinearSegmentedColormap.from_list("stretch", ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
+
+LABEL = dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72)  # behind text on a picture
 
 plt.rcParams.update({
     "font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8.5,
@@ -49,7 +52,7 @@ def camera_of(samples, **how):
     return render.camera_for([run.positions(frame) for run, frame in samples], pin, runs[0].size, **how)
 
 
-def draw_cloth(axes, sample, camera, width=420, caption=None, whole=True):
+def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
     """A cloth in a panel, pins marked; what left the frame is said unless the frame shows a part only (`whole`).
     `sample` is (run, frame) or None, which says that the run is missing."""
     axes.set_axis_off()
@@ -63,13 +66,18 @@ def draw_cloth(axes, sample, camera, width=420, caption=None, whole=True):
     height = image.shape[0]
     axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
     _mark_pins(axes, run, positions, camera, (height, width))
-    if caption:
-        axes.text(0.03, 0.025, caption, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35,
-                  bbox=dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72))
+    if text:
+        caption(axes, text)
     outside = share_outside(positions, camera, (height, width))
     if whole and outside > 0.005:
-        axes.text(0.97, 0.975, f"{100 * outside:.0f} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5,
-                  ha="right", va="top", color="#8a1538")
+        share = f"{100 * outside:.0f}" if outside < 0.995 else "over 99"
+        axes.text(0.97, 0.975, f"{share} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5, ha="right",
+                  va="top", color="#8a1538", bbox=LABEL)
+
+
+def caption(axes, text):
+    """A line of text in the lower left corner of a picture."""
+    axes.text(0.03, 0.025, text, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35, bbox=LABEL)
 
 
 def share_outside(positions, camera, shape):
@@ -112,7 +120,7 @@ def plain_log(axes, which="y"):
     low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
     decades = np.log10(high / low)
     axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,), numticks=20))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1000 else f"{value:g}"))
     axis.set_minor_locator(NullLocator())
 
 
@@ -155,8 +163,23 @@ def save(figure, folder, name):
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", pil_kwargs={"optimize": True})
     plt.close(figure)
-    if path.stat().st_size > 290_000:
+    if path.stat().st_size > LARGE:
         with Image.open(path) as image:
-            small = image.convert("RGB").quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)
+            image = image.convert("RGB")
+        small = image.quantize(palette=_palette(image), dither=Image.Dither.NONE)
+        colours = small.getpalette()
+        white = 3 * small.getpixel((0, 0))
+        colours[white:white + 3] = [255, 255, 255]  # the margin stays as white as the page
+        small.putpalette(colours)
         small.save(path, optimize=True)
     return path.name
+
+
+def _palette(image):
+    """256 colours for an image, the stretch colours well represented among them."""
+    strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
+    strip = strip.resize((image.width, image.height // 8))
+    both = Image.new("RGB", (image.width, image.height + strip.height))
+    both.paste(image, (0, 0))
+    both.paste(strip, (0, image.height))
+    return both.quantize(256, method=Image.Quantize.MEDIANCUT, kmeans=2)

@@ -1,4 +1,4 @@
-"""Tests of the analysis scripts on files and shapes whose answers are known beforehand. Run: python3 tests/analysis/test_analysis.py"""
+"""Tests of the analysis scripts on files and shapes whose answers are known beforehand."""
 import json
 import sys
 import tempfile
@@ -12,6 +12,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import fig_5  # noqa: E402
 import fig_structure  # noqa: E402
 import load  # noqa: E402
+import page  # noqa: E402
 import render  # noqa: E402
 import style  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
@@ -189,6 +190,15 @@ class FigureTest(unittest.TestCase):
         self.assertAlmostEqual(effect["model"], np.log10(2), places=14)  # 10 → 5 and 2 → 1
         self.assertAlmostEqual(effect["ring"], np.log10(5), places=14)  # 10 → 2 and 5 → 1
         self.assertAlmostEqual(effect["interaction"], 0, places=14)
+
+    def test_a_page_without_runs_says_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            page.main(Path(folder), Path(folder) / "paper")
+            claims = json.loads((Path(folder) / "paper/summary.json").read_text())
+            text = (Path(folder) / "paper/index.html").read_text()
+        self.assertEqual({claim["holds"] for claim in claims}, {None})
+        self.assertEqual({claim["figure"][0] for claim in claims}, set("12567"))
+        self.assertIn("configs/paper/fig1.json: 12 runs", text)
 
     def test_rings_of_a_strip(self):
         triangles = np.array([[i, i + 1, i + 2] for i in range(6)])  # i touches i + 1 and i + 2
