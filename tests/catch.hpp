@@ -13,6 +13,8 @@
 #else
 #include <catch2/catch.hpp>
 namespace Catch::Matchers {
-inline auto ContainsSubstring(const std::string& text) { return Contains(text); }  // its name in Catch2 3
+inline auto ContainsSubstring(const std::string& text) {
+  return Contains(text);
+}  // its name in Catch2 3
 }  // namespace Catch::Matchers
 #endif

@@ -254,7 +254,8 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
 }
 
 TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other", "[command line]") {
-  // Gravity that doubles as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
+  // Gravity that doubles as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half
+  // a second.
   Workplace here;
   here.write("wild.json", R"({"name": "wild", "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
       "sweep": {"/effects/0/acceleration": [[0, 0, -1e9], [0, 0, -9.81]]},
@@ -301,7 +302,7 @@ TEST_CASE("The reference commands print text and JSON", "[command line]") {
     REQUIRE(here.run(command) == 0);
     CHECK_FALSE(here.out().empty());
     REQUIRE(here.run(std::string(command) + " --json") == 0);
-    CHECK_NOTHROW(json::parse(here.out()));
+    CHECK(json::accept(here.out()));
   }
 }
 

@@ -1,4 +1,5 @@
-// From a config to a figure: the program runs one of the paper's configs, a script draws it and judges its claim.
+// From a config to a figure: the program runs one of the paper's configs, a script draws it and judges its
+// claim.
 #include <sys/wait.h>
 
 #include <cstdlib>
@@ -18,7 +19,9 @@ int run(const std::string& command) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
 }
 
-std::string quoted(const fs::path& path) { return "'" + path.string() + "'"; }
+std::string quoted(const fs::path& path) {
+  return "'" + path.string() + "'";
+}
 
 }  // namespace
 
@@ -27,8 +30,8 @@ TEST_CASE("from a config to a figure", "[experiments]") {
   fs::remove_all(folder);
   fs::create_directories(folder);
   const fs::path source(BENDLAB_SOURCE_DIR), claims = folder / "claims.json";
-  REQUIRE(run(quoted(BENDLAB_PROGRAM) + " run " + quoted(source / "configs/paper/structure.json") + " --out " +
-              quoted(folder) + " >" + quoted(folder / "table")) == 0);
+  REQUIRE(run(quoted(BENDLAB_PROGRAM) + " run " + quoted(source / "configs/paper/structure.json") +
+              " --out " + quoted(folder) + " >" + quoted(folder / "table")) == 0);
   REQUIRE(run(quoted(BENDLAB_PYTHON) + " " + quoted(source / "analysis/fig_structure.py") + " --results " +
               quoted(folder) + " --out " + quoted(folder) + " >" + quoted(claims)) == 0);
 
@@ -38,7 +41,8 @@ TEST_CASE("from a config to a figure", "[experiments]") {
   CHECK(signature == "\x89PNG\r\n\x1a\n");
   CHECK(fs::file_size(folder / "fig_structure.png") > 10000);  // an empty canvas compresses to less
 
-  // On a lattice every ring r holds 6 r vertices: a free vertex of level m = 2 has 6 + 12 springs, LOD's t = 3 has 18.
+  // On a lattice every ring r holds 6 r vertices: a free vertex of level m = 2 has 6 + 12 springs, LOD's t =
+  // 3 has 18.
   const auto claim = nlohmann::json::parse(std::ifstream(claims)).at(0);
   CHECK(claim.at("holds") == true);
   CHECK(claim.at("numbers").at("Fig. 3: adaptive, m = 2, n = 5: springs of the free vertex") == 18);

@@ -54,7 +54,7 @@ TEST_CASE("schema: the JSON Schema has every row with type, default, unit and ra
   const Json schema = schema_json();
   CHECK(schema["required"] == Json::array({"name"}));
   for (const ConfigSection& section : config_sections()) {
-    const Json& object = section_schema(schema, std::string(section.pointer));
+    const Json object = section_schema(schema, std::string(section.pointer));
     CHECK(object["additionalProperties"] == false);
     for (const Parameter& row : section.parameters) {
       const Json& setting = object["properties"].at(std::string(row.name));

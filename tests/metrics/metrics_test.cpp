@@ -1,6 +1,6 @@
-#include "bendlab/mesh/generators.hpp"
 #include <Eigen/Geometry>
 #include <cmath>
+#include "bendlab/mesh/generators.hpp"
 
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
