@@ -72,12 +72,6 @@ class ExtensibleArrayScope {
   Handle file_;
 };
 
-// gzip 1 behind a byte shuffle: on cloth positions the shuffle makes a frame smaller and packing it faster.
-void compress(hid_t creation) {
-  check(H5Pset_shuffle(creation));
-  check(H5Pset_deflate(creation, 1));
-}
-
 void write_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* value) {
   if (has_attribute(object, name)) check(H5Adelete(object, name.c_str()));
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
@@ -270,7 +264,8 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
     std::vector<hsize_t> chunk(shape.begin(), shape.end());
     chunk[0] = std::min(chunk[0], rows_per_chunk);
     check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-    compress(creation);
+    check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
+    check(H5Pset_deflate(creation, 1));
   }
   const Handle space = simple_space(shape);
   const Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
@@ -328,7 +323,6 @@ Series::Series(hid_t parent, const std::string& name, const Layout& layout)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &nan));
   check(H5Pset_chunk(creation, static_cast<int>(rank), chunk.data()));
-  if (layout.compressed) compress(creation);
   // No chunk cache: values reach the file, or fail to, in append(), before the chunk index knows of them.
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   check(H5Pset_chunk_cache(access, 1, 0, 1));

@@ -147,7 +147,8 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
 }
 
 /// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
-/// never written read as NaN: on a full disk a dataset may have grown without its values.
+/// never written read as NaN: on a full disk a dataset may have grown without its values. Not compressed: gzip
+/// saves 30 % of a moving cloth's frames and costs more time than all metrics together.
 class Series {
  public:
   struct Layout {
@@ -155,7 +156,6 @@ class Series {
     hsize_t rows = 1;                ///< per frame
     hsize_t columns = 0;             ///< 0: a vector, not a matrix
     hsize_t frames_per_chunk = 1;    ///< more than one only where a frame is a number or two
-    bool compressed = false;
   };
   Series() = default;
   Series(hid_t parent, const std::string& name, const Layout& layout);

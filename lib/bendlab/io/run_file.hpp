@@ -4,10 +4,12 @@
 //   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
 //   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of
-//   them /constraints/<kind>     attributes `count`, `hash`; datasets only on request /timing pass (P) names,
-//   seconds (P), calls (P); attributes wall_s, cpu_s /provenance             attributes; dataset `config`
-//   (resolved config, JSON text) /summary                attributes, one number each attributes of / status:
-//   running | complete | diverged | interrupted; id; name
+//                           them
+//   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
+//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s
+//   /provenance             attributes; dataset `config` (resolved config, JSON text)
+//   /summary                attributes, one number each
+//   attributes of /         status: running | complete | diverged | interrupted; id; name
 //
 // The number of committed frames is the length of /metrics/time, which is written last in every frame.
 #pragma once

@@ -47,12 +47,11 @@ RunStatus read_status(hid_t file) {
 
 Series create_points(hid_t vtk, const ParaViewShape& shape) {
   const hid_t real = shape.double_positions ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
-  return {vtk, "Points", {.type = real, .rows = shape.vertices, .columns = 3, .compressed = true}};
+  return {vtk, "Points", {.type = real, .rows = shape.vertices, .columns = 3}};
 }
 
 Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape) {
-  Series series(cell_data, field.name,
-                {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles, .compressed = true});
+  Series series(cell_data, field.name, {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles});
   series.describe(field.unit, field.meaning);
   return series;
 }

@@ -2,7 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -63,18 +65,20 @@ Keys keys_of(const ScaledTriangle& t) {
   if (!t.has_area()) return {edge_ratio, infinity, infinity, 0, -infinity, infinity, infinity};
 
   const auto& [a, b, c] = t.squared;
-  const double perimeter = std::sqrt(a) + std::sqrt(b) + std::sqrt(c), sum = a + b + c;
+  const double shortest = std::sqrt(a), middle = std::sqrt(b), longest = std::sqrt(c), sum = a + b + c;
+  const double perimeter = shortest + middle + longest;
   const double equilateral = 2 * std::numbers::sqrt3 * t.twice_area;  // 4√3 A
+  const double per_area = 1 / t.twice_area, per_equilateral = 1 / equilateral;
   // √((a + b + c)² - 48 A²), the difference written as squares: it loses no digits near the equilateral
   // triangle.
   const double distortion = std::sqrt(2 * ((a - b) * (a - b) + (b - c) * (b - c) + (c - a) * (c - a)));
   return {edge_ratio,
-          std::sqrt(c) * perimeter / equilateral,
-          std::sqrt(a * b * c) * perimeter / (4 * t.twice_area * t.twice_area),
+          longest * perimeter * per_equilateral,
+          0.25 * (shortest * per_area) * (middle * per_area) * longest * perimeter,
           equilateral / sum,
-          -t.dot_at_smallest / t.twice_area,
-          -t.dot_at_largest / t.twice_area,
-          (sum + distortion) / equilateral};
+          -t.dot_at_smallest * per_area,
+          -t.dot_at_largest * per_area,
+          (sum + distortion) * per_equilateral};
 }
 
 double measure_from_key(std::size_t measure, double key) {
@@ -89,24 +93,68 @@ double measure_from_key(std::size_t measure, double key) {
   }
 }
 
-MeasureSummary summarise(std::size_t measure, std::vector<double>& keys) {
+// Finds values by rank in two passes instead of partitioning everything: the first counts keys by their
+// leading bits, the second collects only the buckets in which a wanted rank lies.
+class RankFinder {
+ public:
+  /// The keys of these ranks, which ascend (0 is the smallest key's) below keys.size(). No key is NaN.
+  template <std::size_t N>
+  std::array<double, N> find(const std::vector<double>& keys, const std::array<std::size_t, N>& ranks) {
+    std::fill(counts_.begin(), counts_.end(), 0);
+    std::fill(wanted_.begin(), wanted_.end(), 0);
+    bucket_of_.resize(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) ++counts_[bucket_of_[i] = bucket(keys[i])];
+
+    std::array<std::size_t, N> rank_inside{};  // the rank among the collected keys
+    std::size_t passed = 0, left_out = 0, at = 0;
+    for (std::size_t n = 0; n < N; ++n) {
+      for (; passed + counts_[at] <= ranks[n]; ++at) {
+        passed += counts_[at];
+        if (!wanted_[at]) left_out += counts_[at];
+      }
+      wanted_[at] = 1;
+      rank_inside[n] = ranks[n] - left_out;
+    }
+    inside_.resize(keys.size());
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < keys.size(); ++i) {  // no branch: it could not be predicted
+      inside_[count] = keys[i];
+      count += wanted_[bucket_of_[i]];
+    }
+    std::array<double, N> values{};
+    auto begin = inside_.begin();
+    const auto end = begin + static_cast<std::ptrdiff_t>(count);
+    for (std::size_t n = 0; n < N; ++n) {
+      const auto nth = inside_.begin() + static_cast<std::ptrdiff_t>(rank_inside[n]);
+      std::nth_element(begin, nth, end);
+      values[n] = *nth;
+      begin = nth;
+    }
+    return values;
+  }
+
+ private:
+  static constexpr int bucket_bits = 13;  // 16 buckets an octave
+
+  // Grows with the key: sign, exponent and leading digits of the nearest float, negatives reversed.
+  static std::uint16_t bucket(double key) {
+    const auto bits = std::bit_cast<std::uint32_t>(static_cast<float>(key));
+    const std::uint32_t ascending = bits >> 31 ? ~bits : bits | 0x80000000u;
+    return static_cast<std::uint16_t>(ascending >> (32 - bucket_bits));
+  }
+
+  std::array<std::uint32_t, std::size_t{1} << bucket_bits> counts_;
+  std::array<std::uint8_t, std::size_t{1} << bucket_bits> wanted_;
+  std::vector<std::uint16_t> bucket_of_;
+  std::vector<double> inside_;
+};
+
+MeasureSummary summarise(std::size_t measure, const std::vector<double>& keys, RankFinder& finder) {
   const std::size_t last = keys.size() - 1;
   const auto low = static_cast<std::size_t>(std::llround(0.01 * static_cast<double>(last)));
-  const std::size_t high = last - low;
-  const auto [minimum, maximum] = std::minmax_element(keys.begin(), keys.end());
-  MeasureSummary summary{*minimum, 0, 0, 0, *maximum};
-  const auto select = [&](std::size_t from, std::size_t rank, std::size_t to) {  // in keys[from .. to]
-    const auto at = [&](std::size_t r) { return keys.begin() + static_cast<std::ptrdiff_t>(r); };
-    std::nth_element(at(from), at(rank), at(to + 1));
-    return keys[rank];
-  };
-  summary.percentile_1 = select(0, low, last);
-  summary.percentile_99 = select(low, high, last);
-  summary.median = select(low, last / 2, high);
-  for (double* value :
-       {&summary.minimum, &summary.percentile_1, &summary.median, &summary.percentile_99, &summary.maximum})
-    *value = measure_from_key(measure, *value);
-  return summary;
+  auto values = finder.find(keys, std::array<std::size_t, 5>{0, low, last / 2, last - low, last});
+  for (double& value : values) value = measure_from_key(measure, value);
+  return {values[0], values[1], values[2], values[3], values[4]};
 }
 
 }  // namespace
@@ -147,7 +195,8 @@ MeshQuality measure_quality(const Positions& positions, const Triangles& triangl
     quality.small_angles += key[4] < small_key;
     quality.degenerate_triangles += needle || cap || collinear || !scaled.finite;
   }
-  for (std::size_t m = 0; m < keys.size(); ++m) quality.measures[m] = summarise(m, keys[m]);
+  RankFinder finder;
+  for (std::size_t m = 0; m < keys.size(); ++m) quality.measures[m] = summarise(m, keys[m], finder);
   return quality;
 }
 

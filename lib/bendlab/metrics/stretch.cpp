@@ -14,7 +14,8 @@ PrincipalStretches principal_stretches(const Vector3& f1, const Vector3& f2) {
   // σ₁² is the larger eigenvalue of FᵀF; σ₂ follows from σ₁ σ₂ = |f1 × f2|, which keeps its digits when σ₂ is
   // small.
   const double s11 = f1.squaredNorm(), s22 = f2.squaredNorm(), s12 = f1.dot(f2);
-  const double largest = std::sqrt(0.5 * (s11 + s22 + std::hypot(s11 - s22, 2 * s12)));
+  const double difference = s11 - s22;
+  const double largest = std::sqrt(0.5 * (s11 + s22 + std::sqrt(difference * difference + 4 * s12 * s12)));
   return {largest, largest > 0 ? f1.cross(f2).norm() / largest : largest};
 }
 
