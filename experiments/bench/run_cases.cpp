@@ -146,7 +146,7 @@ std::vector<BenchCase> run_cases(const BenchOptions& options) {
            .oracle = "",
            .run = [=] { return measure_recording(recording, cells, duration_s, repetitions); }},
           {.id = bench_id(sweep, "float", 2), .oracle = "", .run = [=] {
-             return measure_sweep(sweep, cells / 2, duration_s / 2, repetitions);
+             return measure_sweep(sweep, cells / 2, 2 * duration_s, repetitions);
            }}};
 }
 

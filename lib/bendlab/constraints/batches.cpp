@@ -7,9 +7,9 @@ namespace {
 
 // offset_of() corner `corner` in every lane: of the constraint's vertex, or of the lane's own dummy.
 template <std::size_t arity>
-std::vector<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
-                                int corner, int vertex_count) {
-  std::vector<int> offsets(order.constraint_of_lane.size());
+LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
+                               int corner, int vertex_count) {
+  LargeArray<int> offsets(order.constraint_of_lane.size());
   for (std::size_t lane = 0; lane < offsets.size(); ++lane) {
     const int constraint = order.constraint_of_lane[lane];
     offsets[lane] = offset_of(
@@ -21,8 +21,8 @@ std::vector<int> corner_offsets(const std::vector<std::array<int, arity>>& verti
 
 // Rest data of every lane; a padded lane gets `padding`.
 template <class Real, class Get>
-std::vector<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
-  std::vector<Real> values(order.constraint_of_lane.size(), padding);
+LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
+  LargeArray<Real> values(order.constraint_of_lane.size(), padding);
   for (std::size_t lane = 0; lane < values.size(); ++lane)
     if (order.constraint_of_lane[lane] >= 0)
       values[lane] = static_cast<Real>(get(static_cast<std::size_t>(order.constraint_of_lane[lane])));

@@ -3,10 +3,9 @@
 //
 //   group   max_lanes constraints, no two of which share a vertex
 //   run     groups one after another in which every lane keeps its first vertex (a star of springs around one
-//   centre):
-//           the kernel holds the centres in registers and moves half as many points through memory
+//           centre): the kernel holds the centres in registers and moves half as many points through memory
 //   colour  runs no two of which share a vertex: they may go side by side on any number of threads with the
-//   same result
+//           same result
 //
 // A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
 #pragma once
@@ -15,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "bendlab/constraints/large_array.hpp"
 #include "bendlab/constraints/lists.hpp"
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/constraints/stiffness.hpp"
@@ -24,8 +24,8 @@ namespace bendlab {
 
 /// Where each constraint stands.
 struct BatchOrder {
-  std::vector<int>
-      constraint_of_lane;            ///< constraint index, or -1 for a padded lane; a multiple of max_lanes
+  /// Constraint index, or -1 for a padded lane; as many as a multiple of max_lanes.
+  std::vector<int> constraint_of_lane;
   std::vector<std::size_t> runs;     ///< first lane of each run, then the number of lanes
   std::vector<std::size_t> colours;  ///< first run of each colour, then the number of runs
   bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the reference may run it
@@ -39,11 +39,10 @@ inline constexpr int dummy_points = 4 * max_lanes;
 template <class Real>
 struct DistanceBatch {
   BatchOrder order;
-  std::vector<int> a;  ///< max_lanes per run: offset_of() the star's centre
-  std::vector<int> b;  ///< offset_of() the other end
-  std::vector<Real>
-      rest_length;  ///< infinite in a padded lane, which so never counts as long enough to be corrected
-  std::vector<Real> multiplier;  ///< λ, XPBD only, else empty
+  LargeArray<int> a;             ///< max_lanes per run: offset_of() the star's centre
+  LargeArray<int> b;             ///< offset_of() the other end
+  LargeArray<Real> rest_length;  ///< infinite in a padded lane: never long enough to be corrected
+  LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< α, m/N
@@ -58,9 +57,9 @@ enum class StrainForm {
 template <class Real>
 struct StrainBatch {
   BatchOrder order;
-  std::vector<int> a, b, c;              ///< offset_of() each corner
-  std::vector<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
-  std::vector<Real> multiplier;          ///< λ of warp, weft, shear, area after one another; XPBD only
+  LargeArray<int> a, b, c;              ///< offset_of() each corner
+  LargeArray<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
+  LargeArray<Real> multiplier;          ///< λ of warp, weft, shear, area after one another; XPBD only
   StrainForm form = StrainForm::normalised;
   StiffnessKind kind = StiffnessKind::k;
   Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)

@@ -3,6 +3,10 @@
 namespace bendlab {
 namespace {
 
+// Lanes by which a batch's data is fetched before it is used. A tile begins in the midst of each colour, where
+// the processor has no stream to go on with (measured at a million vertices: 8 % of a spring).
+constexpr std::size_t ahead = 512;
+
 //   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n
 //        n = (p_a - p_b) / |p_a - p_b|
 template <class Real, bool compliant>
@@ -39,6 +43,8 @@ void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t f
       PackPoints<Real> a = gather(points, centres);
       for (std::size_t group = 0; group < groups; ++group) {
         const std::size_t lane = begin + (backwards ? groups - 1 - group : group) * width;
+        prefetch(batch.b, lane + ahead);
+        prefetch(batch.rest_length, lane + ahead);
         PackPoints<Real> b = gather(points, &batch.b[lane]);
         project_pack<Real, compliant>(a, b, load(&batch.rest_length[lane]), batch.k, alpha,
                                       compliant ? &batch.multiplier[lane] : nullptr);

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <vector>
+#include "bendlab/constraints/large_array.hpp"
 
 namespace bendlab {
 
@@ -18,7 +18,7 @@ struct alignas(4 * sizeof(Real)) Point {
 };
 
 template <class Real>
-using Points = std::vector<Point<Real>>;
+using Points = LargeArray<Point<Real>>;
 
 /// Where a vertex stands in an array of points, counted in numbers. Batches store this instead of the vertex:
 /// a processor scales an address by 4 or 8 on the way, but not by the size of a point.

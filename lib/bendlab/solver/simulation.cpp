@@ -8,6 +8,7 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/workers.hpp"
 
 namespace bendlab {
@@ -16,6 +17,9 @@ namespace {
 // Ranges with less work than this are not worth waking a second thread for (about 10 µs of projections).
 constexpr std::size_t worthwhile_lanes = 2048;
 constexpr std::size_t worthwhile_vertices = 16384;
+// A tile's points take a quarter of a second-level cache of 1 MB.
+template <class Real>
+constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 constexpr double divergence_bound = 1e6;  // sizes from the origin
 
 template <class Real>
@@ -134,10 +138,20 @@ class SimulationOf final : public Simulation {
                 state_.vertex_count);
   }
 
+  // Several threads go colour by colour instead.
+  template <std::size_t arity>
+  std::vector<RunRange> tiles_of(const BatchOrder& order, std::vector<std::array<int, arity>> corners) const {
+    if (settings_.threads > 1 || !order.conflict_free) return {};
+    for (auto& corner : corners)
+      for (int& vertex : corner) vertex = static_cast<int>(place_of(static_cast<std::size_t>(vertex)));
+    return tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
+  }
+
   void fill_constraints(const SimulationInput& input) {
     const int projections = settings_.projections_per_substep();
     StrainBatch<Real>& strain = constraints_.strain;
     strain = batch_of(input.strain, colour_order<3>, make_strain_batch<Real>);
+    strain_tiles_ = tiles_of(strain.order, input.strain.vertices);
     const StrainStiffness& s = input.strain_stiffness;
     const auto fraction = [&](double k) {
       return static_cast<Real>(k_of_projection(s.kind, k, projections));
@@ -149,6 +163,7 @@ class SimulationOf final : public Simulation {
 
     DistanceBatch<Real>& distance = constraints_.distance;
     distance = batch_of(input.distance, star_order, make_distance_batch<Real>);
+    distance_tiles_ = tiles_of(distance.order, input.distance.vertices);
     const SpringStiffness& d = input.spring_stiffness;
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
@@ -164,9 +179,9 @@ class SimulationOf final : public Simulation {
     add_effects(before_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
     const bool strain_first = settings_.first == FirstConstraint::strain;
-    if (strain_first) add_projection(constraints_.strain, "strain");
-    add_projection(constraints_.distance, "bending");
-    if (!strain_first) add_projection(constraints_.strain, "strain");
+    if (strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
+    add_projection(constraints_.distance, distance_tiles_, "bending");
+    if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     std::reverse(backward_.begin(), backward_.end());
     after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
     add_effects(after_, Stage::velocity);
@@ -179,11 +194,13 @@ class SimulationOf final : public Simulation {
 
   // A kind of constraint that the scene has none of gets no pass.
   template <class Batch>
-  void add_projection(Batch& batch, const char* name) {
+  void add_projection(Batch& batch, const std::vector<RunRange>& tiles, const char* name) {
     if (batch.count == 0) return;
     const std::size_t row = add_statistics(name);
-    forward_.push_back({[this, &batch](PassContext<Real>& c) { sweep(batch, c.substep, false); }, row});
-    backward_.push_back({[this, &batch](PassContext<Real>& c) { sweep(batch, c.substep, true); }, row});
+    forward_.push_back(
+        {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, false); }, row});
+    backward_.push_back(
+        {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, true); }, row});
   }
 
   void run(const std::vector<PlannedPass<Real>>& passes, PassContext<Real>& context) {
@@ -210,12 +227,17 @@ class SimulationOf final : public Simulation {
   }
 
   template <class Batch>
-  void sweep(Batch& batch, Real h, bool backwards) {
+  void sweep(Batch& batch, const std::vector<RunRange>& tiles, Real h, bool backwards) {
     Point<Real>* const points = state_.position.data();
     if (!batch.order.conflict_free) {
       project_reference(points, batch, h, backwards);
       return;
     }
+    for (std::size_t step = 0; step < tiles.size(); ++step) {
+      const RunRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
+      project(points, batch, range.first, range.last, h, backwards);
+    }
+    if (!tiles.empty()) return;
     const std::vector<std::size_t>&colours = batch.order.colours, &runs = batch.order.runs;
     for (std::size_t step = 0; step + 1 < colours.size(); ++step) {
       const std::size_t colour = backwards ? colours.size() - 2 - step : step;
@@ -273,6 +295,7 @@ class SimulationOf final : public Simulation {
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;
+  std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::vector<PlannedPass<Real>> before_, forward_, backward_, after_;
   std::vector<PassStatistics> statistics_;
   std::uint64_t substeps_done_ = 0;

@@ -9,23 +9,21 @@
 // or three points and writing them back; what it costs is moving them. So
 //
 // * a vertex is four numbers, position and inverse mass, moved by one load or store and transposed in
-// registers: one load
-//   where x, y, z and w apart would take four;
+//   registers: one load where x, y, z and w apart would take four;
 // * constraints without a common vertex go side by side, one per lane. Colouring finds them: a greedy
-// first-fit over the list,
-//   after the pins are known (a constraint between pinned vertices is not there to be coloured). It knows
-//   nothing of lane width or threads, so neither changes a bit of the result;
-// * springs are coloured as whole stars, all springs of one centre in one lane: the centre stays in a
-// register (half the
-//   traffic), the ring around it is small enough for the first-level cache, and the colours are few and
-//   large, which is what threads want: they meet once per colour;
+//   first-fit over the list, after the pins are known (a constraint between pinned vertices is not there to
+//   be coloured). It knows nothing of lane width or threads, so neither changes a bit of the result;
+// * springs are coloured as stars, up to four springs of one centre in one lane: the centre stays in a
+//   register (half the traffic) and the colours are few and large, which is what threads want: they meet once
+//   per colour. Longer stars are faster and converge worse;
 // * triangles are coloured one by one: they share too few vertices for stars to pay;
 // * a batch stores what the kernel needs in the order in which it needs it: offsets ready for an address,
-// rest values, XPBD's
-//   multipliers; nothing is computed twice and nothing is branched on;
+//   rest values, XPBD's multipliers; nothing is computed twice and nothing is branched on;
 // * vertices keep the mesh's numbering where that is local, else the reverse Cuthill-McKee order (a scanned
-// or exported mesh
-//   may be numbered at random).
+//   or exported mesh may be numbered at random);
+// * one thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so that
+//   the points of a large mesh come from memory once per sweep, not once per colour. The bits are those of
+//   colour after colour, which is how several threads go.
 //
 // What colouring costs is convergence: a colour sees its neighbours' corrections only after a whole colour,
 // where list order passes them on at once. `bendlab bench` measures by how much; `order: mesh` runs the list

@@ -1,11 +1,9 @@
 // Tensile crossover springs: the usual bending springs that the paper compares with (Fig. 2).
 //
 //      o              o---o---o
-//     / \                \ | /        opposite: over every interior edge, between the two triangles' far
-//     vertices
-//    o---o    or           v          straight: over every vertex, between neighbours that lie on a line
-//    through it
-//     \ /                / | \                                     .
+//     / \              \  |  /       opposite: over every interior edge, between the two triangles' far
+//    o---o    or          v          vertices; straight: over every vertex, between neighbours that lie on a
+//     \ /              /  |  \       line through it
 //      o              o---o---o
 #include <algorithm>
 #include <cmath>

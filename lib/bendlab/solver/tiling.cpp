@@ -1,0 +1,61 @@
+#include "bendlab/solver/tiling.hpp"
+
+#include <algorithm>
+#include <limits>
+
+namespace bendlab {
+namespace {
+
+struct Extent {
+  int lowest = std::numeric_limits<int>::max(), highest = -1;
+};
+
+template <std::size_t arity>
+std::vector<Extent> extents_of_runs(const BatchOrder& order,
+                                    const std::vector<std::array<int, arity>>& corners) {
+  std::vector<Extent> extents(order.run_count());
+  for (std::size_t run = 0; run < extents.size(); ++run)
+    for (std::size_t lane = order.runs[run]; lane < order.runs[run + 1]; ++lane)
+      if (const int constraint = order.constraint_of_lane[lane]; constraint >= 0)
+        for (const int vertex : corners[static_cast<std::size_t>(constraint)]) {
+          extents[run].lowest = std::min(extents[run].lowest, vertex);
+          extents[run].highest = std::max(extents[run].highest, vertex);
+        }
+  return extents;
+}
+
+}  // namespace
+
+template <std::size_t arity>
+std::vector<RunRange> tiled(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
+                            int vertex_count, int tile_vertices) {
+  const std::vector<Extent> extents = extents_of_runs(order, corners);
+  // The lowest vertex of a run and of all behind it in its colour: below it the colour has done its work once
+  // the runs before are done.
+  std::vector<int> lowest_left(extents.size());
+  std::vector<std::size_t> next;  // per colour, the first run still to do
+  for (std::size_t colour = 0; colour + 1 < order.colours.size(); ++colour) {
+    next.push_back(order.colours[colour]);
+    int lowest = std::numeric_limits<int>::max();
+    for (std::size_t run = order.colours[colour + 1]; run-- > order.colours[colour];)
+      lowest_left[run] = lowest = std::min(lowest, extents[run].lowest);
+  }
+  std::vector<RunRange> ranges;
+  for (int end = std::min(tile_vertices, vertex_count);; end = std::min(end + tile_vertices, vertex_count)) {
+    int settled = end;  // all colours before this one have done their work below it
+    for (std::size_t colour = 0; colour < next.size(); ++colour) {
+      const std::size_t first = next[colour];
+      while (next[colour] < order.colours[colour + 1] && extents[next[colour]].highest < settled)
+        ++next[colour];
+      if (first < next[colour]) ranges.push_back({first, next[colour]});
+      if (next[colour] < order.colours[colour + 1]) settled = std::min(settled, lowest_left[next[colour]]);
+    }
+    if (end == vertex_count) return ranges;
+  }
+}
+
+template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 2>>&, int, int);
+template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 3>>&, int, int);
+template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 4>>&, int, int);
+
+}  // namespace bendlab
