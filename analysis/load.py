@@ -34,6 +34,7 @@ class Run:
     cpu_s: float = 0.0
     passes: dict = field(default_factory=dict)  # pass → seconds
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
+    source_hash: str = ""  # of the program that ran it
 
     def get(self, pointer, default=None):
         """Value of the resolved config at a JSON pointer."""
@@ -152,6 +153,7 @@ def load_run(path):
             wall_s=float(np.ravel(attributes("timing").get("wall_s", 0))[0]),
             cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
             passes=passes,
+            source_hash=_text(attributes("provenance").get("source_hash", "")),
             counts={kind: int(np.ravel(data.attrs["count"])[0]) for kind, data in group("constraints").items()},
         )
 
@@ -293,6 +295,9 @@ def load_experiment(results, config):
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
     sweep = settings.get("sweep", {})
     runs = [run for run in load_runs(Path(results) / settings["name"], list(sweep)) if _on_sweep(run.config, sweep)]
+    if config.endswith("_full"):  # made on request only, so what is there may be of an older program than the rest
+        sources = {run.source_hash for run in load_experiment(results, config.removesuffix("_full")).runs}
+        runs = [run for run in runs if run.source_hash in sources]
     there = {_place(run.config, sweep) for run in runs if run.status in ("complete", "diverged")}
     wanted = dict.fromkeys(_place(_with(settings, point), sweep) for point in _points(sweep))
     missing = [", ".join(f"{pointer} {value}" for pointer, value in place) for place in wanted if place not in there]
