@@ -124,34 +124,29 @@ class SimulationOf final : public Simulation {
     return place_.empty() ? vertex : static_cast<std::size_t>(place_[vertex]);
   }
 
-  // A batch of a list's constraints: coloured by `colour`, of vertices where they stand.
+  // A batch of a list's constraints, of vertices where they stand, ordered by `colour`; and one thread's way
+  // through it. Several threads go colour by colour.
   template <class List, class Colour, class Make>
-  auto batch_of(const List& list, Colour colour, Make make) const {
+  auto batch_of(const List& list, Colour colour, Make make, std::vector<RunRange>& tiles) const {
+    const auto ordered = [&](const auto& corners) {
+      BatchOrder order = colour(corners, state_.vertex_count);
+      if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
+      return order;
+    };
     if (settings_.order == ConstraintOrder::mesh)
       return make(list, list_order(list.size()), state_.vertex_count);
-    if (place_.empty()) return make(list, colour(list.vertices, state_.vertex_count), state_.vertex_count);
+    if (place_.empty()) return make(list, ordered(list.vertices), state_.vertex_count);
     const Placed placed(list.vertices, place_);
     List in_place = list;
     for (std::size_t c = 0; c < list.size(); ++c)
       in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];
-    return make(in_place, placed.in_terms_of_the_list(colour(placed.vertices, state_.vertex_count)),
-                state_.vertex_count);
-  }
-
-  // Several threads go colour by colour instead.
-  template <std::size_t arity>
-  std::vector<RunRange> tiles_of(const BatchOrder& order, std::vector<std::array<int, arity>> corners) const {
-    if (settings_.threads > 1 || !order.conflict_free) return {};
-    for (auto& corner : corners)
-      for (int& vertex : corner) vertex = static_cast<int>(place_of(static_cast<std::size_t>(vertex)));
-    return tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
+    return make(in_place, placed.in_terms_of_the_list(ordered(placed.vertices)), state_.vertex_count);
   }
 
   void fill_constraints(const SimulationInput& input) {
     const int projections = settings_.projections_per_substep();
     StrainBatch<Real>& strain = constraints_.strain;
-    strain = batch_of(input.strain, colour_order<3>, make_strain_batch<Real>);
-    strain_tiles_ = tiles_of(strain.order, input.strain.vertices);
+    strain = batch_of(input.strain, colour_order<3>, make_strain_batch<Real>, strain_tiles_);
     const StrainStiffness& s = input.strain_stiffness;
     const auto fraction = [&](double k) {
       return static_cast<Real>(k_of_projection(s.kind, k, projections));
@@ -162,8 +157,7 @@ class SimulationOf final : public Simulation {
     if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
 
     DistanceBatch<Real>& distance = constraints_.distance;
-    distance = batch_of(input.distance, star_order, make_distance_batch<Real>);
-    distance_tiles_ = tiles_of(distance.order, input.distance.vertices);
+    distance = batch_of(input.distance, star_order, make_distance_batch<Real>, distance_tiles_);
     const SpringStiffness& d = input.spring_stiffness;
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
