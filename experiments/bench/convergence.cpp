@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "bendlab/metrics/stretch.hpp"
 #include "experiments/bench/families.hpp"
@@ -31,6 +33,44 @@ void do_steps(Simulation& simulation, int steps) {
     if (!simulation.step()) throw std::runtime_error("a scene for comparing orders diverged");
 }
 
+// #V: edges to the nearest pinned vertex.
+std::vector<int> edges_from_pins(const Scene& scene) {
+  std::vector<int> distance(static_cast<std::size_t>(scene.rest.vertex_count()), -1), queue = scene.pins.all;
+  for (const int pinned : queue) distance[static_cast<std::size_t>(pinned)] = 0;
+  for (std::size_t next = 0; next < queue.size(); ++next)
+    for (const int neighbour : scene.rest.one_ring()[queue[next]])
+      if (int& there = distance[static_cast<std::size_t>(neighbour)]; there < 0) {
+        there = distance[static_cast<std::size_t>(queue[next])] + 1;
+        queue.push_back(neighbour);
+      }
+  return distance;
+}
+
+template <std::size_t arity, class Rest>
+void sort_by(const std::vector<int>& key_of_vertex, bool descending,
+             std::vector<std::array<int, arity>>& vertices, std::vector<Rest>& rest) {
+  std::vector<std::pair<int, std::size_t>> order;
+  for (std::size_t c = 0; c < vertices.size(); ++c) {
+    int sum = 0;
+    for (const int vertex : vertices[c]) sum += key_of_vertex[static_cast<std::size_t>(vertex)];
+    order.emplace_back(descending ? -sum : sum, c);
+  }
+  std::sort(order.begin(), order.end());
+  auto sorted_vertices = vertices;
+  auto sorted_rest = rest;
+  for (std::size_t c = 0; c < order.size(); ++c)
+    sorted_vertices[c] = vertices[order[c].second], sorted_rest[c] = rest[order[c].second];
+  vertices = std::move(sorted_vertices), rest = std::move(sorted_rest);
+}
+
+Scene sorted_from_pins(Scene scene, bool descending) {
+  const std::vector<int> distance = edges_from_pins(scene);
+  scene.input.place.clear();  // which would sort the lists again
+  sort_by(distance, descending, scene.input.strain.vertices, scene.input.strain.inverse_rest);
+  sort_by(distance, descending, scene.input.distance.vertices, scene.input.distance.rest_length);
+  return scene;
+}
+
 BenchRow measure(const std::string& name, const ConvergenceScene& scene, int sweeps) {
   const ConvergenceError error = convergence_errors(scene, std::array{sweeps}).front();
   const Scene built = build_scene(parse_experiment(scene.config, scene.name).runs.front());
@@ -42,6 +82,9 @@ BenchRow measure(const std::string& name, const ConvergenceScene& scene, int swe
   row.more = {{"sweeps", sweeps},
               {"strain_error_colour", error.colour},
               {"strain_error_mesh", error.mesh},
+              {"strain_error_from_pins", error.from_pins},
+              {"strain_error_to_pins", error.to_pins},
+              {"strain_error_colour_from_pins", error.colour_from_pins},
               {"colour_over_mesh", error.colour / error.mesh},
               {"sweeps_to_match", error.sweeps_to_match}};
   return row;
@@ -62,18 +105,25 @@ std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, 
     start.input.velocities = before->velocities();
   }
   const StretchMeter meter(start.rest, start.pins);
-  const auto error_after = [&](int iterations, ConstraintOrder order) {
-    start.input.settings.iterations = iterations;
-    start.input.settings.order = order;
-    const auto simulation = simulation_of(start);
+  const auto error_of = [&](Scene scene_now, int iterations, ConstraintOrder order) {
+    scene_now.input.settings.iterations = iterations;
+    scene_now.input.settings.order = order;
+    const auto simulation = simulation_of(scene_now);
     do_steps(*simulation, 1);
     return meter.summarise(meter.measure(simulation->positions())).mean_strain;
   };
+  const auto error_after = [&](int iterations, ConstraintOrder order) {
+    return error_of(start, iterations, order);
+  };
   std::vector<ConvergenceError> errors;
   for (const int n : sweeps) {
-    ConvergenceError error{.sweeps = n,
-                           .colour = error_after(n, ConstraintOrder::colour),
-                           .mesh = error_after(n, ConstraintOrder::mesh)};
+    ConvergenceError error{
+        .sweeps = n,
+        .colour = error_after(n, ConstraintOrder::colour),
+        .mesh = error_after(n, ConstraintOrder::mesh),
+        .from_pins = error_of(sorted_from_pins(start, false), n, ConstraintOrder::mesh),
+        .to_pins = error_of(sorted_from_pins(start, true), n, ConstraintOrder::mesh),
+        .colour_from_pins = error_of(sorted_from_pins(start, false), n, ConstraintOrder::colour)};
     for (int more = 1; error.sweeps_to_match == 0 && more <= 4 * (n + convergence_cells); ++more)
       if (error_after(more, ConstraintOrder::colour) <= error.mesh) error.sweeps_to_match = more;
     errors.push_back(error);

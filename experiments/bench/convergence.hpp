@@ -21,6 +21,8 @@ inline constexpr int convergence_cells = 32;
 struct ConvergenceError {
   int sweeps = 0;
   double colour = 0, mesh = 0;
+  double from_pins = 0, to_pins = 0;  ///< one after another, by edges from the nearest pin
+  double colour_from_pins = 0;        ///< by colour, found in the order from_pins
   int sweeps_to_match = 0;  ///< with which `colour` first leaves no more than `mesh`; 0: not with four times
                             ///< (sweeps + convergence_cells)
 };
