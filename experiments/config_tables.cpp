@@ -157,8 +157,9 @@ const std::array<Parameter, 4>& bending() {
       Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
                 .meaning = "Stiffness of every bending constraint",
                 .minimum = 0, .maximum = 1},
-      Parameter{.name = "compliance", .type = number, .unit = "m/N", .default_value = 0.0,
-                .meaning = "Compliance of every bending constraint where stiffness is compliance; 0 is rigid",
+      Parameter{.name = "compliance", .type = number, .unit = "m/N or 1/(N m)", .default_value = 0.0,
+                .meaning = "Inverse stiffness where stiffness is compliance; 0 is rigid. Of what, `bendlab models` "
+                           "says for each model",
                 .minimum = 0},
   };
   return table;

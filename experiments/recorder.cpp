@@ -152,6 +152,8 @@ std::map<std::string, double> Recorder::summary(const Simulation& simulation) co
       {"vertices", scene_.rest.vertex_count()},
       {"triangles", scene_.rest.triangle_count()},
       {"springs", static_cast<double>(scene_.input.distance.size())},
+      {"bending_constraints",
+       static_cast<double>(scene_.input.distance.size() + element_count(scene_.input.elements))},
       {"springs_beyond_ring_1", scene_.springs_beyond_ring_1},
       {"pinned_vertices", static_cast<double>(scene_.pins.all.size())},
       {"projections", static_cast<double>(simulation.projections())},

@@ -77,6 +77,14 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                                   }),
                         record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
                                   [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
+  for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    if (list.size() > 0)  // of the rest values, the first
+      header.constraints.push_back(record_of(std::string(Kind::name), list,
+                                             simulation.element_order(Kind::name), in_full,
+                                             [&](std::size_t c) { return list.rest[c][0]; }));
+  });
+  std::string ordering_hash;
+  for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;
   header.provenance = {{"version", std::string(build.version)},
                        {"git_commit", std::string(build.git_commit)},
                        {"git_dirty", build.git_dirty ? "yes" : "no"},
@@ -89,7 +97,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"host", host_name()},
                        {"threads", std::to_string(scene.input.settings.threads)},
                        {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
-                       {"ordering_hash", header.constraints[0].hash + header.constraints[1].hash},
+                       {"ordering_hash", ordering_hash},
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));

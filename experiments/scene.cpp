@@ -91,7 +91,7 @@ StrainStiffness strain_stiffness(const ParameterValues& values) {
           .compliance = values.number("compliance")};
 }
 
-SpringStiffness spring_stiffness(const ParameterValues& values) {
+BendingStiffness bending_stiffness(const ParameterValues& values) {
   return {.kind = stiffness_kind(values.text("stiffness")),
           .k = values.number("k"),
           .compliance = values.number("compliance")};
@@ -215,7 +215,8 @@ Scene build_scene(const RunConfig& config) {
   scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
   scene.bending_facts = std::move(bending.facts);
   input.distance = std::move(bending.distance);
-  input.spring_stiffness = spring_stiffness(config.section("/bending"));
+  input.elements = std::move(bending.elements);
+  input.bending_stiffness = bending_stiffness(config.section("/bending"));
   return scene;
 }
 

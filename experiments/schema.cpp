@@ -192,10 +192,12 @@ Json list_schema(std::string_view name) {
 
 // Name, then labelled lines; empty ones are left out.
 std::string entry_text(std::string_view name, std::string_view summary, std::string_view source,
-                       std::string_view limits, std::span<const Parameter> parameters) {
+                       std::string_view limits, std::string_view compliance,
+                       std::span<const Parameter> parameters) {
   std::string text = fmt::format("{}\n{}", name, wrapped(summary, 2));
   if (!source.empty()) text += wrapped(fmt::format("Source: {}", source), 2);
   if (!limits.empty()) text += wrapped(fmt::format("Limits: {}", limits), 2);
+  if (!compliance.empty()) text += wrapped(fmt::format("Compliance: {}", compliance), 2);
   return text + (parameters.empty() ? "  No settings\n" : rows_text(parameters));
 }
 
@@ -235,8 +237,8 @@ Json schema_json() {
 std::string models_text() {
   std::string text;
   for (const BendingModel* model : bending_models())
-    text += (text.empty() ? "" : "\n") +
-            entry_text(model->name, model->summary, model->source, model->limits, model->parameters);
+    text += (text.empty() ? "" : "\n") + entry_text(model->name, model->summary, model->source, model->limits,
+                                                    model->compliance, model->parameters);
   return text;
 }
 
@@ -248,6 +250,7 @@ Json models_json() {
     entry["summary"] = model->summary;
     entry["source"] = model->source;
     entry["limits"] = model->limits;
+    entry["compliance"] = model->compliance;
     entry["parameters"] = rows_json(model->parameters);
   }
   return json;
@@ -257,7 +260,7 @@ std::string effects_text() {
   std::string text;
   for (const Effect* effect : effects())
     text += (text.empty() ? "" : "\n") +
-            entry_text(effect->name, effect->summary, effect->source, "", effect->parameters);
+            entry_text(effect->name, effect->summary, effect->source, "", "", effect->parameters);
   return text;
 }
 

@@ -1,6 +1,7 @@
 // Every constraint's gradient against central differences, and what its invariances demand of it.
 #include <functional>
 
+#include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -84,6 +85,44 @@ TEST_CASE("strain gradients agree with differences", "[constraints]") {
       check_gradient<3>([&](const Corners<3>& x) { return shear_constraint(x, q, form); }, p);
     }
     check_gradient<3>([&](const Corners<3>& x) { return area_constraint(x, q); }, p);
+  }
+}
+
+// Two triangles at an edge, folded at random, far from collapsed and from the cut at ±π.
+Corners<4> random_hinge(std::mt19937_64& random) {
+  for (;;) {
+    Corners<4> p;
+    for (Vector3& corner : p) corner = test::random_vector(random);
+    const ConstraintValue<double, 4> angle = hinge_angle(p, 1.0);
+    const auto height = [&](std::size_t i) {
+      return (p[i] - p[0]).cross(p[i] - p[1]).norm() / (p[1] - p[0]).norm();
+    };
+    if ((p[1] - p[0]).norm() > 0.3 && height(2) > 0.3 && height(3) > 0.3 && std::abs(angle.value) < 2.8)
+      return p;
+  }
+}
+
+TEST_CASE("hinge gradients agree with differences", "[constraints]") {
+  std::mt19937_64 random(12);
+  for (int trial = 0; trial < 100; ++trial) {
+    const Corners<4> p = random_hinge(random);
+    check_gradient<4>([](const Corners<4>& x) { return hinge_angle(x, 0.7); }, p);
+    for (const double rest : {0.0, 0.9, -2.0})
+      for (const auto law : {HingeAngle::Law::angle, HingeAngle::Law::half_sine}) {
+        const std::array<double, 4> values = {rest, 0.7, std::sin(rest / 2), std::cos(rest / 2)};
+        if (std::abs(hinge_angle(p, 0.7).value - rest) < 3.0)  // else it may wrap between two differences
+          check_gradient<4>([&](const Corners<4>& x) { return HingeAngle::value(x, values, law); }, p);
+      }
+    const double a = test::uniform(random, 0.2, 2), b = test::uniform(random, 0.2, 2);
+    const std::array<double, 6> k = {a, b, -0.6 * (a + b), -0.4 * (a + b), 0.3, 1};  // sum 0
+    for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy}) {
+      // K annihilates translations; moments vanish only where K x0 = 0, as for the cotangents of a flat hinge.
+      const Constraint<4> constraint = [&](const Corners<4>& x) { return QuadraticBend::value(x, k, law); };
+      const Corners<4> expected = difference_gradient(constraint, p);
+      const ConstraintValue<double, 4> c = constraint(p);
+      for (std::size_t i = 0; i < 4; ++i)
+        CHECK((c.gradient[i] - expected[i]).norm() <= 1e-6 * expected[0].norm());
+    }
   }
 }
 

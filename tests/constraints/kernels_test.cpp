@@ -48,7 +48,42 @@ struct Crumpled {
     if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.b.size(), 0);
     return batch;
   }
+
+  template <class Kind>
+  ElementBatch<Real, Kind> elements(std::string_view model, StiffnessKind kind,
+                                    typename Kind::Law law) const {
+    const Pins none = make_pins(rest, {}, 0);
+    const BendingModel& bending = *find_bending_model(model);
+    auto list = std::get<ElementList<Kind>>(
+        bending.build({rest, none, ParameterValues(bending.parameters)}).elements);
+    for (std::size_t c = 0; c < list.size(); ++c) bend_at_rest(list.rest[c], c);
+    ElementBatch<Real, Kind> batch =
+        make_element_batch<Real>(list, colour_order(list.vertices, rest.vertex_count()), rest.vertex_count());
+    batch.law = law, batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(1e-2);
+    if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+    return batch;
+  }
+
+  // Rest angles of every sign and size, tiny and none among them.
+  static void bend_at_rest(std::array<double, 4>& hinge, std::size_t c) {
+    const double angle = c % 5 == 0 ? 0 : std::sin(static_cast<double>(c)) * 2.5;
+    hinge = {angle, hinge[1], std::sin(angle / 2), std::cos(angle / 2)};
+  }
+  static void bend_at_rest(std::array<double, 6>& quadratic, std::size_t c) {
+    quadratic[4] = c % 5 == 0 ? 0 : 0.01 * static_cast<double>(c % 7);
+  }
 };
+
+// Calls check(batch) for the elements of every kind, law and stiffness.
+template <class Real, class Check>
+void for_elements(const Crumpled<Real>& cloth, const Check& check) {
+  for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
+    for (const auto law : {HingeAngle::Law::angle, HingeAngle::Law::half_sine})
+      check(cloth.template elements<HingeAngle>("dihedral", kind, law));
+    for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy})
+      check(cloth.template elements<QuadraticBend>("isometric", kind, law));
+  }
+}
 
 template <class Real, class Batch>
 void project_all(Points<Real>& points, Batch& batch, bool backwards = false) {
@@ -94,6 +129,7 @@ TEMPLATE_TEST_CASE("kernels agree with the reference to rounding", "[constraints
     for (const StrainForm form : {StrainForm::normalised, StrainForm::green})
       check_kernel(cloth, cloth.strain(kind, form));
   }
+  for_elements(cloth, [&](const auto& batch) { check_kernel(cloth, batch); });
 }
 
 TEMPLATE_TEST_CASE("damping kernels agree with the reference to rounding", "[constraints]", float, double) {
@@ -112,6 +148,7 @@ TEMPLATE_TEST_CASE("damping kernels agree with the reference to rounding", "[con
   };
   check(cloth.distance(StiffnessKind::k));
   check(cloth.strain(StiffnessKind::k, StrainForm::normalised));
+  for_elements(cloth, check);
 }
 
 TEST_CASE("every projection keeps linear and angular momentum", "[constraints]") {
@@ -138,6 +175,7 @@ TEST_CASE("every projection keeps linear and angular momentum", "[constraints]")
   };
   check(cloth.distance(StiffnessKind::k, false));
   check(cloth.distance(StiffnessKind::compliance, false));
+  for_elements(cloth, check);
   // A triangle's terms follow one another, each with its own gradient: one at a time.
   for (const StrainForm form : {StrainForm::normalised, StrainForm::green})
     for (int term = 0; term < 4; ++term) {
@@ -160,6 +198,7 @@ TEMPLATE_TEST_CASE("collapsed elements and padded lanes are left alone", "[const
   check(cloth.distance(StiffnessKind::compliance));
   check(cloth.strain(StiffnessKind::k, StrainForm::normalised));
   check(cloth.strain(StiffnessKind::compliance, StrainForm::green));
+  for_elements(cloth, check);
 }
 
 TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[constraints]") {

@@ -96,7 +96,7 @@ TEST_CASE("a stiff sheet's spin decays as the projection makes it", "[solver]") 
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   input.settings.iterations = 200;  // rigid
   input.settings.sweep = Sweep::symmetric;
-  input.spring_stiffness.k = 1;
+  input.bending_stiffness.k = 1;
   const double theta = 0.05, omega = theta / input.settings.dt;
   input.velocities.resize(rest.vertex_count(), 3);
   for (int v = 0; v < rest.vertex_count(); ++v)
@@ -124,9 +124,9 @@ TEMPLATE_TEST_CASE("threads and repeats give the same bits", "[solver]", float, 
 TEMPLATE_TEST_CASE("the unit of length does not matter", "[solver]", float, double) {
   for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
     SimulationInput input = pinned_sheet();
-    input.strain_stiffness.kind = input.spring_stiffness.kind = kind;
+    input.strain_stiffness.kind = input.bending_stiffness.kind = kind;
     input.strain_stiffness.compliance = 1e-5;
-    input.spring_stiffness.compliance = 1e-4;
+    input.bending_stiffness.compliance = 1e-4;
     const Positions metres = after<TestType>(input, 60);
     for (const double factor : {0x1p10, 0x1p-10})  // exact in binary: every rounding is the same
       CHECK(after<TestType>(in_units(input, factor), 60, 9.81 * factor) / factor == metres);
@@ -172,9 +172,9 @@ TEST_CASE("a mesh numbered at random is put in order, and the answer stays where
   // Places only change the order of projections; with compliance everywhere any order comes to the same step.
   SimulationInput input = test::sheet(rest, make_pins(rest, {5}, 0), "crossover");
   input.settings.iterations = 1000;
-  input.strain_stiffness.kind = input.spring_stiffness.kind = StiffnessKind::compliance;
+  input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
   input.strain_stiffness.compliance = 1e-3;
-  input.spring_stiffness.compliance = 1e-2;
+  input.bending_stiffness.compliance = 1e-2;
   const Positions plain = after<double>(input, 2, 0.981);
   input.place = place;
   const Positions placed = after<double>(input, 2, 0.981);
@@ -213,9 +213,9 @@ TEST_CASE("both orders and both sweeps solve the same problem", "[solver]") {
   // of gravity, a sheet that moves by some 5 mm may differ by a small fraction of that.
   SimulationInput input = pinned_sheet(8);
   input.settings.iterations = 400;
-  input.strain_stiffness.kind = input.spring_stiffness.kind = StiffnessKind::compliance;
+  input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
   input.strain_stiffness.compliance = 1e-3;
-  input.spring_stiffness.compliance = 1e-2;
+  input.bending_stiffness.compliance = 1e-2;
   const Positions colour = after<double>(input, 6, 0.981);
   const double motion = (colour - input.positions).cwiseAbs().maxCoeff();
   REQUIRE(motion > 1e-3);
@@ -228,9 +228,9 @@ TEST_CASE("both orders and both sweeps solve the same problem", "[solver]") {
 
 TEST_CASE("XPBD with zero compliance is PBD with k = 1", "[solver]") {
   SimulationInput input = pinned_sheet();
-  input.spring_stiffness.k = 1;
+  input.bending_stiffness.k = 1;
   const Positions pbd = after<double>(input, 30);
-  input.strain_stiffness.kind = input.spring_stiffness.kind = StiffnessKind::compliance;
+  input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
   CHECK((after<double>(input, 30) - pbd).cwiseAbs().maxCoeff() <
         1e-9);  // the same up to the order of operations
 }
@@ -245,7 +245,7 @@ TEST_CASE("a compliant spring stretches by its compliance times the load", "[sol
   input.mass = {1, 0.3};
   input.is_pinned = {1, 0};
   input.distance = {.vertices = {{0, 1}}, .rest_length = {1}};
-  input.spring_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-2};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-2};
   input.settings.dt = 1.0 / 600;
   for (const int iterations : {1, 20}) {
     input.settings.iterations = iterations;

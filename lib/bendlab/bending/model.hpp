@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bendlab/constraints/lists.hpp"
+#include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/parameters/parameter.hpp"
@@ -23,6 +23,7 @@ struct BendingFact {
 
 struct BendingConstraints {
   DistanceConstraints distance;
+  ElementLists elements;
   std::vector<BendingFact> facts;
 };
 
@@ -34,9 +35,10 @@ struct BendingInput {
 
 struct BendingModel {
   std::string_view name;
-  std::string_view summary;  ///< one line: what is joined to what
-  std::string_view source;   ///< paper and equation
-  std::string_view limits;   ///< what it cannot do
+  std::string_view summary;     ///< one line: what is joined to what
+  std::string_view source;      ///< paper and equation
+  std::string_view limits;      ///< what it cannot do
+  std::string_view compliance;  ///< what the scene's compliance is the inverse of
   std::span<const Parameter> parameters;
   BendingConstraints (*build)(const BendingInput&);
 };

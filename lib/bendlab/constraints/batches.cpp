@@ -1,5 +1,7 @@
 #include "bendlab/constraints/batches.hpp"
 
+#include "bendlab/constraints/kinds.hpp"
+
 #include <limits>
 
 namespace bendlab {
@@ -65,9 +67,28 @@ StrainBatch<Real> make_strain_batch(const StrainConstraints& list, BatchOrder or
   return batch;
 }
 
+template <class Real, class Kind>
+ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, BatchOrder order,
+                                            int vertex_count) {
+  ElementBatch<Real, Kind> batch;
+  batch.count = list.size();
+  batch.law = list.law;
+  for (std::size_t i = 0; i < Kind::arity; ++i)
+    batch.corner[i] = corner_offsets(list.vertices, order, static_cast<int>(i), vertex_count);
+  for (std::size_t i = 0; i < Kind::rest_values; ++i)
+    batch.rest[i] = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.rest[c][i]; });
+  batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
+  batch.order = std::move(order);
+  return batch;
+}
+
 template DistanceBatch<float> make_distance_batch(const DistanceConstraints&, BatchOrder, int);
 template DistanceBatch<double> make_distance_batch(const DistanceConstraints&, BatchOrder, int);
 template StrainBatch<float> make_strain_batch(const StrainConstraints&, BatchOrder, int);
 template StrainBatch<double> make_strain_batch(const StrainConstraints&, BatchOrder, int);
+#define BENDLAB_MAKE_BATCH(Kind)                                                                    \
+  template ElementBatch<float, Kind> make_element_batch(const ElementList<Kind>&, BatchOrder, int); \
+  template ElementBatch<double, Kind> make_element_batch(const ElementList<Kind>&, BatchOrder, int);
+BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_MAKE_BATCH)
 
 }  // namespace bendlab

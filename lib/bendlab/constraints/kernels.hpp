@@ -3,7 +3,7 @@
 // opposite order.
 #pragma once
 
-#include "bendlab/constraints/batches.hpp"
+#include "bendlab/constraints/elements.hpp"
 
 namespace bendlab {
 
@@ -13,6 +13,9 @@ void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first_
 template <class Real>
 void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first_run, std::size_t last_run,
              Real substep, bool backwards = false);
+template <class Real, class Kind>
+void project(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first_run,
+             std::size_t last_run, Real substep, bool backwards = false);
 
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
 /// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Of a triangle
@@ -22,5 +25,7 @@ template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch, Real k);
 template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch, Real k);
+template <class Real, class Kind>
+void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k);
 
 }  // namespace bendlab

@@ -1,5 +1,7 @@
 #include "bendlab/constraints/reference.hpp"
 
+#include "bendlab/constraints/kinds.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -28,6 +30,20 @@ std::array<Vector3Of<Real>, N> vectors_of(const std::array<P*, N>& points) {
   std::array<Vector3Of<Real>, N> vectors;
   for (std::size_t i = 0; i < N; ++i) vectors[i] = points[i]->vector();
   return vectors;
+}
+
+template <class Kind, class P, class Batch>
+std::array<P*, Kind::arity> corners_of(P* points, const Batch& batch, std::size_t lane) {
+  std::array<P*, Kind::arity> corners;
+  for (std::size_t i = 0; i < Kind::arity; ++i) corners[i] = &point_at(points, batch.corner[i][lane]);
+  return corners;
+}
+
+template <class Real, class Kind>
+std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batch, std::size_t lane) {
+  std::array<Real, Kind::rest_values> rest;
+  for (std::size_t i = 0; i < Kind::rest_values; ++i) rest[i] = batch.rest[i][lane];
+  return rest;
 }
 
 }  // namespace
@@ -95,6 +111,35 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const St
     if (batch.shear != 0) damp_reference(p, v, shear_constraint(x, q, StrainForm::normalised), k);
   });
 }
+
+template <class Real, class Kind>
+void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Real substep, bool backwards) {
+  const bool compliant = batch.kind == StiffnessKind::compliance;
+  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
+    const auto p = corners_of<Kind>(points, batch, lane);
+    const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
+    project_reference(p, Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law), batch.k,
+                      compliant ? &batch.multiplier[lane] : nullptr, alpha);
+  });
+}
+
+template <class Real, class Kind>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+                    Real k) {
+  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
+    const auto p = corners_of<Kind>(points, batch, lane);
+    damp_reference(p, corners_of<Kind>(velocities, batch, lane),
+                   Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law), k);
+  });
+}
+
+#define BENDLAB_ELEMENT_REFERENCE(Kind)                                                                      \
+  template void project_reference(Point<float>*, ElementBatch<float, Kind>&, float, bool);                   \
+  template void project_reference(Point<double>*, ElementBatch<double, Kind>&, double, bool);                \
+  template void damp_reference(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
+  template void damp_reference(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
+                               double);
+BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ELEMENT_REFERENCE)
 
 template void damp_reference(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
 template void damp_reference(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);

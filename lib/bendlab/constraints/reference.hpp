@@ -6,18 +6,10 @@
 #include <array>
 #include <cmath>
 
-#include "bendlab/constraints/batches.hpp"
+#include "bendlab/constraints/elements.hpp"
+#include "bendlab/constraints/value.hpp"
 
 namespace bendlab {
-
-/// C and ∇C of a constraint on N vertices; `defined` is false where the gradient has no direction (a
-/// collapsed element), and then nothing is corrected.
-template <class Real, std::size_t N>
-struct ConstraintValue {
-  Real value = 0;
-  std::array<Vector3Of<Real>, N> gradient;
-  bool defined = true;
-};
 
 /// |p_a - p_b| - rest_length (Müller et al. 2007, §3.2).
 template <class Real>
@@ -126,10 +118,17 @@ template <class Real>
 void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k);
 
+template <class Real, class Kind>
+void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+                    Real k);
+
 /// All constraints of a batch once, in the order of their lanes, or backwards.
 template <class Real>
 void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards = false);
 template <class Real>
 void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards = false);
+template <class Real, class Kind>
+void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Real substep,
+                       bool backwards = false);
 
 }  // namespace bendlab

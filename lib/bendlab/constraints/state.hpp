@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "bendlab/constraints/batches.hpp"
+#include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/point.hpp"
 
 namespace bendlab {
@@ -28,6 +28,21 @@ template <class Real>
 struct Constraints {
   StrainBatch<Real> strain;
   DistanceBatch<Real> distance;
+  ElementBatches<Real> elements;
+
+  /// Calls action(batch) for every kind's.
+  template <class Action>
+  void for_each(const Action& action) {
+    action(strain);
+    action(distance);
+    for_each_kind(elements, action);
+  }
+  template <class Action>
+  void for_each(const Action& action) const {
+    action(strain);
+    action(distance);
+    for_each_kind(elements, action);
+  }
 };
 
 template <class Real>

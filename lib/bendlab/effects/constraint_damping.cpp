@@ -32,9 +32,7 @@ std::vector<Pass<Real>> compile(const ParameterValues& values) {
              const auto k = static_cast<Real>(-std::expm1(-rate * static_cast<double>(context.substep)));
              const Point<Real>* const points = context.state.position.data();
              Point<Real>* const velocities = context.state.velocity.data();
-             const Constraints<Real>& constraints = context.constraints;
-             damp_any(points, velocities, constraints.strain, k);
-             damp_any(points, velocities, constraints.distance, k);
+             context.constraints.for_each([&](const auto& batch) { damp_any(points, velocities, batch, k); });
            }}};
 }
 
@@ -43,7 +41,7 @@ std::vector<Pass<Real>> compile(const ParameterValues& values) {
 namespace effect {
 extern const Effect constraint_damping{
     .name = "constraint_damping",
-    .summary = "damps the rate of change of every strain and distance constraint; keeps both momenta",
+    .summary = "damps the rate of change of every constraint; keeps both momenta",
     .source = "Müller et al. 2014, eq. 23 (the same for equal masses; dissipates for any masses)",
     .parameters = parameters,
     .compile_float = compile<float>,

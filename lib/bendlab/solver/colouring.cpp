@@ -200,5 +200,6 @@ BatchOrder list_order(std::size_t constraint_count) {
 
 template BatchOrder colour_order(const std::vector<std::array<int, 2>>&, int);
 template BatchOrder colour_order(const std::vector<std::array<int, 3>>&, int);
+template BatchOrder colour_order(const std::vector<std::array<int, 4>>&, int);
 
 }  // namespace bendlab

@@ -94,10 +94,17 @@ class SimulationOf final : public Simulation {
   double helper_seconds() const override { return workers_.helper_seconds(); }
   std::uint64_t projections() const override {
     return substeps_done_ * static_cast<std::uint64_t>(settings_.projections_per_substep()) *
-           (constraints_.strain.count + constraints_.distance.count);
+           constraint_count();
   }
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
+  const BatchOrder& element_order(std::string_view kind) const override {
+    const BatchOrder* found = nullptr;
+    for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
+      if (Kind::name == kind) found = &batch.order;
+    });
+    return *found;
+  }
 
  private:
   void fill_state(const SimulationInput& input) {
@@ -158,10 +165,26 @@ class SimulationOf final : public Simulation {
 
     DistanceBatch<Real>& distance = constraints_.distance;
     distance = batch_of(input.distance, star_order, make_distance_batch<Real>, distance_tiles_);
-    const SpringStiffness& d = input.spring_stiffness;
+    const BendingStiffness& d = input.bending_stiffness;
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
     if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
+
+    for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+      auto& batch = std::get<ElementBatch<Real, Kind>>(constraints_.elements);
+      batch = batch_of(list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
+                       element_tiles_[kind_index<Kind>]);
+      batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
+      batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
+      if (d.kind == StiffnessKind::compliance)
+        batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+    });
+  }
+
+  std::size_t constraint_count() const {
+    std::size_t count = 0;
+    constraints_.for_each([&](const auto& batch) { count += batch.count; });
+    return count;
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
@@ -175,6 +198,9 @@ class SimulationOf final : public Simulation {
     const bool strain_first = settings_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     add_projection(constraints_.distance, distance_tiles_, "bending");
+    for_each_kind(constraints_.elements, [&]<class Kind>(ElementBatch<Real, Kind>& batch) {
+      add_projection(batch, element_tiles_[kind_index<Kind>], "bending");
+    });
     if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     std::reverse(backward_.begin(), backward_.end());
     after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
@@ -208,8 +234,8 @@ class SimulationOf final : public Simulation {
   }
 
   void predict(Real h) {
-    std::fill(constraints_.strain.multiplier.begin(), constraints_.strain.multiplier.end(), Real(0));
-    std::fill(constraints_.distance.multiplier.begin(), constraints_.distance.multiplier.end(), Real(0));
+    constraints_.for_each(
+        [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         Point<Real>& p = state_.position[v];
@@ -290,6 +316,7 @@ class SimulationOf final : public Simulation {
   State<Real> state_;
   Constraints<Real> constraints_;
   std::vector<RunRange> strain_tiles_, distance_tiles_;
+  std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   std::vector<PlannedPass<Real>> before_, forward_, backward_, after_;
   std::vector<PassStatistics> statistics_;
   std::uint64_t substeps_done_ = 0;

@@ -33,9 +33,10 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "bendlab/constraints/lists.hpp"
+#include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
 
@@ -72,10 +73,10 @@ struct StrainStiffness {
   double compliance = 0;                           ///< m/N
 };
 
-struct SpringStiffness {
+struct BendingStiffness {
   StiffnessKind kind = StiffnessKind::k;
   double k = 0.5;         ///< in [0, 1]
-  double compliance = 0;  ///< m/N
+  double compliance = 0;  ///< of a spring in m/N, of an element by its model's softness
 };
 
 /// A scene as the solver sees it.
@@ -89,8 +90,9 @@ struct SimulationInput {
   std::vector<int> place;  ///< #V, where each vertex stands in the solver's memory; empty: in its own place
   StrainConstraints strain;
   DistanceConstraints distance;
+  ElementLists elements;
   StrainStiffness strain_stiffness;
-  SpringStiffness spring_stiffness;
+  BendingStiffness bending_stiffness;
   SolverSettings settings;
 };
 
@@ -122,11 +124,12 @@ class Simulation {
       const = 0;  ///< the step plan, in the order of a substep
   /// Seconds that threads beside the calling one spent on passes so far.
   virtual double helper_seconds() const = 0;
-  /// Constraint projections so far (a strain triangle counts as one, a spring as one).
+  /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
   virtual std::uint64_t projections() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
+  virtual const BatchOrder& element_order(std::string_view kind) const = 0;  ///< Kind::name
 };
 
 /// A simulation in single (Real = float) or double precision, with the passes of the scene's effects.

@@ -28,6 +28,7 @@ extern constinit const BendingModel adaptive{
     .limits =
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; with m = 1 (coarse "
         "meshes) free vertices have no bending at all",
+    .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
     .build = build,
 };

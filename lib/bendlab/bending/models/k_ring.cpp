@@ -34,6 +34,7 @@ extern constinit const BendingModel k_ring{
     .limits =
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction, softer on finer "
         "meshes",
+    .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
     .build = build,
 };

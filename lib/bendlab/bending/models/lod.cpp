@@ -45,6 +45,7 @@ extern constinit const BendingModel lod{
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; wrinkles shorter "
         "than t "
         "edges can escape the long springs",
+    .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
     .build = build,
 };

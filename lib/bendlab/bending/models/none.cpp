@@ -8,6 +8,7 @@ extern constinit const BendingModel none{
     .summary = "no bending constraints; the control beside every other model",
     .source = "control",
     .limits = "resists no bending, but for what the membrane resists by itself on some meshes",
+    .compliance = "no constraints",
     .parameters = {},
     .build = [](const BendingInput&) { return BendingConstraints{}; },
 };

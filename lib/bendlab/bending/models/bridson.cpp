@@ -1,0 +1,32 @@
+// The bending element with the elastic force of Bridson, Marino and Fedkiw.
+#include "bendlab/bending/rest_hinges.hpp"
+
+namespace bendlab {
+namespace {
+
+BendingConstraints build(const BendingInput& input) {
+  BendingConstraints constraints;
+  // Force k_e edge² / (|N1| + |N2|) (sin θ/2 - sin θ0/2) u, |N| twice a triangle's area: the energy is
+  // k_e edge² / (2 area) V with V of HingeAngle::Law::half_sine, at rest lengths and areas.
+  std::get<ElementList<HingeAngle>>(constraints.elements) =
+      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::half_sine,
+                        [](const RestHinge& h) { return 2 * h.area / (h.edge * h.edge); });
+  return constraints;
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel bridson{
+    .name = "bridson",
+    .summary = "bending element: moment ∝ sin(θ/2) - sin(θ0/2) over every interior edge",
+    .source = "Bridson et al. 2003, §4, elastic part, as XPBD",
+    .limits =
+        "with k its stiffness depends on resolution, iterations and time step; weights from the rest shape, "
+        "where the paper takes the current one",
+    .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
+    .parameters = {},
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

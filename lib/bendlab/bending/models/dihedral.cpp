@@ -1,0 +1,44 @@
+// The dihedral angle as a constraint, as position-based cloth has used it since 2007.
+#include "bendlab/bending/rest_hinges.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> weights = {"uniform", "area"};
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "weight",
+        .type = ParameterType::text,
+        .default_value = "uniform",
+        .meaning =
+            "XPBD: every hinge alike (energy ½ k (θ - θ0)², flexural rigidity √3/2 k on equilateral "
+            "triangles), or times edge² / area of both triangles (flexural rigidity k at any resolution)",
+        .choices = weights},
+};
+
+BendingConstraints build(const BendingInput& input) {
+  const bool uniform = input.parameters.text("weight") == "uniform";
+  BendingConstraints constraints;
+  std::get<ElementList<HingeAngle>>(constraints.elements) =
+      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
+                        [&](const RestHinge& h) { return uniform ? 1.0 : h.area / (h.edge * h.edge); });
+  return constraints;
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel dihedral{
+    .name = "dihedral",
+    .summary = "the angle between two triangles, signed, over every interior edge",
+    .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
+    .limits =
+        "with k its stiffness depends on resolution, iterations and time step; a fold of more than 180 "
+        "degrees is seen as one to the other side",
+    .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
+    .parameters = parameters,
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

@@ -1,0 +1,33 @@
+// The hinge energy of discrete shells.
+#include "bendlab/bending/rest_hinges.hpp"
+
+namespace bendlab {
+namespace {
+
+BendingConstraints build(const BendingInput& input) {
+  BendingConstraints constraints;
+  // E = K (θ - θ0)² edge / height with a third of the mean height: K · 3 edge² / area (θ - θ0)², whose
+  // flexural rigidity on equilateral triangles is D = 6 K.
+  std::get<ElementList<HingeAngle>>(constraints.elements) =
+      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
+                        [](const RestHinge& h) { return h.area / (h.edge * h.edge); });
+  return constraints;
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel discrete_shells{
+    .name = "discrete_shells",
+    .summary = "hinge energy ∝ (θ - θ0)² edge² / area over every interior edge",
+    .source = "Grinspun et al. 2003, eq. 3, as XPBD (Macklin et al. 2016)",
+    .limits =
+        "its flexural rigidity depends on the mesh (1.3 to 1.7 times the given one on irregular ones); "
+        "with k the weights have no effect",
+    .compliance =
+        "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
+    .parameters = {},
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

@@ -1,0 +1,67 @@
+// Quadratic bending of inextensible sheets.
+#include <Eigen/Geometry>
+
+#include "bendlab/bending/rest_hinges.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> forms = {"norm", "energy"};
+
+constexpr std::array parameters = {
+    Parameter{.name = "constraint",
+              .type = ParameterType::text,
+              .default_value = "norm",
+              .meaning = "C = |Kx|, whose XPBD energy is Bergou's; or C = ½ xᵀQx, Bergou's energy itself as "
+                         "libraries ship it, whose XPBD energy is quartic in the angle",
+              .choices = forms},
+};
+
+double cotangent(const Vector3& a, const Vector3& b) {
+  return a.dot(b) / a.cross(b).norm();
+}
+
+// K of Kx = Σ K_i p_i: cotangents at the ends of the edge.
+std::array<double, 4> weights_of(const RestHinge& h) {
+  const auto& [p0, p1, p2, p3] = h.position;
+  const double c01 = cotangent(p1 - p0, p2 - p0), c02 = cotangent(p1 - p0, p3 - p0),
+               c03 = cotangent(p0 - p1, p2 - p1), c04 = cotangent(p0 - p1, p3 - p1);
+  return {c03 + c04, c01 + c02, -c01 - c03, -c02 - c04};
+}
+
+BendingConstraints build(const BendingInput& input) {
+  const bool norm = input.parameters.text("constraint") == "norm";
+  BendingConstraints constraints;
+  auto& list = std::get<ElementList<QuadraticBend>>(constraints.elements);
+  list.law = norm ? QuadraticBend::Law::norm : QuadraticBend::Law::energy;
+  for (const RestHinge& h : rest_hinges(input.rest, input.pins)) {
+    const std::array<double, 4> k = weights_of(h);
+    Vector3 bend = Vector3::Zero();
+    for (std::size_t i = 1; i < 4; ++i) bend += k[i] * (h.position[i] - h.position[0]);
+    // Flat is flat: rounding of the sum is no rest curvature.
+    const double rest_bend = bend.norm() > 1e-12 * h.edge ? bend.norm() : 0;
+    list.vertices.push_back(h.vertices);
+    list.rest.push_back({k[0], k[1], k[2], k[3], rest_bend, h.edge});
+    // Q = q KᵀK with q = 3 / area, so C = |Kx| has the energy ½ k q C², and C = ½ |Kx|² is ½ xᵀQx / q.
+    const double q = 3 / h.area;
+    list.softness.push_back(norm ? 1 / q : 1 / (q * q));
+  }
+  return constraints;
+}
+
+}  // namespace
+
+namespace models {
+extern constinit const BendingModel isometric{
+    .name = "isometric",
+    .summary = "quadratic bending energy with the cotangents of the rest shape, over every interior edge",
+    .source = "Bergou et al. 2006, eqs. 2 to 5; constraint as |Kx|",
+    .limits =
+        "moment ∝ sin θ: nothing unfolds a sheet folded flat onto itself; knows no direction, so a curved "
+        "rest shape may snap to the other side; assumes that triangles keep their shape",
+    .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
+    .parameters = parameters,
+    .build = build,
+};
+}  // namespace models
+}  // namespace bendlab

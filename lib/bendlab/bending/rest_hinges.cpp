@@ -1,0 +1,40 @@
+#include "bendlab/bending/rest_hinges.hpp"
+
+#include <cmath>
+
+namespace bendlab {
+
+std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins) {
+  std::vector<RestHinge> hinges;
+  for (const Hinge& hinge : rest.hinges()) {
+    RestHinge h{.vertices = {hinge.edge[0], hinge.edge[1], hinge.opposite[0], hinge.opposite[1]}};
+    bool free = false;
+    for (std::size_t i = 0; i < 4; ++i) {
+      h.position[i] = rest.position(h.vertices[i]);
+      free |= !pins.pinned(h.vertices[i]);
+    }
+    h.edge = (h.position[1] - h.position[0]).norm();
+    if (!free || !(h.edge > 0)) continue;
+    const ConstraintValue<double, 4> angle = hinge_angle(h.position, h.edge);
+    if (!angle.defined) continue;
+    h.angle = angle.value;
+    for (const std::size_t i : {2u, 3u})
+      h.area += 0.5 * (h.position[i] - h.position[0]).cross(h.position[i] - h.position[1]).norm();
+    hinges.push_back(h);
+  }
+  return hinges;
+}
+
+ElementList<HingeAngle> angle_constraints(const std::vector<RestHinge>& hinges, HingeAngle::Law law,
+                                          const std::function<double(const RestHinge&)>& softness) {
+  ElementList<HingeAngle> list;
+  list.law = law;
+  for (const RestHinge& h : hinges) {
+    list.vertices.push_back(h.vertices);
+    list.rest.push_back({h.angle, h.edge, std::sin(h.angle / 2), std::cos(h.angle / 2)});
+    list.softness.push_back(softness(h));
+  }
+  return list;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,27 @@
+// Hinges in their rest state: what the models of the literature start from.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+
+struct RestHinge {
+  std::array<int, 4> vertices;      ///< p0, p1 of the shared edge, then the vertices opposite it
+  std::array<Vector3, 4> position;  ///< of them, m
+  double angle;                     ///< θ0, 0 flat
+  double edge;                      ///< |p1 - p0|, m
+  double area;                      ///< of both triangles, m²
+};
+
+/// One per interior edge that has a free vertex, in the order of the edges. A hinge on a triangle without area has no
+/// angle and is left out.
+std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins);
+
+/// Angle constraints on them; `softness(hinge)` as in ElementList.
+ElementList<HingeAngle> angle_constraints(const std::vector<RestHinge>& hinges, HingeAngle::Law law,
+                                          const std::function<double(const RestHinge&)>& softness);
+
+}  // namespace bendlab

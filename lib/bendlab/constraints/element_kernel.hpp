@@ -1,0 +1,146 @@
+// What the kernels of all element kinds share. The source of a kind specialises PackKernel and instantiates
+// the kernels with BENDLAB_ELEMENT_KERNELS; no other includes this header.
+#pragma once
+
+#include <type_traits>
+#include <utility>
+
+#include "bendlab/constraints/kernels.hpp"
+
+namespace bendlab {
+
+template <class Real>
+using PackMask = decltype(Pack<Real>{} < Pack<Real>{});
+
+/// ConstraintValue for the lanes of a pack.
+template <class Real, std::size_t N>
+struct PackConstraint {
+  Pack<Real> value;
+  std::array<PackVector<Real>, N> gradient;
+  PackMask<Real> defined;
+};
+
+/// Of a kind: `Laws`, its laws as a std::integer_sequence, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
+/// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value().
+template <class Kind>
+struct PackKernel;
+
+namespace detail {
+
+template <class Real, std::size_t N>
+BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_corners(const Point<Real>* points,
+                                                              const std::array<LargeArray<int>, N>& corner,
+                                                              std::size_t lane) {
+  std::array<PackPoints<Real>, N> packs;
+  for (std::size_t i = 0; i < N; ++i) packs[i] = gather(points, &corner[i][lane]);
+  return packs;
+}
+
+template <class Real, std::size_t N>
+BENDLAB_INLINE void scatter_corners(Point<Real>* points, const std::array<LargeArray<int>, N>& corner,
+                                    std::size_t lane, const std::array<PackPoints<Real>, N>& packs) {
+  for (std::size_t i = 0; i < N; ++i) scatter(points, &corner[i][lane], packs[i]);
+}
+
+template <class Real, std::size_t N>
+BENDLAB_INLINE std::array<Pack<Real>, N> load_rest(const std::array<LargeArray<Real>, N>& rest,
+                                                   std::size_t lane) {
+  std::array<Pack<Real>, N> packs;
+  for (std::size_t i = 0; i < N; ++i) packs[i] = load(&rest[i][lane]);
+  return packs;
+}
+
+template <class Real, std::size_t N>
+BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>& p,
+                                          const std::array<PackVector<Real>, N>& gradient) {
+  Pack<Real> sum{};
+  for (std::size_t i = 0; i < N; ++i) sum = sum + p[i].w * dot(gradient[i], gradient[i]);
+  return sum;
+}
+
+template <class Real, class Kind, typename Kind::Law law, bool compliant>
+void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
+                   Real compliance_over_h2) {
+  const Pack<Real> zero{}, one = broadcast<Real>(1);
+  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
+       lane += static_cast<std::size_t>(lanes<Real>)) {
+    auto p = gather_corners<Real>(points, batch.corner, lane);
+    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
+        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    Pack<Real> sum = weighted_square<Real>(p, c.gradient), alpha{};
+    if constexpr (compliant) {
+      alpha = compliance_over_h2 * load(&batch.softness[lane]);
+      sum = sum + alpha;
+    }
+    const auto acts = c.defined & (sum > zero);
+    const Pack<Real> divisor = acts ? sum : one;
+    Pack<Real> change;
+    if constexpr (compliant) {
+      const Pack<Real> multiplier = load(&batch.multiplier[lane]);
+      change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
+      store(&batch.multiplier[lane], multiplier + change);
+    } else {
+      change = acts ? -batch.k * c.value / divisor : zero;
+    }
+    for (std::size_t i = 0; i < Kind::arity; ++i)
+      p[i].position = p[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
+    scatter_corners(points, batch.corner, lane, p);
+  }
+}
+
+template <class Real, class Kind, typename Kind::Law law>
+void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+                Real k) {
+  const Pack<Real> zero{}, one = broadcast<Real>(1);
+  for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size();
+       lane += static_cast<std::size_t>(lanes<Real>)) {
+    const auto p = gather_corners<Real>(points, batch.corner, lane);
+    auto v = gather_corners<Real>(velocities, batch.corner, lane);
+    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
+        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    Pack<Real> rate{};
+    for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
+    const Pack<Real> sum = weighted_square<Real>(p, c.gradient);
+    const auto acts = c.defined & (sum > zero);
+    const Pack<Real> change = acts ? -k * rate / (acts ? sum : one) : zero;
+    for (std::size_t i = 0; i < Kind::arity; ++i)
+      v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
+    scatter_corners(velocities, batch.corner, lane, v);
+  }
+}
+
+// Calls action(std::integral_constant<Law, law>) for the batch's law.
+template <class Law, Law... laws, class Action>
+void with_law(Law chosen, std::integer_sequence<Law, laws...>, const Action& action) {
+  ((chosen == laws ? action(std::integral_constant<Law, laws>{}) : void()), ...);
+}
+
+}  // namespace detail
+
+// Within a run no two constraints share a vertex, so backwards is as forwards.
+template <class Real, class Kind>
+void project(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
+             Real substep, bool) {
+  const Real compliance = batch.compliance / (substep * substep);
+  detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
+    batch.kind == StiffnessKind::compliance
+        ? detail::project_lanes<Real, Kind, law.value, true>(points, batch, first, last, compliance)
+        : detail::project_lanes<Real, Kind, law.value, false>(points, batch, first, last, compliance);
+  });
+}
+
+template <class Real, class Kind>
+void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k) {
+  detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
+    detail::damp_lanes<Real, Kind, law.value>(points, velocities, batch, k);
+  });
+}
+
+#define BENDLAB_ELEMENT_KERNELS(Kind)                                                                      \
+  template void project(Point<float>*, ElementBatch<float, Kind>&, std::size_t, std::size_t, float, bool); \
+  template void project(Point<double>*, ElementBatch<double, Kind>&, std::size_t, std::size_t, double,     \
+                        bool);                                                                             \
+  template void damp(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float);         \
+  template void damp(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&, double)
+
+}  // namespace bendlab

@@ -1,0 +1,54 @@
+// Constraints on a fixed number of vertices that are one scalar function C of their positions: what the
+// bending models of the literature are made of. A kind says how many vertices and rest values it has; list,
+// batch, projection, damping and energy are the same for all.
+//
+// A new kind takes a header with the struct below and its value and gradient for one constraint (the oracle),
+// a source with the same for a pack of lanes, and a line in kinds.hpp:
+//
+//   struct Kind {
+//     static constexpr std::string_view name;  // in run files
+//     static constexpr std::size_t arity, rest_values;
+//     enum class Law { … };          // variants of C
+//     template <class Real>
+//     static ConstraintValue<Real, arity> value(points, rest, law);
+//   };
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "bendlab/constraints/batches.hpp"
+
+namespace bendlab {
+
+template <class Kind>
+struct ElementList {
+  std::vector<std::array<int, Kind::arity>> vertices;       ///< #C
+  std::vector<std::array<double, Kind::rest_values>> rest;  ///< #C, see the kind
+  std::vector<double> softness;  ///< #C, XPBD: α of a constraint is its softness times the scene's compliance
+  typename Kind::Law law{};      ///< of all
+
+  std::size_t size() const { return vertices.size(); }
+};
+
+template <class Real, class Kind>
+struct ElementBatch {
+  BatchOrder order;
+  std::array<LargeArray<int>, Kind::arity> corner;       ///< offset_of() each vertex, by lane
+  std::array<LargeArray<Real>, Kind::rest_values> rest;  ///< by lane
+  LargeArray<Real> softness;                             ///< by lane
+  LargeArray<Real> multiplier;                           ///< λ, XPBD only, else empty
+  typename Kind::Law law{};
+  StiffnessKind kind = StiffnessKind::k;
+  Real k = 1;           ///< fraction per projection
+  Real compliance = 0;  ///< times softness: α
+  std::size_t count = 0;
+};
+
+/// A batch from a list, in the given order. `vertex_count` is where the dummies begin.
+template <class Real, class Kind>
+ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, BatchOrder order,
+                                            int vertex_count);
+
+}  // namespace bendlab

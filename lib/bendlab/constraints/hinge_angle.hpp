@@ -1,0 +1,82 @@
+// The fold angle at an edge that two triangles share.
+//
+//          p2
+//         /  \        θ = atan2((n1 × n2)·e, n1·n2), n1 and n2 the unit normals, e the direction from p0 to p1:
+//       p0 -- p1      0 flat, in (-π, π], signed: the sense of the fold does not get lost.
+//         \  /
+//          p3
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "bendlab/constraints/elements.hpp"
+#include "bendlab/constraints/value.hpp"
+
+namespace bendlab {
+
+struct HingeAngle {
+  static constexpr std::string_view name = "hinge";
+  static constexpr std::size_t arity = 4;  ///< p0, p1 of the shared edge, then the vertices opposite it
+  /// Rest angle θ0, rest length of the edge in m, sin(θ0/2), cos(θ0/2).
+  static constexpr std::size_t rest_values = 4;
+
+  enum class Law {
+    angle,      ///< C = θ - θ0, wrapped into (-π, π] (Müller et al. 2007, §3.3, with a sign)
+    half_sine,  ///< ½C² = V, dV/dθ = sin(θ/2) - sin(θ0/2) (the elastic force of Bridson et al. 2003, §4)
+  };
+
+  template <class Real>
+  static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,
+                                        const std::array<Real, 4>& rest, Law law);
+};
+
+/// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined where the edge or
+/// a triangle's height has collapsed against the edge's rest length.
+template <class Real>
+ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real rest_edge) {
+  const Vector3Of<Real> e = (p[1] - p[0]) / rest_edge;
+  const Vector3Of<Real> a = (p[2] - p[0]) / rest_edge, b = (p[2] - p[1]) / rest_edge,
+                        c = (p[3] - p[1]) / rest_edge, d = (p[3] - p[0]) / rest_edge;
+  const Vector3Of<Real> n1 = a.cross(b), n2 = c.cross(d);
+  const Real length = e.norm(), s1 = n1.squaredNorm(), s2 = n2.squaredNorm();
+  const Real least = collapsed_ratio<Real>;
+  if (!(length > least && s1 > least * least && s2 > least * least))
+    return {.gradient = {}, .defined = false};
+  const Vector3Of<Real> u1 = n1 / s1 / rest_edge, u2 = n2 / s2 / rest_edge;
+  return {std::atan2(n1.cross(n2).dot(e) / length, n1.dot(n2)),
+          {-b.dot(e) / length * u1 - c.dot(e) / length * u2, a.dot(e) / length * u1 + d.dot(e) / length * u2,
+           -length * u1, -length * u2}};
+}
+
+template <class Real>
+ConstraintValue<Real, 4> HingeAngle::value(const std::array<Vector3Of<Real>, 4>& p,
+                                           const std::array<Real, 4>& rest, Law law) {
+  ConstraintValue<Real, 4> c = hinge_angle(p, rest[1]);
+  if (!c.defined) return c;
+  constexpr Real pi = std::numbers::pi_v<Real>;
+  Real change = c.value - rest[0];
+  if (law == Law::angle) {
+    if (change > pi) change -= 2 * pi;
+    if (change < -pi) change += 2 * pi;
+    c.value = change;
+    return c;
+  }
+  // With δ = (θ - θ0)/2: V = 2 sin(θ0/2) (sin δ - δ) + 4 cos(θ0/2) sin²(δ/2).
+  const Real delta = change / 2, sine = std::sin(delta / 2), cosine = std::cos(delta / 2);
+  Real slope;
+  if (std::abs(delta) < std::sqrt(std::numeric_limits<Real>::epsilon())) {
+    c.value = delta * std::sqrt(2 * rest[3]);
+    slope = std::sqrt(rest[3] / 2);
+  } else {
+    const Real twice_energy = 4 * rest[2] * (2 * sine * cosine - delta) + 8 * rest[3] * sine * sine;
+    c.value = std::copysign(std::sqrt(std::max(twice_energy, Real(0))), delta);
+    slope = 2 * (rest[3] * cosine - rest[2] * sine) * sine / c.value;
+  }
+  for (Vector3Of<Real>& gradient : c.gradient) gradient *= slope;
+  return c;
+}
+
+}  // namespace bendlab

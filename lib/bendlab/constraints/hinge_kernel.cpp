@@ -1,0 +1,59 @@
+#include "bendlab/constraints/element_kernel.hpp"
+#include "bendlab/constraints/hinge_angle.hpp"
+#include "bendlab/constraints/pack_math.hpp"
+
+namespace bendlab {
+template <>
+struct PackKernel<HingeAngle> {
+  using Laws = std::integer_sequence<HingeAngle::Law, HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
+
+  template <class Real, HingeAngle::Law law>
+  BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
+                                                         const std::array<Pack<Real>, 4>& rest,
+                                                         std::integral_constant<HingeAngle::Law, law>) {
+    using P = Pack<Real>;
+    const P one = broadcast<Real>(1), per_length = one / rest[1];
+    const auto difference = [&](std::size_t to, std::size_t from) {
+      return scaled<Real>(per_length, p[to].position - p[from].position);
+    };
+    const PackVector<Real> e = difference(1, 0), a = difference(2, 0), b = difference(2, 1),
+                           c = difference(3, 1), d = difference(3, 0);
+    const PackVector<Real> n1 = cross(a, b), n2 = cross(c, d);
+    const P squared = dot(e, e), s1 = dot(n1, n1), s2 = dot(n2, n2);
+    const P least = broadcast(collapsed_ratio<Real> * collapsed_ratio<Real>);
+    PackConstraint<Real, 4> result;
+    result.defined = (squared > least) & (s1 > least) & (s2 > least);
+    const P per_edge = inverse_square_root(result.defined ? squared : one), length = squared * per_edge;
+    // (n1 × n2)·e = -|e|² n1·d, because n1 is normal to e.
+    const P angle = arc_tangent<Real>(-length * dot(n1, d), dot(n1, n2));
+    const P i1 = per_length / (result.defined ? s1 : one), i2 = per_length / (result.defined ? s2 : one);
+
+    P slope = one;
+    constexpr Real pi = std::numbers::pi_v<Real>;
+    P change = angle - rest[0];
+    if constexpr (law == HingeAngle::Law::angle) {
+      change = change > pi ? change - 2 * pi : change;
+      result.value = change < -pi ? change + 2 * pi : change;
+    } else {
+      const P delta = Real(0.5) * change, s = sine<Real>(Real(0.5) * delta);
+      const P cosine = square_root(one - s * s), size = delta < P{} ? -delta : delta;
+      const auto tiny = size < std::sqrt(std::numeric_limits<Real>::epsilon());
+      const P twice_energy = 4 * rest[2] * (2 * s * cosine - delta) + 8 * rest[3] * s * s;
+      const P root = square_root(twice_energy > P{} ? twice_energy : P{});
+      const P signed_root = delta < P{} ? -root : root;
+      result.value = tiny ? delta * square_root(2 * rest[3]) : signed_root;
+      slope = tiny ? square_root(Real(0.5) * rest[3])
+                   : 2 * (rest[3] * cosine - rest[2] * s) * s / (tiny ? one : signed_root);
+    }
+    const P t1 = slope * i1, t2 = slope * i2, e1 = t1 * per_edge, e2 = t2 * per_edge;
+    result.gradient[0] = scaled<Real>(-e1 * dot(b, e), n1) - scaled<Real>(e2 * dot(c, e), n2);
+    result.gradient[1] = scaled<Real>(e1 * dot(a, e), n1) + scaled<Real>(e2 * dot(d, e), n2);
+    result.gradient[2] = scaled<Real>(-length * t1, n1);
+    result.gradient[3] = scaled<Real>(-length * t2, n2);
+    return result;
+  }
+};
+
+BENDLAB_ELEMENT_KERNELS(HingeAngle);
+
+}  // namespace bendlab

@@ -1,0 +1,35 @@
+#include "bendlab/constraints/element_kernel.hpp"
+#include "bendlab/constraints/quadratic_bend.hpp"
+
+namespace bendlab {
+template <>
+struct PackKernel<QuadraticBend> {
+  using Laws =
+      std::integer_sequence<QuadraticBend::Law, QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
+
+  template <class Real, QuadraticBend::Law law>
+  BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
+                                                         const std::array<Pack<Real>, 6>& rest,
+                                                         std::integral_constant<QuadraticBend::Law, law>) {
+    using P = Pack<Real>;
+    const PackVector<Real> bend = scaled<Real>(rest[1], p[1].position - p[0].position) +
+                                  scaled<Real>(rest[2], p[2].position - p[0].position) +
+                                  scaled<Real>(rest[3], p[3].position - p[0].position);
+    const P squared = dot(bend, bend), one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[5];
+    PackConstraint<Real, 4> result;
+    result.defined = squared > least * least;
+    if constexpr (law == QuadraticBend::Law::norm) {
+      const P per_norm = inverse_square_root(result.defined ? squared : one);
+      result.value = squared * per_norm - rest[4];
+      for (std::size_t i = 0; i < 4; ++i) result.gradient[i] = scaled<Real>(rest[i] * per_norm, bend);
+    } else {
+      result.value = Real(0.5) * (squared - rest[4] * rest[4]);
+      for (std::size_t i = 0; i < 4; ++i) result.gradient[i] = scaled<Real>(rest[i], bend);
+    }
+    return result;
+  }
+};
+
+BENDLAB_ELEMENT_KERNELS(QuadraticBend);
+
+}  // namespace bendlab

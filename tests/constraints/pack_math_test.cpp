@@ -1,0 +1,38 @@
+// Trigonometry on packs against the standard library.
+#include "bendlab/constraints/pack_math.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "tests/catch.hpp"
+
+namespace bendlab {
+
+TEMPLATE_TEST_CASE("arc tangent and sine of packs are right to rounding", "[constraints]", float, double) {
+  using Real = TestType;
+  constexpr int steps = 2000;
+  constexpr double ulp = static_cast<double>(std::numeric_limits<Real>::epsilon());
+  double arc_error = 0, sine_error = 0;
+  for (int i = -steps; i <= steps; ++i) {
+    const double angle = std::numbers::pi * i / steps;
+    for (const double radius : {1e-6, 1.0, 3e5}) {
+      const auto y = static_cast<Real>(radius * std::sin(angle)),
+                 x = static_cast<Real>(radius * std::cos(angle));
+      const double expected = std::atan2(static_cast<double>(y), static_cast<double>(x));
+      const double found = static_cast<double>(arc_tangent<Real>(broadcast(y), broadcast(x))[0]);
+      arc_error = std::max(arc_error, std::abs(found - expected) / std::max(std::abs(expected), 1e-30));
+    }
+    const auto half = static_cast<Real>(angle / 2);
+    const double expected = std::sin(static_cast<double>(half));
+    sine_error =
+        std::max(sine_error, std::abs(static_cast<double>(sine<Real>(broadcast(half))[0]) - expected) /
+                                 std::max(std::abs(expected), 1e-30));
+  }
+  // A dozen roundings of half a unit each, most of them of terms that are small against the first.
+  CHECK(arc_error <= 3 * ulp);
+  CHECK(sine_error <= 3 * ulp);
+  CHECK(arc_tangent<Real>(broadcast(Real(0)), broadcast(Real(0)))[0] == 0);
+}
+
+}  // namespace bendlab
