@@ -31,7 +31,9 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   input.mass = lumped_masses(rest, density);
   input.is_pinned = pins.is_pinned;
   input.strain = strain_constraints(rest, pins, inverse_rest_from_warp(rest.mesh(), Vector3::UnitX()));
-  input.distance = bending.build({rest, pins, ParameterValues(bending.parameters)}).distance;
+  BendingConstraints constraints = bending.build({rest, pins, ParameterValues(bending.parameters)});
+  input.distance = std::move(constraints.distance);
+  input.elements = std::move(constraints.elements);
   return input;
 }
 

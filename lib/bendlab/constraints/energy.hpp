@@ -1,0 +1,16 @@
+// Elastic energy of bending constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness for elements and 1 for
+// springs: divide by the scene's compliance. Undefined (collapsed) constraints count nothing.
+#pragma once
+
+#include "bendlab/constraints/kinds.hpp"
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// J times the scene's compliance.
+double elastic_energy(const DistanceConstraints& list, const Positions& positions);
+template <class Kind>
+double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
+double elastic_energy(const ElementLists& lists, const Positions& positions);
+
+}  // namespace bendlab
