@@ -48,7 +48,7 @@ class MovingCloth {
     const Scene scene = build_scene(config_of(kind));
     vertices = scene.rest.vertex_count();
     triangles = static_cast<std::int64_t>(scene.input.strain.size());
-    springs = static_cast<std::int64_t>(scene.input.distance.size());
+    bending = static_cast<std::int64_t>(scene.input.distance.size() + element_count(scene.input.elements));
     simulation_ = simulation_of(scene);
     for (int step = 0; step < warm_up_steps; ++step) this->step();
   }
@@ -68,7 +68,7 @@ class MovingCloth {
   double mean_speed() const { return simulation_->velocities().rowwise().norm().mean(); }  // m/s
 
   int vertices = 0;
-  std::int64_t triangles = 0, springs = 0;
+  std::int64_t triangles = 0, bending = 0;
 
  private:
   StepTime passes() const {
@@ -104,27 +104,34 @@ class LastCloth {
 enum class Part { strain, bending, step };
 
 std::string name_of(Part part, const ClothKind& kind) {
-  const char* what = part == Part::strain        ? "strain"
-                     : part == Part::step        ? "step"
-                     : kind.model == "crossover" ? "crossover"
-                                                 : "dense";
+  const char* what = part == Part::strain       ? "strain"
+                     : part == Part::step       ? "step"
+                     : kind.model == "adaptive" ? "dense"
+                                                : kind.model.c_str();
   return fmt::format("{}{}/{}", what, kind.oracle ? "_oracle" : "", kind.cells);
+}
+
+/// What one bending constraint of a model takes.
+const ConstraintCost& bending_cost(const std::string& model) {
+  if (model == "isometric") return quadratic_cost;
+  return model == "dihedral" || model == "bridson" ? hinge_cost : distance_cost;
 }
 
 /// Least seconds of one round over the part's constraints.
 double roofline_of(Part part, const ClothKind& kind, const MovingCloth& cloth) {
   const std::size_t scalar = kind.scalar == "float" ? sizeof(float) : sizeof(double);
   const auto triangles = static_cast<std::size_t>(cloth.triangles),
-             springs = static_cast<std::size_t>(cloth.springs);
+             bending = static_cast<std::size_t>(cloth.bending);
+  const ConstraintCost& cost_of_bending = bending_cost(kind.model);
   const std::size_t scene = triangles * streamed_bytes(strain_cost, scalar) +
-                            springs * streamed_bytes(distance_cost, scalar) +
+                            bending * streamed_bytes(cost_of_bending, scalar) +
                             static_cast<std::size_t>(cloth.vertices) * 4 * scalar;
   const auto least = [&](const ConstraintCost& cost, std::int64_t constraints) {
     const auto count = static_cast<double>(constraints);
     return count * roofline_seconds(cost, scalar, cloth.vertices / count, scene);
   };
   return (part != Part::bending ? least(strain_cost, cloth.triangles) : 0) +
-         (part != Part::strain ? least(distance_cost, cloth.springs) : 0);
+         (part != Part::strain ? least(cost_of_bending, cloth.bending) : 0);
 }
 
 BenchRow measure(Part part, const ClothKind& kind, MovingCloth& cloth, const BenchOptions& options) {
@@ -133,7 +140,7 @@ BenchRow measure(Part part, const ClothKind& kind, MovingCloth& cloth, const Ben
                .threads = kind.threads,
                .vertices = cloth.vertices,
                .constraints =
-                   (part != Part::bending ? cloth.triangles : 0) + (part != Part::strain ? cloth.springs : 0),
+                   (part != Part::bending ? cloth.triangles : 0) + (part != Part::strain ? cloth.bending : 0),
                .repetitions = options.repetitions};
   const Spread seconds = repeated(
       bench_id(row.name, row.scalar, row.threads), options.repetitions, options.quick ? 0.005 : 0.15, [&] {
@@ -163,17 +170,18 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
   };
   using Sizes = std::vector<int>;
   for (const char* scalar : {"float", "double"}) {
-    for (const char* model : {"crossover", "adaptive"}) {
-      const bool dense = std::string_view(model) == "adaptive";
+    for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric"}) {
+      const bool first = model == "crossover";  // whose cloth also shows the strain and the step
       const auto add_all = [&](const ClothKind& kind) {
-        if (!dense) add(Part::strain, kind);
+        if (first) add(Part::strain, kind);
         add(Part::bending, kind);
-        if (!dense && kind.cells == usual) add(Part::step, kind);
+        if (first && kind.cells == usual) add(Part::step, kind);
       };
       add_all({.cells = usual, .model = model, .scalar = scalar, .oracle = true});
-      for (const int cells : options.quick ? Sizes{32}
-                             : dense       ? Sizes{128, 256}
-                                           : Sizes{32, 64, 128, 256, 512, 1024})
+      for (const int cells : options.quick         ? Sizes{32}
+                             : first               ? Sizes{32, 64, 128, 256, 512, 1024}
+                             : model == "adaptive" ? Sizes{128, 256}
+                                                   : Sizes{128, 1024})
         add_all({.cells = cells, .model = model, .scalar = scalar});
     }
     for (const int threads : options.threads)

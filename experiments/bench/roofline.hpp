@@ -34,6 +34,13 @@ inline constexpr ConstraintCost distance_cost{.corners = 1, .rest_scalars = 1, .
 /// corrections 21.
 inline constexpr ConstraintCost strain_cost{.corners = 3, .rest_scalars = 4, .flops = 240};
 
+/// Five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20, wrap 3,
+/// reciprocals 6, gradients 60, Σ w|∇C|² 24, step 3, four corrections 28.
+inline constexpr ConstraintCost hinge_cost{.corners = 4, .rest_scalars = 2, .flops = 219};
+
+/// Kx 24, |Kx| 6, gradients 16, Σ w|∇C|² 24, step 4, four corrections 28.
+inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, .flops = 102};
+
 /// Bytes of indices and rest data of one constraint.
 std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes);
 

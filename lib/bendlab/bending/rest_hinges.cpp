@@ -15,7 +15,7 @@ std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins) {
     }
     h.edge = (h.position[1] - h.position[0]).norm();
     if (!free || !(h.edge > 0)) continue;
-    const ConstraintValue<double, 4> angle = hinge_angle(h.position, h.edge);
+    const ConstraintValue<double, 4> angle = hinge_angle(h.position, 1 / h.edge);
     if (!angle.defined) continue;
     h.angle = angle.value;
     for (const std::size_t i : {2u, 3u})
@@ -31,7 +31,7 @@ ElementList<HingeAngle> angle_constraints(const std::vector<RestHinge>& hinges, 
   list.law = law;
   for (const RestHinge& h : hinges) {
     list.vertices.push_back(h.vertices);
-    list.rest.push_back({h.angle, h.edge, std::sin(h.angle / 2), std::cos(h.angle / 2)});
+    list.rest.push_back({h.angle, 1 / h.edge, std::sin(h.angle / 2), std::cos(h.angle / 2)});
     list.softness.push_back(softness(h));
   }
   return list;

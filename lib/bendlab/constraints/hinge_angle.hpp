@@ -20,7 +20,7 @@ namespace bendlab {
 struct HingeAngle {
   static constexpr std::string_view name = "hinge";
   static constexpr std::size_t arity = 4;  ///< p0, p1 of the shared edge, then the vertices opposite it
-  /// Rest angle θ0, rest length of the edge in m, sin(θ0/2), cos(θ0/2).
+  /// Rest angle θ0, inverse rest length of the edge in 1/m, sin(θ0/2), cos(θ0/2).
   static constexpr std::size_t rest_values = 4;
 
   enum class Law {
@@ -36,16 +36,16 @@ struct HingeAngle {
 /// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined where the edge or
 /// a triangle's height has collapsed against the edge's rest length.
 template <class Real>
-ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real rest_edge) {
-  const Vector3Of<Real> e = (p[1] - p[0]) / rest_edge;
-  const Vector3Of<Real> a = (p[2] - p[0]) / rest_edge, b = (p[2] - p[1]) / rest_edge,
-                        c = (p[3] - p[1]) / rest_edge, d = (p[3] - p[0]) / rest_edge;
+ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real per_rest_edge) {
+  const Vector3Of<Real> e = (p[1] - p[0]) * per_rest_edge;
+  const Vector3Of<Real> a = (p[2] - p[0]) * per_rest_edge, b = (p[2] - p[1]) * per_rest_edge,
+                        c = (p[3] - p[1]) * per_rest_edge, d = (p[3] - p[0]) * per_rest_edge;
   const Vector3Of<Real> n1 = a.cross(b), n2 = c.cross(d);
   const Real length = e.norm(), s1 = n1.squaredNorm(), s2 = n2.squaredNorm();
   const Real least = collapsed_ratio<Real>;
   if (!(length > least && s1 > least * least && s2 > least * least))
     return {.gradient = {}, .defined = false};
-  const Vector3Of<Real> u1 = n1 / s1 / rest_edge, u2 = n2 / s2 / rest_edge;
+  const Vector3Of<Real> u1 = n1 / s1 * per_rest_edge, u2 = n2 / s2 * per_rest_edge;
   return {std::atan2(n1.cross(n2).dot(e) / length, n1.dot(n2)),
           {-b.dot(e) / length * u1 - c.dot(e) / length * u2, a.dot(e) / length * u1 + d.dot(e) / length * u2,
            -length * u1, -length * u2}};

@@ -12,7 +12,7 @@ struct PackKernel<HingeAngle> {
                                                          const std::array<Pack<Real>, 4>& rest,
                                                          std::integral_constant<HingeAngle::Law, law>) {
     using P = Pack<Real>;
-    const P one = broadcast<Real>(1), per_length = one / rest[1];
+    const P one = broadcast<Real>(1), per_length = rest[1];
     const auto difference = [&](std::size_t to, std::size_t from) {
       return scaled<Real>(per_length, p[to].position - p[from].position);
     };
@@ -26,7 +26,8 @@ struct PackKernel<HingeAngle> {
     const P per_edge = inverse_square_root(result.defined ? squared : one), length = squared * per_edge;
     // (n1 × n2)·e = -|e|² n1·d, because n1 is normal to e.
     const P angle = arc_tangent<Real>(-length * dot(n1, d), dot(n1, n2));
-    const P i1 = per_length / (result.defined ? s1 : one), i2 = per_length / (result.defined ? s2 : one);
+    const P per_both = per_length / (result.defined ? s1 * s2 : one);  // one division for both normals
+    const P i1 = per_both * s2, i2 = per_both * s1;
 
     P slope = one;
     constexpr Real pi = std::numbers::pi_v<Real>;
