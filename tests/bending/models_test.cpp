@@ -3,27 +3,16 @@
 #include <set>
 
 #include "bendlab/mesh/rings.hpp"
+#include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
-#include "tests/support.hpp"
 
 namespace bendlab {
 namespace {
 
-ParameterValues settings(std::string_view model,
-                         std::initializer_list<std::pair<std::string_view, Value>> changed) {
-  ParameterValues values(find_bending_model(model)->parameters);
-  for (const auto& [name, value] : changed) values.set(name, value);
-  return values;
-}
-
-BendingConstraints built(std::string_view model, const RestMesh& rest, const Pins& pins,
-                         std::initializer_list<std::pair<std::string_view, Value>> changed = {}) {
-  const ParameterValues values = settings(model, changed);
-  return find_bending_model(model)->build({rest, pins, values});
-}
+using test::built;
 
 std::size_t count(std::string_view model, const RestMesh& rest, const Pins& pins,
-                  std::initializer_list<std::pair<std::string_view, Value>> changed = {}) {
+                  const test::Changed& changed = {}) {
   return built(model, rest, pins, changed).distance.size();
 }
 
@@ -127,7 +116,7 @@ TEST_CASE("adaptive and LOD counts agree with an independent implementation", "[
 
 TEST_CASE("levels follow their settings", "[bending]") {
   const RestMesh rest(grid(1, 1, 16, 16));  // unrounded m = 1.50
-  const auto levels = [&](std::initializer_list<std::pair<std::string_view, Value>> changed) {
+  const auto levels = [&](const test::Changed& changed) {
     const auto facts = built("adaptive", rest, no_pins(rest), changed).facts;
     return std::pair(static_cast<int>(facts[1].value), static_cast<int>(facts[2].value));
   };

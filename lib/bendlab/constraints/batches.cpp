@@ -48,6 +48,8 @@ DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOr
   batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
   batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::infinity(),
                                         [&](std::size_t c) { return list.rest_length[c]; });
+  if (!list.softness.empty())
+    batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
   batch.order = std::move(order);
   return batch;
 }

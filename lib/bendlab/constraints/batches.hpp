@@ -42,10 +42,11 @@ struct DistanceBatch {
   LargeArray<int> a;             ///< max_lanes per run: offset_of() the star's centre
   LargeArray<int> b;             ///< offset_of() the other end
   LargeArray<Real> rest_length;  ///< infinite in a padded lane: never long enough to be corrected
+  LargeArray<Real> softness;     ///< by lane, or empty: 1
   LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
-  Real compliance = 0;  ///< α, m/N
+  Real compliance = 0;  ///< times softness: α, m/N
   std::size_t count = 0;
 };
 

@@ -11,7 +11,7 @@ constexpr std::size_t ahead = 512;
 //        n = (p_a - p_b) / |p_a - p_b|
 template <class Real, bool compliant>
 BENDLAB_INLINE void project_pack(PackPoints<Real>& a, PackPoints<Real>& b, const Pack<Real>& rest, Real k,
-                                 Real alpha, Real* multipliers) {
+                                 const Pack<Real>& alpha, Real* multipliers) {
   using P = Pack<Real>;
   const P zero{}, one = broadcast<Real>(1), shortest = collapsed_ratio<Real> * rest;
   const PackVector<Real> d = a.position - b.position;
@@ -31,9 +31,13 @@ BENDLAB_INLINE void project_pack(PackPoints<Real>& a, PackPoints<Real>& b, const
   b.position = b.position - scaled<Real>(step * b.w, d);
 }
 
-template <class Real, bool compliant>
+enum class Alpha { none, common, own };  // PBD; XPBD with one compliance for all springs; or each its own
+
+template <class Real, Alpha kind>
 void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
-                  Real alpha, bool backwards) {
+                  Real compliance_over_h2, bool backwards) {
+  constexpr bool compliant = kind != Alpha::none;
+  Pack<Real> alpha = broadcast(compliance_over_h2);
   constexpr auto width = static_cast<std::size_t>(max_lanes);
   for (std::size_t run = first; run < last; ++run)
     for (std::size_t part = 0; part < width; part += static_cast<std::size_t>(lanes<Real>)) {
@@ -46,6 +50,7 @@ void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t f
         prefetch(batch.b, lane + ahead);
         prefetch(batch.rest_length, lane + ahead);
         PackPoints<Real> b = gather(points, &batch.b[lane]);
+        if constexpr (kind == Alpha::own) alpha = compliance_over_h2 * load(&batch.softness[lane]);
         project_pack<Real, compliant>(a, b, load(&batch.rest_length[lane]), batch.k, alpha,
                                       compliant ? &batch.multiplier[lane] : nullptr);
         scatter(points, &batch.b[lane], b);
@@ -59,10 +64,13 @@ void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t f
 template <class Real>
 void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool backwards) {
-  if (batch.kind == StiffnessKind::compliance)
-    project_runs<Real, true>(points, batch, first, last, batch.compliance / (substep * substep), backwards);
+  const Real compliance = batch.compliance / (substep * substep);
+  if (batch.kind != StiffnessKind::compliance)
+    project_runs<Real, Alpha::none>(points, batch, first, last, 0, backwards);
+  else if (batch.softness.empty())
+    project_runs<Real, Alpha::common>(points, batch, first, last, compliance, backwards);
   else
-    project_runs<Real, false>(points, batch, first, last, 0, backwards);
+    project_runs<Real, Alpha::own>(points, batch, first, last, compliance, backwards);
 }
 
 template <class Real>

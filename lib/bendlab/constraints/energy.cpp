@@ -18,7 +18,8 @@ double elastic_energy(const DistanceConstraints& list, const Positions& position
   double twice = 0;
   for (std::size_t c = 0; c < list.size(); ++c) {
     const auto value = distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]);
-    if (value.defined) twice += value.value * value.value;
+    const double softness = list.softness.empty() ? 1 : list.softness[c];
+    if (value.defined) twice += value.value * value.value / softness;
   }
   return 0.5 * twice;
 }

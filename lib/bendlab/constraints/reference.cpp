@@ -50,8 +50,9 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
 
 template <class Real>
 void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards) {
-  const Real alpha = batch.compliance / (substep * substep);
+  const Real compliance = batch.compliance / (substep * substep);
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
+    const Real alpha = batch.softness.empty() ? compliance : compliance * batch.softness[lane];
     const std::array<Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
                                            &point_at(points, batch.b[lane])};
     const bool compliant = batch.kind == StiffnessKind::compliance;

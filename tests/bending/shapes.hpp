@@ -1,0 +1,49 @@
+// What models build, bent shapes, and the energy of the one in the other.
+#pragma once
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "bendlab/constraints/energy.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab::test {
+
+using Changed = std::vector<std::pair<std::string_view, Value>>;
+
+inline ParameterValues settings(std::string_view model, const Changed& changed) {
+  ParameterValues values(find_bending_model(model)->parameters);
+  for (const auto& [name, value] : changed) values.set(name, value);
+  return values;
+}
+
+/// What a model builds with some settings changed from their defaults.
+inline BendingConstraints built(std::string_view model, const RestMesh& rest, const Pins& pins,
+                                const Changed& changed = {}) {
+  const ParameterValues values = settings(model, changed);
+  return find_bending_model(model)->build({rest, pins, values});
+}
+inline BendingConstraints built(std::string_view model, const RestMesh& rest, const Changed& changed = {}) {
+  return built(model, rest, make_pins(rest, {}, 0), changed);
+}
+
+/// J, at compliance 1.
+inline double energy(const BendingConstraints& constraints, const Positions& positions) {
+  return elastic_energy(constraints.distance, positions) + elastic_energy(constraints.elements, positions);
+}
+
+/// A flat sheet on a cylinder of curvature κ whose axis is at `angle` from the x axis.
+inline Positions bent(const RestMesh& rest, double curvature, double angle) {
+  Positions positions = rest.positions();
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const double along = c * positions(v, 0) + s * positions(v, 1);
+    const double across = -s * positions(v, 0) + c * positions(v, 1), turn = across * curvature;
+    const double x = std::sin(turn) / curvature, z = (1 - std::cos(turn)) / curvature;
+    positions.row(v) << c * along - s * x, s * along + c * x, z;
+  }
+  return positions;
+}
+
+}  // namespace bendlab::test
