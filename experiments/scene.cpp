@@ -170,7 +170,7 @@ template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
   for (const EffectSettings& settings : scene.effects)
-    for (Pass<Real>& pass : find_effect(settings.type)->compile<Real>(settings.values))
+    for (Pass<Real>& pass : find_effect(settings.type)->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place}))
       passes.push_back(std::move(pass));
   return make_simulation<Real>(scene.input, std::move(passes));
 }
@@ -204,10 +204,10 @@ Scene build_scene(const RunConfig& config) {
   input.size = rest.size();
   input.mass = lumped_masses(rest, material.number("density"));
   input.is_pinned = scene.pins.is_pinned;
-  input.place = local_numbering(rest);
   input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
   input.settings = solver_settings(solver);
+  input.place = local_numbering(rest);
 
   const ParameterValues parameters = config.bending_parameters();
   BendingConstraints bending =

@@ -37,14 +37,22 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   return input;
 }
 
-/// The passes of an effect with one setting changed from its default (or none).
+/// The passes of an effect on a cloth, with one setting changed from its default (or none).
 template <class Real>
-std::vector<Pass<Real>> effect_passes(std::string_view name, std::string_view setting = {},
-                                      Value value = {}) {
+std::vector<Pass<Real>> effect_passes(std::string_view name, const RestMesh& rest, const Pins& pins,
+                                      std::string_view setting = {}, Value value = {}) {
   const Effect& effect = *find_effect(name);
   ParameterValues values(effect.parameters);
   if (!setting.empty()) values.set(setting, std::move(value));
-  return effect.compile<Real>(values);
+  return effect.compile<Real>({values, rest, pins, {}});
+}
+
+/// Of an effect that asks nothing of the cloth.
+template <class Real>
+std::vector<Pass<Real>> effect_passes(std::string_view name, std::string_view setting = {},
+                                      Value value = {}) {
+  const RestMesh any(grid(1, 1, 1, 1));
+  return effect_passes<Real>(name, any, make_pins(any, {}, 0), setting, std::move(value));
 }
 
 }  // namespace bendlab::test

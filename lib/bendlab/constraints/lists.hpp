@@ -10,7 +10,8 @@ namespace bendlab {
 struct DistanceConstraints {
   std::vector<std::array<int, 2>> vertices;  ///< #C pairs (a, b)
   std::vector<double> rest_length;           ///< #C, m
-  std::vector<double> softness;  ///< #C, or empty (all 1); XPBD: α is the softness times the scene's compliance
+  std::vector<double>
+      softness;  ///< #C, or empty (all 1); XPBD: α is the softness times the scene's compliance
 
   std::size_t size() const { return vertices.size(); }
 };

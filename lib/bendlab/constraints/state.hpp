@@ -52,10 +52,12 @@ struct PassContext {
   Real substep;  ///< h, s
 };
 
-/// Where in a substep an effect's pass runs. Projection of constraints lies between `damp` and `velocity`.
+/// Where in a substep an effect's pass runs. Projection of constraints lies between `damp` and `velocity`,
+/// with the passes of `project` in it.
 enum class Stage {
   force,     ///< before prediction: v += h a
   damp,      ///< before prediction, on the velocities with forces
+  project,   ///< on positions, after strain and bending in each iteration
   velocity,  ///< after the velocities were updated from the projected positions
 };
 

@@ -26,8 +26,8 @@ void damp_any(const Point<Real>* points, Point<Real>* velocities, const Batch& b
 }
 
 template <class Real>
-std::vector<Pass<Real>> compile(const ParameterValues& values) {
-  const double rate = values.number("rate");
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const double rate = input.parameters.number("rate");
   return {{"constraint_damping", Stage::velocity, [rate](PassContext<Real>& context) {
              const auto k = static_cast<Real>(-std::expm1(-rate * static_cast<double>(context.substep)));
              const Point<Real>* const points = context.state.position.data();

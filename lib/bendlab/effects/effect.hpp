@@ -7,9 +7,24 @@
 #include <string_view>
 
 #include "bendlab/constraints/state.hpp"
+#include "bendlab/mesh/pins.hpp"
+#include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/parameters/parameter.hpp"
 
 namespace bendlab {
+
+/// What an effect may know of its scene.
+struct EffectInput {
+  const ParameterValues& parameters;  ///< the effect's own table, defaults filled in
+  const RestMesh& rest;
+  const Pins& pins;
+  std::span<const int> place;  ///< #V, where each vertex stands in State's arrays; empty: in its own place
+
+  std::size_t place_of(int vertex) const {
+    const auto v = static_cast<std::size_t>(vertex);
+    return place.empty() ? v : static_cast<std::size_t>(place[v]);
+  }
+};
 
 struct Effect {
   std::string_view name;
@@ -17,15 +32,15 @@ struct Effect {
   std::string_view source;  ///< paper and equation
   std::span<const Parameter> parameters;
   /// The effect's passes for one scene, for each precision.
-  std::vector<Pass<float>> (*compile_float)(const ParameterValues&);
-  std::vector<Pass<double>> (*compile_double)(const ParameterValues&);
+  std::vector<Pass<float>> (*compile_float)(const EffectInput&);
+  std::vector<Pass<double>> (*compile_double)(const EffectInput&);
 
   template <class Real>
-  std::vector<Pass<Real>> compile(const ParameterValues& values) const {
+  std::vector<Pass<Real>> compile(const EffectInput& input) const {
     if constexpr (std::is_same_v<Real, float>)
-      return compile_float(values);
+      return compile_float(input);
     else
-      return compile_double(values);
+      return compile_double(input);
   }
 };
 

@@ -18,8 +18,8 @@ constexpr std::array parameters = {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const ParameterValues& values) {
-  const std::vector<double>& a = values.numbers("acceleration");
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const std::vector<double>& a = input.parameters.numbers("acceleration");
   const Vector3Of<Real> acceleration(static_cast<Real>(a[0]), static_cast<Real>(a[1]),
                                      static_cast<Real>(a[2]));
   return {{"gravity", Stage::force, [acceleration](PassContext<Real>& context) {

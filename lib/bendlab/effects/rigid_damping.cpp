@@ -71,8 +71,8 @@ struct RigidMotion {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const ParameterValues& values) {
-  const double rate = values.number("rate");
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const double rate = input.parameters.number("rate");
   return {{"rigid_damping", Stage::damp, [rate](PassContext<Real>& context) {
              State<Real>& state = context.state;
              const RigidMotion rigid(state);

@@ -61,7 +61,7 @@ class SimulationOf final : public Simulation {
  public:
   SimulationOf(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : settings_(input.settings),
-        place_(input.settings.order == ConstraintOrder::colour ? input.place : std::vector<int>()),
+        place_(input.place),
         bound_(static_cast<Real>(divergence_bound * input.size)),
         workers_(input.settings.threads) {
     fill_state(input);
@@ -140,14 +140,18 @@ class SimulationOf final : public Simulation {
       if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
       return order;
     };
-    if (settings_.order == ConstraintOrder::mesh)
-      return make(list, list_order(list.size()), state_.vertex_count);
-    if (place_.empty()) return make(list, ordered(list.vertices), state_.vertex_count);
+    const bool in_list_order = settings_.order == ConstraintOrder::mesh;
+    if (place_.empty())
+      return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
+                  state_.vertex_count);
     const Placed placed(list.vertices, place_);
     List in_place = list;
     for (std::size_t c = 0; c < list.size(); ++c)
       in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];
-    return make(in_place, placed.in_terms_of_the_list(ordered(placed.vertices)), state_.vertex_count);
+    return make(
+        in_place,
+        in_list_order ? list_order(list.size()) : placed.in_terms_of_the_list(ordered(placed.vertices)),
+        state_.vertex_count);
   }
 
   void fill_constraints(const SimulationInput& input) {
@@ -203,6 +207,8 @@ class SimulationOf final : public Simulation {
     });
     if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     std::reverse(backward_.begin(), backward_.end());
+    add_effects(forward_, Stage::project);
+    for (std::size_t p = backward_.size(); p < forward_.size(); ++p) backward_.push_back(forward_[p]);
     after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
     add_effects(after_, Stage::velocity);
   }

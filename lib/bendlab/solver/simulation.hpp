@@ -1,6 +1,7 @@
 // The time step of position-based dynamics over a step plan that is compiled from what the scene lists.
 //
-//   per substep h:  force passes → damp passes → predict → n × (strain, bending) → update → velocity passes
+//   per substep h:  force passes → damp passes → predict → n × (strain, bending, project passes) → update →
+//                   velocity passes
 //
 // (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
 // time.
@@ -88,6 +89,7 @@ struct SimulationInput {
   std::vector<double> mass;     ///< #V, kg
   std::vector<char> is_pinned;  ///< #V
   std::vector<int> place;  ///< #V, where each vertex stands in the solver's memory; empty: in its own place
+
   StrainConstraints strain;
   DistanceConstraints distance;
   ElementLists elements;

@@ -1,0 +1,126 @@
+// Tethers: no vertex gets farther from a pin than the cloth between them is long.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/geodesics.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> distances = {"geodesic", "straight"};
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "per_vertex",
+        .type = ParameterType::integer,
+        .unit = "1",
+        .default_value = 4,
+        .meaning =
+            "tethers of a vertex at most: to the nearest vertex of each group of pins that hang together, "
+            "nearest groups first",
+        .minimum = 1,
+        .maximum = 64},
+    Parameter{.name = "slack",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 0.0,
+              .meaning = "a tether is longer than the cloth by this fraction",
+              .minimum = 0},
+    Parameter{
+        .name = "distance",
+        .type = ParameterType::text,
+        .default_value = "geodesic",
+        .meaning =
+            "length of the cloth between vertex and pin: along the rest surface, or straight (too short "
+            "where the rest shape is curved or has holes)",
+        .choices = distances},
+};
+
+struct Tether {
+  std::size_t vertex, pin;  // places in the state
+  double length;            // m
+};
+
+// The pins, those that the mesh joins together.
+std::vector<std::vector<int>> groups_of(const RestMesh& rest, const Pins& pins) {
+  std::vector<std::vector<int>> groups;
+  std::vector<char> seen(static_cast<std::size_t>(rest.vertex_count()), 0);
+  for (const int first : pins.all) {
+    if (seen[static_cast<std::size_t>(first)]) continue;
+    std::vector<int> group{first};
+    seen[static_cast<std::size_t>(first)] = 1;
+    for (std::size_t i = 0; i < group.size(); ++i)
+      for (const int next : rest.one_ring()[group[i]])
+        if (pins.pinned(next) && !std::exchange(seen[static_cast<std::size_t>(next)], 1))
+          group.push_back(next);
+    groups.push_back(std::move(group));
+  }
+  return groups;
+}
+
+GeodesicDistances straight_distances(const RestMesh& rest, std::span<const int> sources) {
+  GeodesicDistances result;
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const auto distance = [&](int source) { return (rest.position(v) - rest.position(source)).norm(); };
+    const int nearest = *std::ranges::min_element(sources, {}, [&](int source) { return distance(source); });
+    result.distance.push_back(distance(nearest)), result.source.push_back(nearest);
+  }
+  return result;
+}
+
+// Vertex by vertex, the nearest pin last: it has the last word.
+std::vector<Tether> tethers_of(const EffectInput& input) {
+  const bool straight = input.parameters.text("distance") == "straight";
+  std::vector<GeodesicDistances> from;
+  for (const std::vector<int>& group : groups_of(input.rest, input.pins))
+    from.push_back(straight ? straight_distances(input.rest, group) : geodesic_distances(input.rest, group));
+  const auto most = static_cast<std::size_t>(input.parameters.integer("per_vertex"));
+  const double longer = 1 + input.parameters.number("slack");
+  std::vector<Tether> tethers;
+  for (int v = 0; v < input.rest.vertex_count(); ++v) {
+    if (input.pins.pinned(v)) continue;
+    std::vector<Tether> own;
+    for (const GeodesicDistances& group : from)
+      if (const int pin = group.source[static_cast<std::size_t>(v)]; pin >= 0)
+        own.push_back(
+            {input.place_of(v), input.place_of(pin), longer * group.distance[static_cast<std::size_t>(v)]});
+    std::ranges::sort(own, {}, &Tether::length);
+    own.resize(std::min(own.size(), most));
+    tethers.insert(tethers.end(), own.rbegin(), own.rend());
+  }
+  return tethers;
+}
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const auto tethers = std::make_shared<const std::vector<Tether>>(tethers_of(input));
+  if (tethers->empty()) return {};
+  return {{"tethers", Stage::project, [tethers](PassContext<Real>& context) {
+             Points<Real>& points = context.state.position;
+             for (const Tether& tether : *tethers) {
+               Point<Real>& p = points[tether.vertex];
+               const Vector3Of<Real> pin = points[tether.pin].vector(), offset = p.vector() - pin;
+               const Real length = static_cast<Real>(tether.length), squared = offset.squaredNorm();
+               if (squared > length * length) p.set(pin + length / std::sqrt(squared) * offset);
+             }
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect tethers{
+    .name = "tethers",
+    .summary =
+        "long-range attachments: no vertex gets farther from a pin than the cloth between them is long",
+    .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
+    .parameters = parameters,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,98 @@
+#include "bendlab/mesh/geodesics.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bendlab/mesh/generators.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+}  // namespace
+
+TEST_CASE("on a flat convex sheet the geodesic is the straight line", "[mesh]") {
+  for (const TriangleMesh& mesh : {grid(2, 1, 20, 10), grid(1, 1, 9, 9, Diagonal::both),
+                                   delaunay(1, 1, 20, 3), disc(0.5, 8)}) {
+    const RestMesh rest(mesh);
+    for (const int source : {0, rest.vertex_count() / 2}) {
+      const GeodesicDistances geodesic = geodesic_distances(rest, std::array{source});
+      for (int v = 0; v < rest.vertex_count(); ++v) {
+        // Some twenty unfoldings, each a difference of squares: half the digits would be lost at worst.
+        CHECK_THAT(geodesic.distance[static_cast<std::size_t>(v)],
+                   WithinAbs((rest.position(v) - rest.position(source)).norm(), 1e-9));
+        CHECK(geodesic.source[static_cast<std::size_t>(v)] == source);
+      }
+    }
+  }
+}
+
+TEST_CASE("geodesics survive rolling the sheet up", "[mesh]") {
+  // Folded at the lines between cells the triangles stay as they are, and so do ways over them.
+  TriangleMesh mesh = grid(1, 1, 16, 16);
+  const RestMesh flat(mesh);
+  const double turn = 0.4, step = 1.0 / 16;
+  std::vector<Vector2> profile{{0, 0}};
+  for (int i = 0; i < 16; ++i)
+    profile.push_back(profile.back() + step * Vector2(std::cos(turn * i), std::sin(turn * i)));
+  for (int v = 0; v < flat.vertex_count(); ++v) {
+    const auto column =
+        static_cast<std::size_t>(std::lround((flat.position(v).x() - flat.box_min().x()) / step));
+    mesh.positions.row(v) << profile[column].x(), flat.position(v).y(), profile[column].y();
+  }
+  const RestMesh rolled(mesh);
+  const GeodesicDistances geodesic = geodesic_distances(rolled, std::array{0});
+  for (int v = 0; v < flat.vertex_count(); ++v)
+    CHECK_THAT(geodesic.distance[static_cast<std::size_t>(v)],
+               WithinAbs((flat.position(v) - flat.position(0)).norm(), 1e-9));
+}
+
+TEST_CASE("geodesics on a sphere approach great circles", "[mesh]") {
+  // A disc of radius π/2 wrapped over a half sphere: from the pole along meridians, to its rim π/2.
+  double last = 1;
+  for (const int rings : {6, 12, 24}) {
+    TriangleMesh mesh = disc(std::numbers::pi / 2, rings);
+    for (Eigen::Index v = 0; v < mesh.positions.rows(); ++v) {
+      const double from_pole = mesh.positions.row(v).norm(),
+                   turn = std::atan2(mesh.positions(v, 1), mesh.positions(v, 0));
+      mesh.positions.row(v) << std::sin(from_pole) * std::cos(turn), std::sin(from_pole) * std::sin(turn),
+          std::cos(from_pole);
+    }
+    const RestMesh rest(mesh);
+    const GeodesicDistances geodesic = geodesic_distances(rest, std::array{0});
+    double worst = 0;
+    for (int v = 1; v < rest.vertex_count(); ++v)
+      worst = std::max(
+          worst,
+          std::abs(geodesic.distance[static_cast<std::size_t>(v)] / std::acos(rest.position(v).z()) - 1));
+    CHECK(worst < last / 1.9);  // first order: half where the edges are half as long
+    last = worst;
+  }
+  CHECK(last < 0.003);
+}
+
+TEST_CASE("geodesics go around holes, take the nearest source, and end where the mesh does", "[mesh]") {
+  // An L of three cells: from the tip of one arm to the tip of the other around the inner corner.
+  TriangleMesh mesh;
+  mesh.positions.resize(9, 3);
+  mesh.positions << 0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0, 0, 2, 0, 1, 2, 0, 5, 5, 0;
+  mesh.triangles.resize(6, 3);
+  mesh.triangles << 0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 3, 4, 7, 3, 7, 6;
+  const RestMesh rest(mesh);
+  const GeodesicDistances one = geodesic_distances(rest, std::array{5});
+  CHECK_THAT(one.distance[7], WithinRel(2.0, 1e-12));    // (2,1) → (1,1) → (1,2)
+  CHECK(one.distance[6] >= 1 + std::sqrt(2.0) - 1e-12);  // (2,1) → (1,1) → (0,2): never too short,
+  CHECK(one.distance[6] <= 1.1 * (1 + std::sqrt(2.0)));  // and much nearer to it than along edges, 3
+  CHECK_THAT(one.distance[0], WithinRel(std::sqrt(5.0), 1e-12));  // straight
+  CHECK(one.distance[8] == std::numeric_limits<double>::infinity());
+  CHECK(one.source[8] == -1);
+  const GeodesicDistances two = geodesic_distances(rest, std::array{5, 6});
+  CHECK(two.source[7] == 6);
+  CHECK(two.source[2] == 5);
+}
+
+}  // namespace bendlab
