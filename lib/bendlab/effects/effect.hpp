@@ -16,6 +16,8 @@ struct Effect {
   std::string_view summary;
   std::string_view source;  ///< paper and equation
   std::span<const Parameter> parameters;
+  /// Its passes act on the scene's constraints, which only solver methods that project constraints have.
+  bool acts_on_constraints = false;
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const ParameterValues&);
   std::vector<Pass<double>> (*compile_double)(const ParameterValues&);

@@ -6,6 +6,7 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/kang_cho.hpp"
 #include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/time_step.hpp"
 
@@ -225,6 +226,8 @@ class PbdStep final : public TimeStep<Real> {
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes) {
+  if (input.settings.method == Method::kang_cho)
+    return make_kang_cho_step<Real>(input, std::move(effect_passes));
   return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
 }
 
