@@ -5,9 +5,7 @@
 #include <Eigen/LU>
 #include <stdexcept>
 
-#include "bendlab/mesh/numbering.hpp"
 #include "bendlab/metrics/motion.hpp"
-#include "bendlab/metrics/stretch.hpp"
 #include "bendlab/solver/spring_rows.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"

@@ -25,7 +25,7 @@
 //   a cloth (the share lost is O((κ / m)²)). It turns with the cloth, so energy is not kept either: with κ ≫ m a
 //   sheet that swings down climbs higher than it started;
 // * a taut spring's stiffness across it, k (1 - L / |d|), is not in the source's J and so is integrated explicitly:
-//   a string is stable while h² Σ k (1 - L / |d|) < 4 m, whatever J. In a hanging sheet of 32 × 32 cells that is
+//   a mass on a taut string is stable while h² Σ k (1 - L / |d|) < 4 m. In a hanging sheet of 32 × 32 cells that is
 //   steps of 1.5 to 4 times explicit Euler's, h² k / m of 1 to 6. Tangent::taut adds it to J.
 #pragma once
 
@@ -36,7 +36,7 @@
 namespace bendlab {
 
 /// The springs are input.edges, of stiffness 1 / strain_stiffness.compliance, and input.distance, of stiffness
-/// 1 / bending_stiffness.compliance (N/m). Of the settings it looks at dt, substeps and threads. Throws
+/// 1 / bending_stiffness.compliance (N/m). Of the settings it looks at tangent, dt, substeps and threads. Throws
 /// std::invalid_argument for elements, for a stiffness that is not a compliance above 0 and for a pass at a stage
 /// that this step has not.
 template <class Real>
