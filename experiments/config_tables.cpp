@@ -23,6 +23,8 @@ constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpend
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
 constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
+constexpr std::array<std::string_view, 2> methods = {"pbd", "kang_cho"};
+constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropic"};
 constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
 constexpr std::array<std::string_view, 2> orders = {"colour", "mesh"};
 constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
@@ -166,6 +168,17 @@ const std::array<Parameter, 4>& bending() {
 }
 
 constexpr std::array solver = {
+    Parameter{.name = "method", .type = text, .unit = "", .default_value = "pbd",
+              .meaning = "pbd: position-based dynamics; kang_cho: an approximate implicit step of masses and "
+                         "springs. There the membrane is a spring along every edge, the bending model one of "
+                         "springs, both stiffnesses a compliance above 0, and what only projections need is not "
+                         "used: iterations, sweep, order, first, form, warp, weft, shear, area and k",
+              .choices = methods},
+    Parameter{.name = "tangent", .type = text, .unit = "", .default_value = "along",
+              .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as in the "
+                         "source; taut: besides, k (1 - L/l) across a spring stretched from L to l; isotropic: k in "
+                         "every direction",
+              .choices = tangents},
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
               .minimum = 0, .above = true},

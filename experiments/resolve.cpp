@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "experiments/config_tables.hpp"
 #include "experiments/nearest_name.hpp"
@@ -233,6 +234,47 @@ void keep_chosen_model(Json& bending) {
     if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
 }
 
+// The mass-spring step takes springs of a known stiffness. What a method does not use is not part of the result.
+void settle_method(Json& canonical, ConfigProblems& problems) {
+  if (canonical["solver"]["method"] != "kang_cho") {
+    canonical["solver"].erase("tangent");
+    return;
+  }
+  const auto report = [&](const std::string& pointer, const std::string& message) {
+    problems.push_back({pointer, message + " (as /solver/method is kang_cho)"});
+  };
+  const auto check_stiffness = [&](const std::string& pointer, const Json& section) {
+    if (section["stiffness"] != "compliance")
+      report(pointer + "/stiffness",
+             fmt::format("must be \"compliance\", with {}/compliance above 0: springs have "
+                         "a stiffness of 1 / compliance in N/m",
+                         pointer));
+    else if (!(section["compliance"].get<double>() > 0))
+      report(pointer + "/compliance", "must be above 0: springs have a stiffness of 1 / compliance in N/m");
+  };
+  const BendingModel* model = find_bending_model(canonical["bending"]["model"].get<std::string>());
+  check_stiffness("/material/strain", canonical["material"]["strain"]);
+  if (!model->springs_only) {
+    std::vector<std::string_view> allowed;
+    for (const BendingModel* each : bending_models())
+      if (each->springs_only) allowed.push_back(each->name);
+    report("/bending/model",
+           fmt::format("{} is not made of springs; these are: {}", model->name, fmt::join(allowed, ", ")));
+  } else if (model->name != "none") {
+    check_stiffness("/bending", canonical["bending"]);
+  }
+  for (std::size_t i = 0; i < canonical["effects"].size(); ++i)
+    if (const std::string type = canonical["effects"][i]["type"]; find_effect(type)->needs_projection)
+      report(fmt::format("/effects/{}", i),
+             fmt::format("{} works with the projection of constraints, which this step has "
+                         "not: remove it",
+                         type));
+  for (const char* unused : {"iterations", "sweep", "order", "first"}) canonical["solver"].erase(unused);
+  for (const char* unused : {"form", "warp", "weft", "shear", "area"})
+    canonical["material"]["strain"].erase(unused);
+  canonical["bending"].erase("k");
+}
+
 }  // namespace
 
 std::optional<Value> read_value(const Parameter& row, const Json& given, const std::string& pointer,
@@ -296,6 +338,7 @@ Json resolve(const Json& settings, ConfigProblems& problems) {
   keep_chosen_model(canonical["bending"]);
   canonical["effects"] =
       read_effects(settings.contains("effects") ? settings["effects"] : default_effects(), problems);
+  settle_method(canonical, problems);
   canonical.erase("name");
   canonical.erase("description");
   return canonical;

@@ -14,6 +14,7 @@
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/io/frame_writer.hpp"
+#include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/version.hpp"
@@ -77,6 +78,9 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                                   }),
                         record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
                                   [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
+  if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
+    header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
+                                           [&](std::size_t c) { return edges.rest_length[c]; }));
   for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (list.size() > 0)  // of the rest values, the first
       header.constraints.push_back(record_of(std::string(Kind::name), list,

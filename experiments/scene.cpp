@@ -98,7 +98,11 @@ BendingStiffness bending_stiffness(const ParameterValues& values) {
 }
 
 SolverSettings solver_settings(const ParameterValues& values) {
-  return {.dt = values.number("dt"),
+  return {.method = values.text("method") == "kang_cho" ? Method::kang_cho : Method::pbd,
+          .tangent = values.text("tangent") == "taut"        ? Tangent::taut
+                     : values.text("tangent") == "isotropic" ? Tangent::isotropic
+                                                             : Tangent::along,
+          .dt = values.number("dt"),
           .substeps = static_cast<int>(values.integer("substeps")),
           .iterations = static_cast<int>(values.integer("iterations")),
           .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
@@ -204,10 +208,13 @@ Scene build_scene(const RunConfig& config) {
   input.size = rest.size();
   input.mass = lumped_masses(rest, material.number("density"));
   input.is_pinned = scene.pins.is_pinned;
-  input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
-  input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
-  input.settings = solver_settings(solver);
   input.place = local_numbering(rest);
+  input.settings = solver_settings(solver);
+  if (input.settings.method == Method::kang_cho)
+    input.edges = edge_springs(rest, scene.pins);
+  else
+    input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
+  input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
   const ParameterValues parameters = config.bending_parameters();
   BendingConstraints bending =

@@ -79,6 +79,16 @@ TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
     }
 }
 
+TEST_CASE("a model says whether it is made of springs alone", "[bending]") {
+  const RestMesh rest(grid(1, 1, 6, 6));
+  for (const BendingModel* model : bending_models()) {
+    INFO(model->name);
+    const BendingConstraints built =
+        model->build({rest, make_pins(rest, {0}, 0), ParameterValues(model->parameters)});
+    CHECK(model->springs_only == (element_count(built.elements) == 0));
+  }
+}
+
 TEST_CASE("spring counts by hand", "[bending]") {
   for (const int n : {3, 8, 16}) {
     const RestMesh rest(grid(1, 1, n, n));

@@ -288,6 +288,49 @@ TEST_CASE("config: equal physics has equal text") {
   CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved.dump() != minimal);
 }
 
+TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") {
+  using Catch::Matchers::ContainsSubstring;
+  const std::string head = R"("solver": {"method": "kang_cho"}, )";
+  const std::string strain = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}}, )";
+  const std::string bending =
+      R"("bending": {"model": "crossover", "stiffness": "compliance", "compliance": 1})";
+  const RunConfig run = single_run(with(head + strain + bending));
+  CHECK(run.section("/solver").text("method") == "kang_cho");
+  CHECK(run.section("/solver").text("tangent") == "along");
+  CHECK_NOTHROW(
+      single_run(with(head + strain + R"("bending": {"model": "none"})")));  // no springs to be stiff
+
+  const ConfigProblems both = problems_of(with(R"("solver": {"method": "kang_cho"})"));
+  REQUIRE(both.size() == 2);
+  CHECK(both[0].pointer == "/material/strain/stiffness");
+  CHECK(both[1].pointer == "/bending/stiffness");
+  CHECK_THAT(both[1].message, ContainsSubstring("/bending/compliance above 0"));
+  CHECK_THAT(only_problem(with(head + R"("material": {"strain": {"stiffness": "compliance"}}, )" + bending),
+                          "/material/strain/compliance"),
+             ContainsSubstring("must be above 0"));
+  CHECK_THAT(only_problem(with(head + strain + R"("bending": {"model": "dihedral"})"), "/bending/model"),
+             ContainsSubstring("none, crossover, k_ring, adaptive, lod"));
+  CHECK_THAT(only_problem(with(head + strain + bending + R"(, "effects": [{"type": "gravity"}, )" +
+                               R"({"type": "constraint_damping"}])"),
+                          "/effects/1"),
+             ContainsSubstring("constraint_damping works with the projection"));
+}
+
+TEST_CASE("config: what the solver's method does not use makes no other run") {
+  const std::string kang_cho =
+      R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
+         "bending": {"model": "crossover", "stiffness": "compliance", "compliance": 1},
+         "solver": {"method": "kang_cho"})";
+  const std::string text = identity_text(single_run(with(kang_cho)));
+  for (const char* unused : {"/solver/iterations=3", "/solver/sweep=symmetric", "/solver/order=mesh",
+                             "/solver/first=bending", "/material/strain/warp=0.5", "/bending/k=0.1"})
+    CHECK(identity_text(single_run(with(kang_cho), {unused})) == text);
+  for (const char* used : {"/solver/tangent=taut", "/solver/substeps=2", "/bending/compliance=2"})
+    CHECK(identity_text(single_run(with(kang_cho), {used})) != text);
+  const std::string pbd = identity_text(single_run(R"({"name": "t"})"));
+  CHECK(identity_text(single_run(R"({"name": "t"})", {"/solver/tangent=taut"})) == pbd);
+}
+
 TEST_CASE("config: the resolved config reads back as itself") {
   for (const BendingModel* model : bending_models()) {
     const std::string text =

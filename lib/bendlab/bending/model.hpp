@@ -40,6 +40,7 @@ struct BendingModel {
   std::string_view limits;      ///< what it cannot do
   std::string_view compliance;  ///< what the scene's compliance is the inverse of
   std::span<const Parameter> parameters;
+  bool springs_only = false;  ///< build() gives no elements, whatever the parameters
   BendingConstraints (*build)(const BendingInput&);
 };
 

@@ -14,6 +14,17 @@ StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
   return list;
 }
 
+DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins) {
+  DistanceConstraints list;
+  for (Eigen::Index e = 0; e < rest.edges().rows(); ++e) {
+    const int a = rest.edges()(e, 0), b = rest.edges()(e, 1);
+    if (pins.pinned(a) && pins.pinned(b)) continue;
+    list.vertices.push_back({a, b});
+    list.rest_length.push_back((rest.position(a) - rest.position(b)).norm());
+  }
+  return list;
+}
+
 std::vector<double> lumped_masses(const RestMesh& rest, double density) {
   std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0);
   for (int t = 0; t < rest.triangle_count(); ++t)

@@ -14,6 +14,10 @@ namespace bendlab {
 StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
                                      const std::vector<InverseRest>& inverse_rest);
 
+/// A spring at rest along every edge of the mesh that has a free end, in mesh order: the membrane of mass-spring
+/// cloth.
+DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins);
+
 /// #V masses, kg: a third of each adjacent triangle's `density` (kg/m²) times area.
 std::vector<double> lumped_masses(const RestMesh& rest, double density);
 

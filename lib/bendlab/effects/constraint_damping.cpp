@@ -44,6 +44,7 @@ extern const Effect constraint_damping{
     .summary = "damps the rate of change of every constraint; keeps both momenta",
     .source = "Müller et al. 2014, eq. 23 (the same for equal masses; dissipates for any masses)",
     .parameters = parameters,
+    .needs_projection = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
 };

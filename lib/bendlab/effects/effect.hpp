@@ -31,6 +31,8 @@ struct Effect {
   std::string_view summary;
   std::string_view source;  ///< paper and equation
   std::span<const Parameter> parameters;
+  /// Its passes act on the scene's constraints or among them, which only solver methods that project have.
+  bool needs_projection = false;
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);

@@ -119,6 +119,7 @@ extern const Effect tethers{
         "long-range attachments: no vertex gets farther from a pin than the cloth between them is long",
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
     .parameters = parameters,
+    .needs_projection = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
 };

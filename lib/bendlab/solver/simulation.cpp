@@ -1,32 +1,23 @@
 #include "bendlab/solver/simulation.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 #include <numeric>
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/kang_cho.hpp"
 #include "bendlab/solver/tiling.hpp"
-#include "bendlab/solver/workers.hpp"
+#include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
 namespace {
 
 // Ranges with less work than this are not worth waking a second thread for (about 10 µs of projections).
 constexpr std::size_t worthwhile_lanes = 2048;
-constexpr std::size_t worthwhile_vertices = 16384;
 // A tile's points take a quarter of a second-level cache of 1 MB.
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
-constexpr double divergence_bound = 1e6;  // sizes from the origin
-
-template <class Real>
-struct PlannedPass {
-  std::function<void(PassContext<Real>&)> run;
-  std::size_t statistics;  // its row in passes()
-};
 
 // A list's constraints by place instead of vertex, in the order of their first place, and where each came
 // from.
@@ -56,46 +47,19 @@ struct Placed {
   }
 };
 
+// Position-based dynamics (Müller et al. 2007): predict, project, update.
 template <class Real>
-class SimulationOf final : public Simulation {
+class PbdStep final : public TimeStep<Real> {
+  using Base = TimeStep<Real>;
+  using Base::add_statistics, Base::append_effects, Base::constraints_, Base::find_divergence,
+      Base::for_vertices, Base::place_, Base::run, Base::settings_, Base::state_, Base::workers_;
+
  public:
-  SimulationOf(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
-      : settings_(input.settings),
-        place_(input.place),
-        bound_(static_cast<Real>(divergence_bound * input.size)),
-        workers_(input.settings.threads) {
-    fill_state(input);
+  PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) : Base(input, input.place) {
     fill_constraints(input);
     compile_plan(std::move(effect_passes));
   }
 
-  bool step() override {
-    const Real h = static_cast<Real>(settings_.dt / settings_.substeps);
-    PassContext<Real> context{state_, constraints_, h};
-    for (int substep = 0; substep < settings_.substeps; ++substep) {
-      run(before_, context);
-      for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
-        run(forward_, context);
-        if (settings_.sweep == Sweep::symmetric) run(backward_, context);
-      }
-      run(after_, context);
-      ++substeps_done_;
-    }
-    return divergence_.vertex < 0 || (divergence_.time = time(), false);
-  }
-
-  double time() const override {
-    return static_cast<double>(substeps_done_) * (settings_.dt / settings_.substeps);
-  }
-  Positions positions() const override { return to_rows(state_.position, state_.origin); }
-  Positions velocities() const override { return to_rows(state_.velocity, Vector3::Zero()); }
-  const Divergence& divergence() const override { return divergence_; }
-  const std::vector<PassStatistics>& passes() const override { return statistics_; }
-  double helper_seconds() const override { return workers_.helper_seconds(); }
-  std::uint64_t projections() const override {
-    return substeps_done_ * static_cast<std::uint64_t>(settings_.projections_per_substep()) *
-           constraint_count();
-  }
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {
@@ -107,28 +71,17 @@ class SimulationOf final : public Simulation {
   }
 
  private:
-  void fill_state(const SimulationInput& input) {
-    const auto count = static_cast<std::size_t>(input.positions.rows());
-    state_.vertex_count = static_cast<int>(count);
-    state_.origin = input.origin;
-    state_.mass.resize(count);
-    state_.position.resize(count + dummy_points);
-    state_.velocity.resize(count + dummy_points);
-    for (std::size_t v = 0; v < count; ++v) {
-      const auto row = static_cast<Eigen::Index>(v);
-      const std::size_t at = place_of(v);
-      state_.mass[at] = input.mass[v];
-      state_.position[at].set((input.positions.row(row).transpose() - input.origin).template cast<Real>());
-      const bool free = !input.is_pinned[v] && input.mass[v] > 0;
-      state_.position[at].w = free ? static_cast<Real>(1 / input.mass[v]) : Real(0);
-      if (free && input.velocities.rows() > 0)
-        state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
+  void substep(PassContext<Real>& context) override {
+    run(before_, context);
+    for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+      run(forward_, context);
+      if (settings_.sweep == Sweep::symmetric) run(backward_, context);
     }
-    state_.previous = state_.position;
+    run(after_, context);
   }
 
-  std::size_t place_of(std::size_t vertex) const {
-    return place_.empty() ? vertex : static_cast<std::size_t>(place_[vertex]);
+  std::uint64_t projections_per_substep() const override {
+    return static_cast<std::uint64_t>(settings_.projections_per_substep()) * constraint_count();
   }
 
   // A batch of a list's constraints, of vertices where they stand, ordered by `colour`; and one thread's way
@@ -192,9 +145,8 @@ class SimulationOf final : public Simulation {
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
-    const auto add_effects = [&](std::vector<PlannedPass<Real>>& passes, Stage stage) {
-      for (Pass<Real>& pass : effect_passes)
-        if (pass.stage == stage) passes.push_back({std::move(pass.run), add_statistics(pass.name)});
+    const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
+      append_effects(passes, effect_passes, stage);
     };
     add_effects(before_, Stage::force);
     add_effects(before_, Stage::damp);
@@ -213,11 +165,6 @@ class SimulationOf final : public Simulation {
     add_effects(after_, Stage::velocity);
   }
 
-  std::size_t add_statistics(const std::string& name) {
-    statistics_.push_back({name});
-    return statistics_.size() - 1;
-  }
-
   // A kind of constraint that the scene has none of gets no pass.
   template <class Batch>
   void add_projection(Batch& batch, const std::vector<RunRange>& tiles, const char* name) {
@@ -227,16 +174,6 @@ class SimulationOf final : public Simulation {
         {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, false); }, row});
     backward_.push_back(
         {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, true); }, row});
-  }
-
-  void run(const std::vector<PlannedPass<Real>>& passes, PassContext<Real>& context) {
-    for (const PlannedPass<Real>& pass : passes) {
-      const auto start = std::chrono::steady_clock::now();
-      pass.run(context);
-      PassStatistics& statistics = statistics_[pass.statistics];
-      statistics.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-      ++statistics.calls;
-    }
   }
 
   void predict(Real h) {
@@ -284,49 +221,9 @@ class SimulationOf final : public Simulation {
     find_divergence();
   }
 
-  // One finiteness check per substep: NaN fails every comparison.
-  void find_divergence() {
-    if (divergence_.vertex >= 0) return;
-    bool inside = true;
-    for (int v = 0; v < state_.vertex_count; ++v)
-      inside &= within_bound(state_.position[static_cast<std::size_t>(v)]);
-    if (inside) return;
-    std::size_t vertex = 0;
-    while (within_bound(state_.position[place_of(vertex)])) ++vertex;
-    divergence_.vertex = static_cast<int>(vertex);
-    divergence_.position = state_.position[place_of(vertex)].vector().template cast<double>() + state_.origin;
-  }
-
-  bool within_bound(const Point<Real>& p) const {
-    return (std::abs(p.x) < bound_) & (std::abs(p.y) < bound_) & (std::abs(p.z) < bound_);
-  }
-
-  template <class Task>
-  void for_vertices(const Task& task) {
-    const auto count = static_cast<std::size_t>(state_.vertex_count);
-    workers_.for_range(0, count, count >= worthwhile_vertices, task);
-  }
-
-  Positions to_rows(const Points<Real>& points, const Vector3& origin) const {
-    Positions rows(state_.vertex_count, 3);
-    for (int v = 0; v < state_.vertex_count; ++v)
-      rows.row(v) = (points[place_of(static_cast<std::size_t>(v))].vector().template cast<double>() + origin)
-                        .transpose();
-    return rows;
-  }
-
-  SolverSettings settings_;
-  std::vector<int> place_;  // of each vertex; empty: its own
-  Real bound_;
-  Workers workers_;
-  State<Real> state_;
-  Constraints<Real> constraints_;
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
-  std::vector<PlannedPass<Real>> before_, forward_, backward_, after_;
-  std::vector<PassStatistics> statistics_;
-  std::uint64_t substeps_done_ = 0;
-  Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};
+  typename Base::Passes before_, forward_, backward_, after_;
 };
 
 }  // namespace
@@ -334,7 +231,9 @@ class SimulationOf final : public Simulation {
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes) {
-  return std::make_unique<SimulationOf<Real>>(input, std::move(effect_passes));
+  if (input.settings.method == Method::kang_cho)
+    return make_kang_cho_step<Real>(input, std::move(effect_passes));
+  return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
 }
 
 template std::unique_ptr<Simulation> make_simulation(const SimulationInput&, std::vector<Pass<float>>);

@@ -43,6 +43,18 @@
 
 namespace bendlab {
 
+enum class Method {
+  pbd,       ///< position-based dynamics, as above
+  kang_cho,  ///< an approximate implicit mass-spring step, see kang_cho.hpp
+};
+
+/// What of a spring's tangent kang_cho takes into its implicit step.
+enum class Tangent {
+  along,      ///< k along the spring, nothing across it: J = k d dᵀ / |d|², as in the source
+  taut,       ///< besides, k (1 - L / |d|) across a spring that is longer than L
+  isotropic,  ///< k in every direction: J = k 1
+};
+
 enum class Sweep {
   forward,    ///< one pass over the constraints per iteration
   symmetric,  ///< forward, then backward: two projections per iteration, no energy pumped at small steps
@@ -56,6 +68,8 @@ enum class ConstraintOrder {
 enum class FirstConstraint { strain, bending };
 
 struct SolverSettings {
+  Method method = Method::pbd;
+  Tangent tangent = Tangent::along;
   double dt = 1.0 / 60;  ///< s
   int substeps = 1;
   int iterations = 10;  ///< per substep
@@ -91,6 +105,7 @@ struct SimulationInput {
   std::vector<int> place;  ///< #V, where each vertex stands in the solver's memory; empty: in its own place
 
   StrainConstraints strain;
+  DistanceConstraints edges;  ///< the membrane of kang_cho, instead of strain; pbd does not look at it
   DistanceConstraints distance;
   ElementLists elements;
   StrainStiffness strain_stiffness;
@@ -126,7 +141,8 @@ class Simulation {
       const = 0;  ///< the step plan, in the order of a substep
   /// Seconds that threads beside the calling one spent on passes so far.
   virtual double helper_seconds() const = 0;
-  /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
+  /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one). In
+  /// a step of kang_cho every spring counts once.
   virtual std::uint64_t projections() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
@@ -134,7 +150,8 @@ class Simulation {
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;  ///< Kind::name
 };
 
-/// A simulation in single (Real = float) or double precision, with the passes of the scene's effects.
+/// A simulation in single (Real = float) or double precision, with the passes of the scene's effects. Throws
+/// std::invalid_argument for what the method cannot do (see kang_cho.hpp; pbd can do all).
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes);

@@ -30,6 +30,7 @@ extern constinit const BendingModel adaptive{
         "meshes) free vertices have no bending at all",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
+    .springs_only = true,
     .build = build,
 };
 }  // namespace models

@@ -91,6 +91,7 @@ extern constinit const BendingModel crossover{
         "meshes",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
+    .springs_only = true,
     .build = build,
 };
 }  // namespace models

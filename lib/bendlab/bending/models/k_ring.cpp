@@ -36,6 +36,7 @@ extern constinit const BendingModel k_ring{
         "meshes",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
+    .springs_only = true,
     .build = build,
 };
 }  // namespace models

@@ -47,6 +47,7 @@ extern constinit const BendingModel lod{
         "edges can escape the long springs",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
+    .springs_only = true,
     .build = build,
 };
 }  // namespace models

@@ -10,6 +10,7 @@ extern constinit const BendingModel none{
     .limits = "resists no bending, but for what the membrane resists by itself on some meshes",
     .compliance = "no constraints",
     .parameters = {},
+    .springs_only = true,
     .build = [](const BendingInput&) { return BendingConstraints{}; },
 };
 

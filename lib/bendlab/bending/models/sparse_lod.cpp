@@ -196,6 +196,7 @@ extern constinit const BendingModel sparse_lod{
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
     .parameters = parameters,
+    .springs_only = true,
     .build = build,
 };
 }  // namespace models

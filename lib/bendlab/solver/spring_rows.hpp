@@ -1,0 +1,42 @@
+// Springs by vertex: each vertex has a row of the springs it hangs on, so that it can sum them by itself. A
+// spring stands in the rows of both its ends.
+//
+//   slice   max_lanes vertices one after another in memory, one per lane; as long as their longest row
+//
+//   lane    0      1      2    …
+//           s0     s1     s0        a vertex's springs in the order of the list; shorter rows end in padded
+//           s3     s4     s2        lanes, whose spring leads from the vertex to itself and has no stiffness
+//           s7      ·     s5
+//
+// A vertex adds its springs up in the same order whoever does it: the sums' bits depend on the list alone.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "bendlab/constraints/large_array.hpp"
+
+namespace bendlab {
+
+/// Between the places a and b.
+struct Spring {
+  int a, b;
+  double rest_length;  ///< m
+  double stiffness;    ///< N/m
+};
+
+template <class Real>
+struct SpringRows {
+  std::vector<std::size_t> slices;  ///< first lane of each slice, then the number of lanes
+  LargeArray<int> other;            ///< offset_of() the other end
+  LargeArray<Real> rest_length;     ///< m
+  LargeArray<Real> stiffness;       ///< N/m
+
+  std::size_t slice_count() const { return slices.size() - 1; }
+};
+
+/// Rows of as many places as `needs_row` has; a place that needs none has an empty one.
+template <class Real>
+SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std::vector<char>& needs_row);
+
+}  // namespace bendlab

@@ -1,0 +1,107 @@
+#include "bendlab/solver/time_step.hpp"
+
+#include <chrono>
+#include <cmath>
+
+namespace bendlab {
+namespace {
+
+constexpr double divergence_bound = 1e6;  // sizes from the origin
+
+}  // namespace
+
+template <class Real>
+TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> place)
+    : settings_(input.settings),
+      place_(std::move(place)),
+      workers_(input.settings.threads),
+      bound_(static_cast<Real>(divergence_bound * input.size)) {
+  fill_state(input);
+}
+
+template <class Real>
+void TimeStep<Real>::fill_state(const SimulationInput& input) {
+  const auto count = static_cast<std::size_t>(input.positions.rows());
+  state_.vertex_count = static_cast<int>(count);
+  state_.origin = input.origin;
+  state_.mass.resize(count);
+  state_.position.resize(count + dummy_points);
+  state_.velocity.resize(count + dummy_points);
+  for (std::size_t v = 0; v < count; ++v) {
+    const auto row = static_cast<Eigen::Index>(v);
+    const std::size_t at = place_of(v);
+    state_.mass[at] = input.mass[v];
+    state_.position[at].set((input.positions.row(row).transpose() - input.origin).template cast<Real>());
+    const bool free = !input.is_pinned[v] && input.mass[v] > 0;
+    state_.position[at].w = free ? static_cast<Real>(1 / input.mass[v]) : Real(0);
+    if (free && input.velocities.rows() > 0)
+      state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
+  }
+  state_.previous = state_.position;
+}
+
+template <class Real>
+bool TimeStep<Real>::step() {
+  PassContext<Real> context{state_, constraints_, static_cast<Real>(settings_.dt / settings_.substeps)};
+  for (int s = 0; s < settings_.substeps; ++s) {
+    substep(context);
+    ++substeps_done_;
+  }
+  return divergence_.vertex < 0 || (divergence_.time = time(), false);
+}
+
+template <class Real>
+std::size_t TimeStep<Real>::add_statistics(const std::string& name) {
+  statistics_.push_back({name});
+  return statistics_.size() - 1;
+}
+
+template <class Real>
+void TimeStep<Real>::append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage) {
+  for (Pass<Real>& pass : effect_passes)
+    if (pass.stage == stage) passes.push_back({std::move(pass.run), add_statistics(pass.name)});
+}
+
+template <class Real>
+void TimeStep<Real>::run(const Passes& passes, PassContext<Real>& context) {
+  for (const PlannedPass<Real>& pass : passes) {
+    const auto start = std::chrono::steady_clock::now();
+    pass.run(context);
+    PassStatistics& statistics = statistics_[pass.statistics];
+    statistics.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ++statistics.calls;
+  }
+}
+
+// NaN fails every comparison.
+template <class Real>
+void TimeStep<Real>::find_divergence() {
+  if (divergence_.vertex >= 0) return;
+  bool inside = true;
+  for (int v = 0; v < state_.vertex_count; ++v)
+    inside &= within_bound(state_.position[static_cast<std::size_t>(v)]);
+  if (inside) return;
+  std::size_t vertex = 0;
+  while (within_bound(state_.position[place_of(vertex)])) ++vertex;
+  divergence_.vertex = static_cast<int>(vertex);
+  divergence_.position = state_.position[place_of(vertex)].vector().template cast<double>() + state_.origin;
+}
+
+template <class Real>
+bool TimeStep<Real>::within_bound(const Point<Real>& p) const {
+  return (std::abs(p.x) < bound_) & (std::abs(p.y) < bound_) & (std::abs(p.z) < bound_);
+}
+
+template <class Real>
+Positions TimeStep<Real>::to_rows(const Points<Real>& points, const Vector3& origin) const {
+  Positions rows(state_.vertex_count, 3);
+  for (int v = 0; v < state_.vertex_count; ++v)
+    rows.row(v) =
+        (points[place_of(static_cast<std::size_t>(v))].vector().template cast<double>() + origin).transpose();
+  return rows;
+}
+
+template class TimeStep<float>;
+template class TimeStep<double>;
+
+}  // namespace bendlab

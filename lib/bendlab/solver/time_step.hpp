@@ -1,0 +1,78 @@
+// What every solver method's step shares: the cloth's state, the plan of passes and their times, the watch for
+// divergence. A method fills in how a substep goes.
+#pragma once
+
+#include "bendlab/solver/simulation.hpp"
+#include "bendlab/solver/workers.hpp"
+
+namespace bendlab {
+
+template <class Real>
+struct PlannedPass {
+  std::function<void(PassContext<Real>&)> run;
+  std::size_t statistics;  ///< its row in passes()
+};
+
+template <class Real>
+class TimeStep : public Simulation {
+ public:
+  bool step() final;
+  double time() const final {
+    return static_cast<double>(substeps_done_) * (settings_.dt / settings_.substeps);
+  }
+  Positions positions() const final { return to_rows(state_.position, state_.origin); }
+  Positions velocities() const final { return to_rows(state_.velocity, Vector3::Zero()); }
+  const Divergence& divergence() const final { return divergence_; }
+  const std::vector<PassStatistics>& passes() const final { return statistics_; }
+  double helper_seconds() const final { return workers_.helper_seconds(); }
+  std::uint64_t projections() const final { return substeps_done_ * projections_per_substep(); }
+
+ protected:
+  using Passes = std::vector<PlannedPass<Real>>;
+
+  /// `place`: where each vertex stands in memory; empty: in its own place.
+  TimeStep(const SimulationInput& input, std::vector<int> place);
+
+  virtual void substep(PassContext<Real>& context) = 0;
+  virtual std::uint64_t projections_per_substep() const = 0;
+
+  std::size_t place_of(std::size_t vertex) const {
+    return place_.empty() ? vertex : static_cast<std::size_t>(place_[vertex]);
+  }
+
+  /// A new row of passes().
+  std::size_t add_statistics(const std::string& name);
+  /// Moves the effects' passes of one stage to the end of `passes`.
+  void append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage);
+  void run(const Passes& passes, PassContext<Real>& context);
+
+  /// One finiteness check per substep, for a method to call when positions are final.
+  void find_divergence();
+
+  /// Calls task(first, last) on parts of [0, #V), side by side.
+  template <class Task>
+  void for_vertices(const Task& task) {
+    // About 10 µs of one thread's work: less is not worth waking a second thread for.
+    constexpr std::size_t worthwhile_vertices = 16384;
+    const auto count = static_cast<std::size_t>(state_.vertex_count);
+    workers_.for_range(0, count, count >= worthwhile_vertices, task);
+  }
+
+  SolverSettings settings_;
+  std::vector<int> place_;  ///< of each vertex; empty: its own
+  Workers workers_;
+  State<Real> state_;
+  Constraints<Real> constraints_;
+
+ private:
+  void fill_state(const SimulationInput& input);
+  bool within_bound(const Point<Real>& p) const;
+  Positions to_rows(const Points<Real>& points, const Vector3& origin) const;
+
+  Real bound_;
+  std::vector<PassStatistics> statistics_;
+  std::uint64_t substeps_done_ = 0;
+  Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};
+};
+
+}  // namespace bendlab
