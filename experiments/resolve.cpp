@@ -177,7 +177,7 @@ Json read_effects(const Json& given, ConfigProblems& problems) {
     Json effect = read_effect(given[i], pointer, problems);
     if (effect.is_null()) continue;
     const auto same = std::ranges::find(seen, effect["type"], &std::pair<Json, std::string>::first);
-    if (same != seen.end())
+    if (same != seen.end() && !find_effect(effect["type"].get<std::string>())->repeatable)
       problems.push_back({pointer, fmt::format("effect {} is there already at {}; list each type once",
                                                effect["type"].dump(), same->second)});
     seen.emplace_back(effect["type"], pointer);

@@ -173,8 +173,13 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
 template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
+  const bool contacts_used = std::ranges::any_of(scene.effects, [](const EffectSettings& settings) {
+    return find_effect(settings.type)->uses_contacts;
+  });
   for (const EffectSettings& settings : scene.effects)
-    for (Pass<Real>& pass : find_effect(settings.type)->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place}))
+    for (Pass<Real>& pass :
+         find_effect(settings.type)
+             ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used}))
       passes.push_back(std::move(pass));
   return make_simulation<Real>(scene.input, std::move(passes));
 }

@@ -44,7 +44,7 @@ std::vector<Pass<Real>> effect_passes(std::string_view name, const RestMesh& res
   const Effect& effect = *find_effect(name);
   ParameterValues values(effect.parameters);
   if (!setting.empty()) values.set(setting, std::move(value));
-  return effect.compile<Real>({values, rest, pins, {}});
+  return effect.compile<Real>({values, rest, pins, {}, effect.uses_contacts});
 }
 
 /// Of an effect that asks nothing of the cloth.

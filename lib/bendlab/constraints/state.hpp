@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <string>
 #include <vector>
@@ -10,6 +11,15 @@
 #include "bendlab/constraints/point.hpp"
 
 namespace bendlab {
+
+/// A vertex that an obstacle pushed out in this iteration.
+template <class Real>
+struct Contact {
+  std::size_t vertex;       ///< its place in State's arrays
+  Vector3Of<Real> normal;   ///< unit, out of the obstacle
+  Real depth;               ///< m, how far it was pushed along the normal
+  Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
+};
 
 /// Positions and velocities of a cloth, coordinates relative to `origin` so that float keeps its digits.
 /// The point arrays hold #V points and then the dummies that padded lanes of a batch point to.
@@ -21,6 +31,8 @@ struct State {
   Points<Real> velocity;     ///< m/s
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /// What obstacles found in this iteration, kept only where a listed effect uses contacts.
+  std::vector<Contact<Real>> contacts;
 };
 
 /// The scene's constraints, ordered: one batch per kind.
@@ -49,16 +61,20 @@ template <class Real>
 struct PassContext {
   State<Real>& state;
   const Constraints<Real>& constraints;
-  Real substep;  ///< h, s
+  Real substep;             ///< h, s
+  double time = 0;          ///< s, at the start of the substep
+  std::uint64_t acted = 0;  ///< for a pass to add what it changed (vertices, pairs …); the solver sums it up
 };
 
 /// Where in a substep an effect's pass runs. Projection of constraints lies between `damp` and `velocity`,
 /// with the passes of `project` in it.
 enum class Stage {
-  force,     ///< before prediction: v += h a
-  damp,      ///< before prediction, on the velocities with forces
-  project,   ///< on positions, after strain and bending in each iteration
-  velocity,  ///< after the velocities were updated from the projected positions
+  force,      ///< before prediction: v += h a
+  damp,       ///< before prediction, on the velocities with forces
+  predicted,  ///< on the predicted positions, once: what is carried along, what will be near
+  project,    ///< on positions, after strain and bending in each iteration
+  contact,    ///< on positions, after these, on the contacts they found
+  velocity,   ///< after the velocities were updated from the projected positions
 };
 
 template <class Real>

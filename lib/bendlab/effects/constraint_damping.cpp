@@ -32,7 +32,10 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
              const auto k = static_cast<Real>(-std::expm1(-rate * static_cast<double>(context.substep)));
              const Point<Real>* const points = context.state.position.data();
              Point<Real>* const velocities = context.state.velocity.data();
-             context.constraints.for_each([&](const auto& batch) { damp_any(points, velocities, batch, k); });
+             context.constraints.for_each([&](const auto& batch) {
+               damp_any(points, velocities, batch, k);
+               if (k > 0) context.acted += batch.count;
+             });
            }}};
 }
 
@@ -47,6 +50,7 @@ extern const Effect constraint_damping{
     .needs_projection = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
+    .idle = [](const ParameterValues& values) { return values.number("rate") == 0; },
 };
 }  // namespace effect
 }  // namespace bendlab

@@ -20,6 +20,8 @@ struct EffectInput {
   const Pins& pins;
   std::span<const int> place;  ///< #V, where each vertex stands in State's arrays; empty: in its own place
 
+  bool contacts_used = false;  ///< a listed effect uses them: obstacles fill State::contacts
+
   std::size_t place_of(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
     return place.empty() ? v : static_cast<std::size_t>(place[v]);
@@ -33,9 +35,14 @@ struct Effect {
   std::span<const Parameter> parameters;
   /// Its passes act on the scene's constraints or among them, which only solver methods that project have.
   bool needs_projection = false;
+  bool uses_contacts = false;  ///< reads State::contacts, at Stage::contact
+  bool repeatable = false;     ///< a scene may list it more than once
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);
+
+  /// True where the effect provably changes nothing with these settings, whatever the cloth does; null: never known.
+  bool (*idle)(const ParameterValues&) = nullptr;
 
   template <class Real>
   std::vector<Pass<Real>> compile(const EffectInput& input) const {

@@ -1,4 +1,5 @@
 // Gravity: a uniform acceleration of every free vertex.
+#include <algorithm>
 #include <array>
 
 #include "bendlab/effects/effect.hpp"
@@ -27,6 +28,7 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
              State<Real>& state = context.state;
              for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v)
                if (state.position[v].w > 0) state.velocity[v].set(state.velocity[v].vector() + change);
+             if (!change.isZero(0)) context.acted += static_cast<std::uint64_t>(state.vertex_count);
            }}};
 }
 
@@ -40,6 +42,10 @@ extern const Effect gravity{
     .parameters = parameters,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
+    .idle =
+        [](const ParameterValues& values) {
+          return std::ranges::all_of(values.numbers("acceleration"), [](double a) { return a == 0; });
+        },
 };
 }  // namespace effect
 }  // namespace bendlab

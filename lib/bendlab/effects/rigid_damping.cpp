@@ -77,6 +77,7 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
              State<Real>& state = context.state;
              const RigidMotion rigid(state);
              const double removed = -std::expm1(-rate * static_cast<double>(context.substep));
+             if (removed > 0) context.acted += static_cast<std::uint64_t>(state.vertex_count);
              for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v) {
                if (!(state.position[v].w > 0)) continue;
                const Vector3d velocity = state.velocity[v].vector().template cast<double>();
@@ -96,6 +97,7 @@ extern const Effect rigid_damping{
     .parameters = parameters,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
+    .idle = [](const ParameterValues& values) { return values.number("rate") == 0; },
 };
 }  // namespace effect
 }  // namespace bendlab

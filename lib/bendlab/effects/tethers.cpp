@@ -105,7 +105,9 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
                Point<Real>& p = points[tether.vertex];
                const Vector3Of<Real> pin = points[tether.pin].vector(), offset = p.vector() - pin;
                const Real length = static_cast<Real>(tether.length), squared = offset.squaredNorm();
-               if (squared > length * length) p.set(pin + length / std::sqrt(squared) * offset);
+               if (!(squared > length * length)) continue;
+               p.set(pin + length / std::sqrt(squared) * offset);
+               ++context.acted;
              }
            }}};
 }

@@ -151,6 +151,7 @@ class PbdStep final : public TimeStep<Real> {
     add_effects(before_, Stage::force);
     add_effects(before_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
+    add_effects(before_, Stage::predicted);
     const bool strain_first = settings_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     add_projection(constraints_.distance, distance_tiles_, "bending");
@@ -160,6 +161,7 @@ class PbdStep final : public TimeStep<Real> {
     if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     std::reverse(backward_.begin(), backward_.end());
     add_effects(forward_, Stage::project);
+    add_effects(forward_, Stage::contact);
     for (std::size_t p = backward_.size(); p < forward_.size(); ++p) backward_.push_back(forward_[p]);
     after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
     add_effects(after_, Stage::velocity);

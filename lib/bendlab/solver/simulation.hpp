@@ -1,7 +1,7 @@
 // The time step of position-based dynamics over a step plan that is compiled from what the scene lists.
 //
-//   per substep h:  force passes → damp passes → predict → n × (strain, bending, project passes) → update →
-//                   velocity passes
+//   per substep h:  force passes → damp passes → predict → predicted passes →
+//                   n × (strain, bending, project passes, contact passes) → update → velocity passes
 //
 // (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
 // time.
@@ -117,6 +117,7 @@ struct PassStatistics {
   std::string name;
   double seconds = 0;
   std::uint64_t calls = 0;
+  std::uint64_t acted = 0;  ///< sum of what its calls say they changed (vertices, pairs …); of effects only
 };
 
 /// What stopped a simulation.

@@ -44,6 +44,7 @@ template <class Real>
 bool TimeStep<Real>::step() {
   PassContext<Real> context{state_, constraints_, static_cast<Real>(settings_.dt / settings_.substeps)};
   for (int s = 0; s < settings_.substeps; ++s) {
+    context.time = time();
     substep(context);
     ++substeps_done_;
   }
@@ -66,10 +67,12 @@ template <class Real>
 void TimeStep<Real>::run(const Passes& passes, PassContext<Real>& context) {
   for (const PlannedPass<Real>& pass : passes) {
     const auto start = std::chrono::steady_clock::now();
+    context.acted = 0;
     pass.run(context);
     PassStatistics& statistics = statistics_[pass.statistics];
     statistics.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     ++statistics.calls;
+    statistics.acted += context.acted;
   }
 }
 
