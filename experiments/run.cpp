@@ -152,6 +152,36 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
   return {};
 }
 
+// Leaves out the effects that cannot act. Returns the scene as it was.
+Scene take_idle_effects_out(Scene& scene) {
+  Scene whole = scene;
+  const std::vector<std::size_t> idle = idle_effects(scene);
+  for (auto index = idle.rbegin(); index != idle.rend(); ++index)
+    scene.effects.erase(scene.effects.begin() + static_cast<std::ptrdiff_t>(*index));
+  return whole;
+}
+
+// What `minimal` left out, and whether that changed a bit.
+struct Comparison {
+  std::string text;
+  bool differs = false;
+};
+Comparison compare_to_whole(const Simulation& minimal, const Scene& whole) {
+  std::vector<std::string> names;
+  for (const std::size_t index : idle_effects(whole))
+    names.push_back(fmt::format("/effects/{} ({})", index, whole.effects[index].type));
+  if (names.empty()) return {"minimal: every listed effect may act, none was left out"};
+  const std::unique_ptr<Simulation> simulation = simulation_of(whole);
+  while (simulation->time() < minimal.time())
+    if (!simulation->step()) break;
+  const bool same =
+      simulation->positions() == minimal.positions() && simulation->velocities() == minimal.velocities();
+  return {
+      fmt::format("minimal: left out {}; positions and velocities at t = {:.6g} s are {} bits as with them",
+                  fmt::join(names, ", "), minimal.time(), same ? "the same" : "NOT THE SAME"),
+      !same};
+}
+
 RunOutcome outcome_of(const RunRecord& record) {
   const auto message = record.provenance.find("message");
   return {.id = record.id,
@@ -219,7 +249,9 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
 
   const auto wall_start = std::chrono::steady_clock::now();
   const double cpu_start = thread_cpu_s();
-  const Scene scene = build_scene(config);
+  Scene scene = build_scene(config);
+  std::optional<Scene> whole;
+  if (control.minimal) whole = take_idle_effects_out(scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder(scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
@@ -235,10 +267,15 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   outcome.message =
       fmt::format("{}{}{}", fmt::join(scene.mesh_notes, "; "),
                   scene.mesh_notes.empty() || stepping.message.empty() ? "" : "; ", stepping.message);
+  if (whole) {
+    const Comparison comparison = compare_to_whole(*simulation, *whole);
+    outcome.message += (outcome.message.empty() ? "" : "; ") + comparison.text;
+    outcome.differs = comparison.differs;
+  }
   outcome.summary = recorder.summary(*simulation);
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())
-    outcome.passes.push_back({pass.name, pass.seconds, pass.calls});
+    outcome.passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
   outcome.passes.push_back({"recording", recording_s, writer.frames()});
   outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();

@@ -18,12 +18,14 @@ struct RunControl {
   const std::atomic<bool>* stop = nullptr;  ///< set: the run finishes the current frame, keeps it and returns
   /// Called after every recorded frame: simulated seconds done, simulated seconds in all.
   std::function<void(double done_s, double total_s)> progress;
+  bool minimal = false;  ///< leave out effects that provably cannot act, and check that the bits are the same
 };
 
 struct RunOutcome {
   std::string id;
   RunStatus status = RunStatus::complete;
-  bool reused = false;  ///< the file was there and complete; nothing was computed
+  bool differs = false;  ///< `minimal` changed a bit: an effect that could not act did
+  bool reused = false;   ///< the file was there and complete; nothing was computed
   std::filesystem::path file;
   std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
   double wall_s = 0, cpu_s = 0;

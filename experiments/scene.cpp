@@ -171,16 +171,23 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
 }
 
 template <class Real>
+std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
+  const EffectSettings& settings = scene.effects[index];
+  const bool contacts_used = std::ranges::any_of(
+      scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
+  std::vector<Pass<Real>> passes =
+      find_effect(settings.type)
+          ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  const std::string name = pass_name(scene.effects, index);
+  for (Pass<Real>& pass : passes) pass.name = name + pass.name.substr(settings.type.size());
+  return passes;
+}
+
+template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
-  const bool contacts_used = std::ranges::any_of(scene.effects, [](const EffectSettings& settings) {
-    return find_effect(settings.type)->uses_contacts;
-  });
-  for (const EffectSettings& settings : scene.effects)
-    for (Pass<Real>& pass :
-         find_effect(settings.type)
-             ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used}))
-      passes.push_back(std::move(pass));
+  for (std::size_t index = 0; index < scene.effects.size(); ++index)
+    for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
   return make_simulation<Real>(scene.input, std::move(passes));
 }
 
@@ -230,6 +237,24 @@ Scene build_scene(const RunConfig& config) {
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
   return scene;
+}
+
+std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t index) {
+  const auto same = [&](const EffectSettings& each) { return each.type == effects[index].type; };
+  if (std::ranges::count_if(effects, same) == 1) return effects[index].type;
+  const auto before = effects.begin() + static_cast<std::ptrdiff_t>(index);
+  return fmt::format("{} {}", effects[index].type, 1 + std::count_if(effects.begin(), before, same));
+}
+
+std::vector<std::size_t> idle_effects(const Scene& scene) {
+  std::vector<std::size_t> idle;
+  for (std::size_t index = 0; index < scene.effects.size(); ++index) {
+    const EffectSettings& settings = scene.effects[index];
+    const Effect& effect = *find_effect(settings.type);
+    if ((effect.idle && effect.idle(settings.values)) || passes_of<double>(scene, index).empty())
+      idle.push_back(index);
+  }
+  return idle;
 }
 
 std::unique_ptr<Simulation> simulation_of(const Scene& scene) {

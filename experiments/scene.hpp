@@ -42,6 +42,13 @@ TriangleMesh rest_mesh_of(const RunConfig& config);
 
 Scene build_scene(const RunConfig& config);
 
+/// What the passes of a listed effect are called in a run: its type, with a number where it is listed more than
+/// once.
+std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t index);
+
+/// Places in scene.effects of those that provably change nothing: idle by their settings, or without a pass here.
+std::vector<std::size_t> idle_effects(const Scene& scene);
+
 /// The scene's simulation, in the scene's precision.
 std::unique_ptr<Simulation> simulation_of(const Scene& scene);
 

@@ -68,8 +68,10 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
 
 void execute(CampaignRun& run, const CampaignOptions& options, const RunControl& control) {
   try {
-    if (options.force) remove_run_files(run_folder(options.out, *run.experiment, *run.config));
+    if (options.force || options.minimal)
+      remove_run_files(run_folder(options.out, *run.experiment, *run.config));
     run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
+    if (run.outcome->differs) run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
     if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
   } catch (...) {
@@ -129,9 +131,10 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     for (std::size_t place = next++; place < order.size(); place = next++) {
       const std::size_t index = order[place];
       if (executed_as[index] != index) continue;
-      const RunControl control{.stop = &stop_flag(), .progress = [&, index](double done_s, double total_s) {
-                                 progress.update(index, done_s, total_s);
-                               }};
+      const RunControl control{
+          .stop = &stop_flag(),
+          .progress = [&, index](double done_s, double total_s) { progress.update(index, done_s, total_s); },
+          .minimal = options.minimal};
       if (!stop_flag()) execute(runs[index], options, control);
       try {
         finish(index);

@@ -24,8 +24,9 @@ struct CampaignRun {
 
 struct CampaignOptions {
   std::filesystem::path out = "results";
-  int jobs = 0;        ///< runs side by side; 0: cores / the threads that a run takes
-  bool force = false;  ///< compute complete runs again
+  int jobs = 0;          ///< runs side by side; 0: cores / the threads that a run takes
+  bool force = false;    ///< compute complete runs again
+  bool minimal = false;  ///< without effects that cannot act; implies force
 };
 
 /// Every run of every experiment, in sweep order.

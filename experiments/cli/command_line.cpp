@@ -27,7 +27,7 @@ constexpr std::string_view footer =
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
-  bool json = false, full = false, list = false;
+  bool json = false, full = false, list = false, explain = false;
   std::string run = "", folder = "results";
   std::filesystem::path mesh_file, reproduce_out;
   QualityThresholds thresholds;
@@ -67,11 +67,17 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
       add_command(app, a, "run", "Run experiments: every point of their sweeps that is not complete yet",
-                  [&a] { return run_command(a.configs, a.options, a.json); });
+                  [&a] { return run_command(a.configs, a.options, a.json, a.explain); });
   add_configs(run, a);
   add_campaign(run, a);
   run->add_option("--out", a.options.out, "Folder for the results")->capture_default_str();
+  run->add_flag("--minimal", a.options.minimal,
+                "Compute without the effects that provably cannot act, and check that no bit changes");
+  CLI::Option* explain =
+      run->add_flag("--explain", a.explain,
+                    "The step plan instead of the tables: each pass, why, its time, what it changed");
   add_json(run, a, "One JSON object per run on stdout");
+  run->get_option("--json")->excludes(explain);
 
   CLI::App* plan =
       add_command(app, a, "plan", "Show the runs of experiments: place on the sweep, id, what is complete",

@@ -16,7 +16,8 @@ struct ConfigArguments {
   std::vector<std::string> overrides;  ///< "/json/pointer=value"
 };
 
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json);
+/// `explain`: the step plan of every run instead of the tables.
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain);
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
 int validate_command(const ConfigArguments& configs);
 

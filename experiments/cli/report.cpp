@@ -154,6 +154,11 @@ std::string run_text(const CampaignRun& run) {
 Json run_json(const CampaignRun& run) {
   Json point = Json::object(), expectations = Json::array();
   for (const auto& [pointer, value] : run.config->point) point[pointer] = value;
+  Json passes = Json::array();
+  if (run.outcome)
+    for (const PassTime& pass : run.outcome->passes)
+      passes.push_back(
+          {{"name", pass.name}, {"seconds", pass.seconds}, {"calls", pass.calls}, {"acted", pass.acted}});
   for (const ExpectationResult& result : check(run))
     expectations.push_back(
         {{"metric", result.expectation.metric}, {"holds", result.holds}, {"message", result.message}});
@@ -175,6 +180,7 @@ Json run_json(const CampaignRun& run) {
           {"wall_s", outcome.wall_s},
           {"cpu_s", outcome.cpu_s},
           {"summary", outcome.summary},
+          {"passes", passes},
           {"expectations", expectations},
           {"message", run.outcome ? outcome.message : run.error}};
 }

@@ -9,7 +9,8 @@
 
 namespace bendlab {
 
-/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, summary, expectations, message}.
+/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, summary, passes, expectations,
+/// message}.
 Json run_json(const CampaignRun& run);
 
 /// Swept values and the main numbers, a row per run; where the time went; which expectations hold.

@@ -10,6 +10,7 @@
 
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/errors.hpp"
+#include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/cli/signals.hpp"
 #include "experiments/cli/table.hpp"
@@ -45,7 +46,7 @@ void check_writable(const fs::path& folder) {
 }
 
 /// How the runs are reported on stdout.
-enum class Report { tables, lines, json };
+enum class Report { tables, lines, json, explanations };
 
 /// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
 /// were not started because of a signal are left out.
@@ -59,6 +60,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
     if (report == Report::json && runs[index].started()) fmt::print("{}\n", run_json(runs[index]).dump());
+    if (report == Report::explanations && runs[index].started())
+      fmt::print("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
       if (report == Report::tables) fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment));
@@ -126,8 +129,11 @@ std::string state_on_disk(const fs::path& folder) {
 
 }  // namespace
 
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json) {
-  return run_and_report(load_experiments(configs), options, json ? Report::json : Report::tables);
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain) {
+  return run_and_report(load_experiments(configs), options,
+                        json      ? Report::json
+                        : explain ? Report::explanations
+                                  : Report::tables);
 }
 
 int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {

@@ -41,6 +41,20 @@ double elastic_energy(const ElementLists& lists, const Positions& positions) {
   return sum;
 }
 
+double elastic_energy(const StrainConstraints& list, const Positions& positions) {
+  constexpr StrainForm form = StrainForm::normalised;
+  double sum = 0;
+  for (std::size_t t = 0; t < list.size(); ++t) {
+    const std::array<double, 4>& q = list.inverse_rest[t];
+    const auto p = corners(positions, list.vertices[t]);
+    const double area = 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
+    for (const auto& term :
+         {stretch_constraint(p, q, 0, form), stretch_constraint(p, q, 1, form), shear_constraint(p, q, form)})
+      if (term.defined) sum += 0.5 * area * term.value * term.value;
+  }
+  return sum;
+}
+
 #define BENDLAB_ENERGY(Kind) template double elastic_energy(const ElementList<Kind>&, const Positions&);
 BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ENERGY)
 

@@ -1,4 +1,4 @@
-// Elastic energy of bending constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness: divide by the scene's
+// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness: divide by the scene's
 // compliance. Undefined (collapsed) constraints count nothing.
 #pragma once
 
@@ -12,5 +12,8 @@ double elastic_energy(const DistanceConstraints& list, const Positions& position
 template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
+
+/// Of warp, weft and shear in the normalised form, α = compliance / rest area.
+double elastic_energy(const StrainConstraints& list, const Positions& positions);
 
 }  // namespace bendlab

@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <array>
 
+// A build may leave effects out by naming another list.
+#ifndef BENDLAB_EFFECTS
+#define BENDLAB_EFFECTS "bendlab/effects/effects.def"
+#endif
+
 namespace bendlab {
 
 namespace effect {
 #define BENDLAB_EFFECT(name) extern const Effect name;
-#include "bendlab/effects/effects.def"
+#include BENDLAB_EFFECTS
 #undef BENDLAB_EFFECT
 }  // namespace effect
 
 std::span<const Effect* const> effects() {
   static constexpr std::array all = {
 #define BENDLAB_EFFECT(name) &effect::name,
-#include "bendlab/effects/effects.def"
+#include BENDLAB_EFFECTS
 #undef BENDLAB_EFFECT
   };
   return all;

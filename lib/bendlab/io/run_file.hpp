@@ -73,6 +73,7 @@ struct PassTime {
   std::string name;
   double seconds = 0;
   std::uint64_t calls = 0;
+  std::uint64_t acted = 0;  ///< what its calls changed, in all (vertices, pairs …); of effects only
 };
 
 struct RunFooter {

@@ -12,8 +12,11 @@ std::vector<PassTime> read_passes(hid_t timing) {
   const auto names = hdf5::read_texts(timing, "pass");
   const auto seconds = hdf5::read_all<double>(timing, "seconds");
   const auto calls = hdf5::read_all<std::uint64_t>(timing, "calls");
+  std::vector<std::uint64_t> acted(names.size(), 0);
+  if (hdf5::has_link(timing, "acted")) acted = hdf5::read_all<std::uint64_t>(timing, "acted");
   std::vector<PassTime> passes;
-  for (std::size_t i = 0; i < names.size(); ++i) passes.push_back({names[i], seconds.at(i), calls.at(i)});
+  for (std::size_t i = 0; i < names.size(); ++i)
+    passes.push_back({names[i], seconds.at(i), calls.at(i), acted.at(i)});
   return passes;
 }
 

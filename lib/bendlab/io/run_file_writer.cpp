@@ -52,15 +52,17 @@ void write_footer(hid_t file, const RunFooter& footer) {
   const Handle timing = hdf5::create_group(file, "timing");
   std::vector<std::string> names;
   std::vector<double> seconds;
-  std::vector<std::uint64_t> calls;
+  std::vector<std::uint64_t> calls, acted;
   for (const auto& pass : footer.passes) {
     names.push_back(pass.name);
     seconds.push_back(pass.seconds);
     calls.push_back(pass.calls);
+    acted.push_back(pass.acted);
   }
   hdf5::write_texts(timing, "pass", names);
   hdf5::write_array(timing, "seconds", seconds);
   hdf5::write_array(timing, "calls", calls);
+  hdf5::write_array(timing, "acted", acted);
   hdf5::write_attribute(timing, "wall_s", footer.wall_s);
   hdf5::write_attribute(timing, "cpu_s", footer.cpu_s);
   write_texts(hdf5::open_group(file, "provenance"), footer.provenance);

@@ -1,0 +1,81 @@
+#include "experiments/cli/explain.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "bendlab/effects/effect.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/cli/table.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+namespace {
+
+struct Reason {
+  std::string_view pass, text;
+};
+
+// Of the passes that no effect brings.
+constexpr std::array reasons = {
+    Reason{"set_up", "mesh, constraints, colouring; once"},
+    Reason{"predict", "x += h v"},
+    Reason{"strain", "/material/strain: keeps the triangles' shapes"},
+    Reason{"update", "v from the change of x; looks for divergence"},
+    Reason{"start", "kang_cho takes forces with the springs, not before them"},
+    Reason{"external", "kang_cho takes forces with the springs, not before them"},
+    Reason{"springs", "kang_cho: forces and tangents of edges and bending springs"},
+    Reason{"implicit solve", "kang_cho: two steps of block Jacobi"},
+    Reason{"recording", "/output: metrics and the run file"},
+};
+
+// Whether a pass belongs to the effect of that name: "plane 2", "self_collision: candidates".
+bool belongs(const std::string& pass, const std::string& name) {
+  return pass == name || pass.starts_with(name + ":");
+}
+
+std::string reason_of(const std::string& pass, const RunConfig& config,
+                      const std::vector<EffectSettings>& effects) {
+  for (std::size_t index = 0; index < effects.size(); ++index)
+    if (belongs(pass, pass_name(effects, index)))
+      return fmt::format("/effects/{}: {}", index, find_effect(effects[index].type)->summary);
+  if (pass == "bending") return "/bending/model: " + config.bending_model();
+  const auto found = std::ranges::find(reasons, std::string_view(pass), &Reason::pass);
+  return found == reasons.end() ? "" : std::string(found->text);
+}
+
+// Effects that changed nothing: without a pass, or with passes that never acted.
+std::string idle_text(const RunOutcome& outcome, const std::vector<EffectSettings>& effects) {
+  std::string text;
+  for (std::size_t index = 0; index < effects.size(); ++index) {
+    std::uint64_t acted = 0;
+    bool has_pass = false;
+    for (const PassTime& pass : outcome.passes)
+      if (belongs(pass.name, pass_name(effects, index))) has_pass = true, acted += pass.acted;
+    if (acted > 0) continue;
+    text += fmt::format("  /effects/{} {}: {}\n", index, effects[index].type,
+                        has_pass ? "ran and changed nothing" : "has no pass in this scene");
+  }
+  return text.empty() ? "every listed effect did something in this run\n"
+                      : "did nothing in this run and may be dropped:\n" + text;
+}
+
+}  // namespace
+
+std::string explain_text(const CampaignRun& run) {
+  if (!run.outcome) return run_text(run) + ": no run to explain\n";
+  const std::vector<EffectSettings> effects = run.config->effects();
+  double all = 0;
+  for (const PassTime& pass : run.outcome->passes) all += pass.seconds;
+  Table table({"pass", "why it is there", "calls", "changed", "ms", "share"});
+  for (const PassTime& pass : run.outcome->passes)
+    table.add_row({pass.name, reason_of(pass.name, *run.config, effects), std::to_string(pass.calls),
+                   pass.acted > 0 ? format_number(static_cast<double>(pass.acted)) : "",
+                   fmt::format("{:.1f}", 1e3 * pass.seconds),
+                   fmt::format("{:.1f} %", all > 0 ? 100 * pass.seconds / all : 0.0)});
+  return fmt::format("step plan of {}\n\n{}\n{}", run_text(run), table.text(),
+                     idle_text(*run.outcome, effects));
+}
+
+}  // namespace bendlab

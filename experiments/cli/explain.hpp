@@ -1,0 +1,14 @@
+// `bendlab run --explain`: what a scene's step consists of, and what of it was for nothing.
+#pragma once
+
+#include <string>
+
+#include "experiments/cli/campaign.hpp"
+
+namespace bendlab {
+
+/// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its share of the time;
+/// then the listed effects that never did anything in this run.
+std::string explain_text(const CampaignRun& run);
+
+}  // namespace bendlab

@@ -1,0 +1,98 @@
+// Effects a scene does not list, or that cannot act, cost nothing and change nothing.
+#include <algorithm>
+
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using test::Workplace;
+
+const char* const hanging = R"({"name": "hanging", "duration": 0.5, "mesh": {"cells": 12},
+  "pins": {"vertices": ["upper_right"], "ring": 1}, "effects": [{"type": "gravity"}]})";
+
+std::vector<std::string> pass_names(const nlohmann::json& run) {
+  std::vector<std::string> names;
+  for (const auto& pass : run["passes"]) names.push_back(pass["name"]);
+  return names;
+}
+
+}  // namespace
+
+TEST_CASE("an effect that is not listed is as if it were compiled out", "[experiments][effects]") {
+  Workplace place;
+  place.write("hanging.json", hanging);
+  for (const char* precision : {"single", "double"}) {
+    const std::string arguments = std::string("run hanging.json --json --set /solver/precision=") + precision;
+    REQUIRE(place.run(arguments + " --out full") == 0);
+    const nlohmann::json full = place.out_lines().at(0);
+    REQUIRE(place.run(arguments + " --out bare", BENDLAB_BARE_PROGRAM) == 0);
+    const nlohmann::json bare = place.out_lines().at(0);
+    CHECK(pass_names(full) == pass_names(bare));
+    CHECK(pass_names(full) == std::vector<std::string>{"set_up", "gravity", "predict", "strain", "bending",
+                                                       "update", "recording"});
+    const auto file = [&](const nlohmann::json& run) {
+      return place.folder / run["file"].get<std::string>();
+    };
+    const RunRecord record = read_run(file(full));
+    REQUIRE(record.frames == read_run(file(bare)).frames);
+    for (std::int64_t frame = 0; frame < static_cast<std::int64_t>(record.frames); ++frame)
+      CHECK(read_positions(file(full), frame) == read_positions(file(bare), frame));
+    CHECK(full["summary"] == bare["summary"]);
+  }
+  // The bare program has no other effect at all.
+  CHECK(place.run("effects --json", BENDLAB_BARE_PROGRAM) == 0);
+  CHECK(nlohmann::json::parse(place.out()).size() == 1);
+  CHECK(effects().size() > 1);
+}
+
+TEST_CASE("run --minimal leaves out what cannot act, and no bit changes", "[experiments][effects]") {
+  Workplace place;
+  place.write("hanging.json", hanging);
+  const std::string with =
+      R"(run hanging.json --minimal --json --set '/effects=[{"type": "gravity"},)"
+      R"({"type": "rigid_damping", "rate": 0}, {"type": "constraint_damping", "rate": 0}]')";
+  REQUIRE(place.run(with) == 0);
+  const nlohmann::json run = place.out_lines().at(0);
+  CHECK_THAT(run["message"].get<std::string>(),
+             ContainsSubstring("left out /effects/1 (rigid_damping), /effects/2 (constraint_damping)"));
+  CHECK_THAT(run["message"].get<std::string>(), ContainsSubstring("are the same bits as with them"));
+  for (const std::string& name : pass_names(run)) CHECK_FALSE(name.ends_with("damping"));
+
+  // Tethers without a pin have no pass; gravity acts and stays.
+  REQUIRE(place.run(R"(run hanging.json --minimal --json --set /pins/vertices=[] --set )"
+                    R"('/effects=[{"type": "gravity"}, {"type": "tethers"}]')") == 0);
+  const nlohmann::json unpinned = place.out_lines().at(0);
+  CHECK_THAT(unpinned["message"].get<std::string>(), ContainsSubstring("left out /effects/1 (tethers);"));
+}
+
+TEST_CASE("run --explain says why each pass is there and what did nothing", "[experiments][effects]") {
+  Workplace place;
+  place.write("hanging.json", hanging);
+  REQUIRE(place.run(R"(run hanging.json --explain --set '/effects=[{"type": "gravity"}, )"
+                    R"({"type": "tethers", "slack": 100}]')") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("/effects/0: a uniform acceleration of every free vertex"));
+  CHECK_THAT(place.out(), ContainsSubstring("/bending/model: adaptive"));
+  CHECK_THAT(place.out(), ContainsSubstring("did nothing in this run and may be dropped:\n"
+                                            "  /effects/1 tethers: ran and changed nothing"));
+  CHECK_THAT(place.out(), !ContainsSubstring("/effects/0 gravity:"));
+  // Shares of the passes add up: each line ends in one.
+  double sum = 0;
+  std::istringstream lines(place.out());
+  for (std::string line; std::getline(lines, line);)
+    if (line.ends_with(" %")) sum += std::stod(line.substr(line.rfind("  ")));
+  CHECK_THAT(sum, Catch::Matchers::WithinAbs(100, 0.5));  // each is rounded to 0.1
+}
+
+TEST_CASE("no effect is idle with its defaults", "[experiments][effects]") {
+  for (const Effect* effect : effects()) {
+    INFO(effect->name);
+    CHECK((effect->idle == nullptr || !effect->idle(ParameterValues(effect->parameters))));
+  }
+}
+
+}  // namespace bendlab
