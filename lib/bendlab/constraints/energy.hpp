@@ -1,5 +1,5 @@
 // Elastic energy of bending constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness for elements and 1 for
-// springs: divide by the scene's compliance. Undefined (collapsed) constraints count nothing.
+// springs (of a OneSided kind its own energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count nothing.
 #pragma once
 
 #include "bendlab/constraints/kinds.hpp"
