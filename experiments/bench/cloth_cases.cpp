@@ -24,14 +24,18 @@ struct ClothKind {
   std::string scalar;
   int threads = 1;
   bool oracle = false;
+  double compliance = 0;  // of bending; 0: k
   bool operator==(const ClothKind&) const = default;
 };
 
 RunConfig config_of(const ClothKind& kind) {
   const std::string text = fmt::format(
-      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}, "initial": {{"perturbation": 1e-6}},
+      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}}, "initial": {{"perturbation": 1e-6}},
           "solver": {{"iterations": {}, "precision": "{}", "threads": {}, "order": "{}"}}}})",
-      kind.cells, kind.model, iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
+      kind.cells, kind.model,
+      kind.compliance > 0 ? fmt::format(R"(, "stiffness": "compliance", "compliance": {})", kind.compliance)
+                          : std::string(),
+      iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
       kind.oracle ? "mesh" : "colour");
   return parse_experiment(text, "bench").runs.front();
 }
@@ -108,11 +112,14 @@ std::string name_of(Part part, const ClothKind& kind) {
                      : part == Part::step       ? "step"
                      : kind.model == "adaptive" ? "dense"
                                                 : kind.model.c_str();
-  return fmt::format("{}{}/{}", what, kind.oracle ? "_oracle" : "", kind.cells);
+  return fmt::format("{}{}{}/{}", what, kind.compliance > 0 ? "_compliance" : "",
+                     kind.oracle ? "_oracle" : "", kind.cells);
 }
 
-/// What one bending constraint of a model takes.
-const ConstraintCost& bending_cost(const std::string& model) {
+/// What one bending constraint of a cloth takes.
+const ConstraintCost& bending_cost(const ClothKind& kind) {
+  const std::string& model = kind.model;
+  if (model == "choi_ko") return kind.compliance > 0 ? compliant_arc_cost : arc_cost;
   if (model == "isometric") return quadratic_cost;
   return model == "dihedral" || model == "bridson" ? hinge_cost : distance_cost;
 }
@@ -122,7 +129,7 @@ double roofline_of(Part part, const ClothKind& kind, const MovingCloth& cloth) {
   const std::size_t scalar = kind.scalar == "float" ? sizeof(float) : sizeof(double);
   const auto triangles = static_cast<std::size_t>(cloth.triangles),
              bending = static_cast<std::size_t>(cloth.bending);
-  const ConstraintCost& cost_of_bending = bending_cost(kind.model);
+  const ConstraintCost& cost_of_bending = bending_cost(kind);
   const std::size_t scene = triangles * streamed_bytes(strain_cost, scalar) +
                             bending * streamed_bytes(cost_of_bending, scalar) +
                             static_cast<std::size_t>(cloth.vertices) * 4 * scalar;
@@ -164,13 +171,14 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
   const auto add = [&](Part part, const ClothKind& kind) {
     ClothKind oracle = kind;
     oracle.cells = usual, oracle.threads = 1, oracle.oracle = true;
-    cases.push_back({.id = bench_id(name_of(part, kind), kind.scalar, kind.threads),
-                     .oracle = kind.oracle ? "" : bench_id(name_of(part, oracle), kind.scalar),
-                     .run = [=] { return measure(part, kind, last->of(kind), options); }});
+    cases.push_back(
+        {.id = bench_id(name_of(part, kind), kind.scalar, kind.threads),
+         .oracle = kind.oracle || kind.compliance > 0 ? "" : bench_id(name_of(part, oracle), kind.scalar),
+         .run = [=] { return measure(part, kind, last->of(kind), options); }});
   };
   using Sizes = std::vector<int>;
   for (const char* scalar : {"float", "double"}) {
-    for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric"}) {
+    for (const std::string model : {"crossover", "adaptive", "dihedral", "bridson", "isometric", "choi_ko"}) {
       const bool first = model == "crossover";  // whose cloth also shows the strain and the step
       const auto add_all = [&](const ClothKind& kind) {
         if (first) add(Part::strain, kind);
@@ -184,6 +192,8 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
                                                    : Sizes{128, 1024})
         add_all({.cells = cells, .model = model, .scalar = scalar});
     }
+    // Solved by Newton's method instead; its oracle bisects, for comparison too slow. k_b 10⁻⁷ N m².
+    add(Part::bending, {.cells = usual, .model = "choi_ko", .scalar = scalar, .compliance = 1e7});
     for (const int threads : options.threads)
       if (threads != 1)
         add(Part::step, {.cells = usual, .model = "crossover", .scalar = scalar, .threads = threads});

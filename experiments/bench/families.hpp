@@ -8,6 +8,9 @@ namespace bendlab {
 /// Strain, crossover springs, dense rings and whole steps on a cloth that moves; the oracle beside them.
 std::vector<BenchCase> cloth_cases(const BenchOptions& options);
 
+/// Time of each effect's passes in a step, per vertex and per action, over sizes.
+std::vector<BenchCase> effect_cases(const BenchOptions& options);
+
 /// Rings, pairs, colours and batches of `adaptive`: seconds and peak memory.
 std::vector<BenchCase> set_up_cases(const BenchOptions& options);
 

@@ -75,6 +75,14 @@ TEST_CASE("distance gradient agrees with differences", "[constraints]") {
                       {test::random_vector(random), test::random_vector(random)});
 }
 
+TEST_CASE("arc spring gradient agrees with differences", "[constraints]") {
+  std::mt19937_64 random(13);
+  for (int trial = 0; trial < 100; ++trial)
+    check_gradient<2>(
+        [](const Corners<2>& p) { return ArcSpring::value<double>(p, {0.7}, ArcSpring::Law::exact); },
+        {test::random_vector(random), test::random_vector(random)});
+}
+
 TEST_CASE("strain gradients agree with differences", "[constraints]") {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 100; ++trial) {

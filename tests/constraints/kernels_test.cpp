@@ -57,9 +57,11 @@ struct Crumpled {
     auto list = std::get<ElementList<Kind>>(
         bending.build({rest, none, ParameterValues(bending.parameters)}).elements);
     for (std::size_t c = 0; c < list.size(); ++c) bend_at_rest(list.rest[c], c);
+    list.law = law;
     ElementBatch<Real, Kind> batch =
         make_element_batch<Real>(list, colour_order(list.vertices, rest.vertex_count()), rest.vertex_count());
-    batch.law = law, batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(1e-2);
+    // Of one-sided kinds some yield to their load.
+    batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(OneSided<Kind> ? 1e3 : 1e-2);
     if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
     return batch;
   }
@@ -72,6 +74,10 @@ struct Crumpled {
   static void bend_at_rest(std::array<double, 6>& quadratic, std::size_t c) {
     quadratic[4] = c % 5 == 0 ? 0 : 0.01 * static_cast<double>(c % 7);
   }
+  // From half as long again as the pair to half as long.
+  static void bend_at_rest(std::array<double, 1>& arc, std::size_t c) {
+    arc[0] *= 1 + 0.5 * std::sin(static_cast<double>(c));
+  }
 };
 
 // Calls check(batch) for the elements of every kind, law and stiffness.
@@ -82,6 +88,8 @@ void for_elements(const Crumpled<Real>& cloth, const Check& check) {
       check(cloth.template elements<HingeAngle>("dihedral", kind, law));
     for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy})
       check(cloth.template elements<QuadraticBend>("isometric", kind, law));
+    for (const auto law : {ArcSpring::Law::exact, ArcSpring::Law::polynomial})
+      check(cloth.template elements<ArcSpring>("choi_ko", kind, law));
   }
 }
 

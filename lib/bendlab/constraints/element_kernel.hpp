@@ -21,7 +21,8 @@ struct PackConstraint {
 };
 
 /// Of a kind: `Laws`, its laws as a std::integer_sequence, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
-/// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value().
+/// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
+/// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
 template <class Kind>
 struct PackKernel;
 
@@ -65,19 +66,27 @@ void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::si
   for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
        lane += static_cast<std::size_t>(lanes<Real>)) {
     auto p = gather_corners<Real>(points, batch.corner, lane);
-    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
-        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    const auto rest = load_rest(batch.rest, lane);
+    const PackConstraint<Real, Kind::arity> c =
+        PackKernel<Kind>::template evaluate<Real>(p, rest, std::integral_constant<typename Kind::Law, law>{});
     Pack<Real> sum = weighted_square<Real>(p, c.gradient), alpha{};
     if constexpr (compliant) {
       alpha = compliance_over_h2 * load(&batch.softness[lane]);
-      sum = sum + alpha;
+      if constexpr (!OneSided<Kind>) sum = sum + alpha;
     }
-    const auto acts = c.defined & (sum > zero);
+    PackMask<Real> acts = c.defined & (sum > zero);
+    if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
     const Pack<Real> divisor = acts ? sum : one;
     Pack<Real> change;
     if constexpr (compliant) {
       const Pack<Real> multiplier = load(&batch.multiplier[lane]);
-      change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
+      if constexpr (OneSided<Kind>)
+        change = acts ? PackKernel<Kind>::template change<Real>(
+                            c.value, rest, std::integral_constant<typename Kind::Law, law>{}, divisor, alpha,
+                            multiplier)
+                      : zero;
+      else
+        change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
       store(&batch.multiplier[lane], multiplier + change);
     } else {
       change = acts ? -batch.k * c.value / divisor : zero;
@@ -101,7 +110,8 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
     const Pack<Real> sum = weighted_square<Real>(p, c.gradient);
-    const auto acts = c.defined & (sum > zero);
+    PackMask<Real> acts = c.defined & (sum > zero);
+    if constexpr (OneSided<Kind>) acts = acts & (c.value < zero);
     const Pack<Real> change = acts ? -k * rate / (acts ? sum : one) : zero;
     for (std::size_t i = 0; i < Kind::arity; ++i)
       v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);

@@ -12,6 +12,13 @@
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
 //   };
+//
+// Its energy is ½ C² / α. A kind with another energy that is free where C ≥ 0 is OneSided: k and damping act on it
+// only where C < 0, and it brings what otherwise follows from ½ C² / α,
+//
+//     static constexpr bool one_sided = true;
+//     static double energy(C, rest, law);                      // where defined; times the compliance
+//     static double change(C, rest, law, w, alpha, multiplier);  // Δλ of a projection, w = Σ w|∇C|²
 #pragma once
 
 #include <array>
@@ -21,6 +28,11 @@
 #include "bendlab/constraints/batches.hpp"
 
 namespace bendlab {
+
+template <class Kind>
+concept OneSided = requires {
+  requires Kind::one_sided;
+};
 
 template <class Kind>
 struct ElementList {

@@ -30,7 +30,10 @@ double elastic_energy(const ElementList<Kind>& list, const Positions& positions)
   for (std::size_t c = 0; c < list.size(); ++c) {
     const auto value =
         Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law);
-    if (value.defined) twice += value.value * value.value / list.softness[c];
+    if (!value.defined) continue;
+    double of_one = value.value * value.value;
+    if constexpr (OneSided<Kind>) of_one = 2 * Kind::energy(value.value, list.rest[c], list.law);
+    twice += of_one / list.softness[c];
   }
   return 0.5 * twice;
 }

@@ -4,14 +4,15 @@
 #include <tuple>
 #include <type_traits>
 
+#include "bendlab/constraints/arc_spring.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/quadratic_bend.hpp"
 
-#define BENDLAB_FOR_ELEMENT_KINDS(X) X(HingeAngle) X(QuadraticBend)
+#define BENDLAB_FOR_ELEMENT_KINDS(X) X(HingeAngle) X(QuadraticBend) X(ArcSpring)
 
 namespace bendlab {
 
-using ElementKinds = std::tuple<HingeAngle, QuadraticBend>;
+using ElementKinds = std::tuple<HingeAngle, QuadraticBend, ArcSpring>;
 
 namespace detail {
 template <class Real, class Tuple>

@@ -1,5 +1,5 @@
 // Trigonometry on packs, to two or three units in the last place. Polynomials through the Chebyshev nodes of their
-// range, relative error below 2·10⁻⁸ (float) and 4·10⁻¹⁷ (double).
+// range, relative error below 2·10⁻⁸ (float) and 4·10⁻¹⁷ (double); Taylor's series of Bessel functions.
 #pragma once
 
 #include <array>
@@ -29,6 +29,19 @@ inline constexpr auto sine_series = [] {  // sin(√z) / √z on [0, (π/2)²]
     return std::array{0.9999999999999999998,     -0.1666666666666666531,    0.008333333333333186384,
                       -0.0001984126984120867517, 2.755731921122960662e-6,   -2.505210689056951954e-8,
                       1.605894087848655993e-10,  -7.643026557971632663e-13, 2.721574942298344283e-15};
+}();
+
+// j1(√z) / √z = Σ (-1)ⁿ 2 (n + 1) zⁿ / (2n + 3)!, and minus twice its derivative, j2(√z) / z, to z = π².
+template <class Real, bool second>
+inline constexpr auto bessel_series = [] {
+  std::array<Real, sizeof(Real) == 4 ? 8 : 13> series{};
+  double factorial = second ? 120 : 6, sign = 1;
+  for (std::size_t n = 0; n < series.size(); ++n, sign = -sign) {
+    const auto m = static_cast<double>(second ? n + 1 : n);
+    series[n] = static_cast<Real>(sign * (second ? 4 * m : 2) * (m + 1) / factorial);
+    factorial *= (2 * m + 4) * (2 * m + 5);
+  }
+  return series;
 }();
 
 template <class Real, std::size_t terms>
@@ -68,6 +81,18 @@ BENDLAB_INLINE Pack<Real> arc_tangent(const Pack<Real>& y, const Pack<Real>& x) 
 template <class Real>
 BENDLAB_INLINE Pack<Real> sine(const Pack<Real>& x) {
   return x * detail::polynomial(detail::sine_series<Real>, x * x);
+}
+
+/// Spherical Bessel functions j1(√z) / √z and j2(√z) / z for z in [0, π²]; absolute error two or three units in the
+/// last place of their values 1/3 and 1/15 at 0. With y = √z the first is (sinc y - cos y) / y², and
+/// sinc y = 3 j1(y) / y - j2(y).
+template <class Real>
+BENDLAB_INLINE Pack<Real> bessel_1(const Pack<Real>& z) {
+  return detail::polynomial(detail::bessel_series<Real, false>, z);
+}
+template <class Real>
+BENDLAB_INLINE Pack<Real> bessel_2(const Pack<Real>& z) {
+  return detail::polynomial(detail::bessel_series<Real, true>, z);
 }
 
 }  // namespace bendlab

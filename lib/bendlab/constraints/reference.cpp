@@ -1,5 +1,7 @@
 #include "bendlab/constraints/reference.hpp"
 
+#include <algorithm>
+
 #include "bendlab/constraints/kinds.hpp"
 
 namespace bendlab {
@@ -44,6 +46,21 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   std::array<Real, Kind::rest_values> rest;
   for (std::size_t i = 0; i < Kind::rest_values; ++i) rest[i] = batch.rest[i][lane];
   return rest;
+}
+
+// XPBD where the kind itself says how the multiplier changes.
+template <class Real, OneSided Kind, std::size_t N>
+void project_one_sided(const std::array<Point<Real>*, N>& p, const ConstraintValue<Real, N>& c,
+                       const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
+                       Real& multiplier) {
+  if (!c.defined) return;
+  const Real w = weighted_square(p, c);
+  if (!(w > 0)) return;
+  std::array<double, Kind::rest_values> exact_rest;
+  std::copy(rest.begin(), rest.end(), exact_rest.begin());
+  const auto change = static_cast<Real>(Kind::change(c.value, exact_rest, law, w, alpha, multiplier));
+  multiplier += change;
+  move_reference(p, c, change);
 }
 
 }  // namespace
@@ -119,8 +136,16 @@ void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Rea
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = corners_of<Kind>(points, batch, lane);
     const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
-    project_reference(p, Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law), batch.k,
-                      compliant ? &batch.multiplier[lane] : nullptr, alpha);
+    const auto rest = rest_of(batch, lane);
+    const auto c = Kind::value(vectors_of<Real>(p), rest, batch.law);
+    if constexpr (OneSided<Kind>) {
+      if (compliant)
+        project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane]);
+      else if (c.value < 0)
+        project_reference(p, c, batch.k);
+    } else {
+      project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha);
+    }
   });
 }
 
@@ -129,8 +154,9 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const El
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const auto p = corners_of<Kind>(points, batch, lane);
-    damp_reference(p, corners_of<Kind>(velocities, batch, lane),
-                   Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law), k);
+    const auto c = Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law);
+    if (OneSided<Kind> && !(c.value < 0)) return;
+    damp_reference(p, corners_of<Kind>(velocities, batch, lane), c, k);
   });
 }
 

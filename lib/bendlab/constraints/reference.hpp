@@ -81,18 +81,32 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
           detail::with_first_from_rest<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
 }
 
+/// Σ w|∇C|².
+template <class Real, std::size_t N>
+Real weighted_square(const std::array<Point<Real>*, N>& points, const ConstraintValue<Real, N>& c) {
+  Real sum = 0;
+  for (std::size_t i = 0; i < N; ++i) sum += points[i]->w * c.gradient[i].squaredNorm();
+  return sum;
+}
+
+/// Δx = w ∇C Δλ.
+template <class Real, std::size_t N>
+void move_reference(const std::array<Point<Real>*, N>& points, const ConstraintValue<Real, N>& c,
+                    Real change) {
+  for (std::size_t i = 0; i < N; ++i)
+    points[i]->set(points[i]->vector() + points[i]->w * change * c.gradient[i]);
+}
+
 /// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is given (α̃ = `compliance_over_h2`).
 template <class Real, std::size_t N>
 void project_reference(std::array<Point<Real>*, N> points, const ConstraintValue<Real, N>& c, Real k,
                        Real* multiplier = nullptr, Real compliance_over_h2 = 0) {
-  Real sum = compliance_over_h2;
-  for (std::size_t i = 0; i < N; ++i)
-    if (c.defined) sum += points[i]->w * c.gradient[i].squaredNorm();
-  if (!c.defined || !(sum > 0)) return;
+  if (!c.defined) return;
+  const Real sum = weighted_square(points, c) + compliance_over_h2;
+  if (!(sum > 0)) return;
   const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / sum : -k * c.value / sum;
   if (multiplier) *multiplier += change;
-  for (std::size_t i = 0; i < N; ++i)
-    points[i]->set(points[i]->vector() + points[i]->w * change * c.gradient[i]);
+  move_reference(points, c, change);
 }
 
 /// Removes the fraction `k` of Ċ from the velocities: Δv = -k Ċ / Σ w|∇C|² w ∇C.

@@ -1,0 +1,115 @@
+// Effects where they work: the time of an effect's passes in the steps of a cloth, from 10³ to 10⁶ vertices.
+#include <fmt/format.h>
+
+#include <array>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+
+#include "experiments/bench/families.hpp"
+#include "experiments/config.hpp"
+#include "experiments/machine.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr int warm_up_steps = 20;
+
+/// An effect in a scene in which it has work to do.
+struct EffectScene {
+  std::string_view effect, settings;  ///< its type, and its further settings as JSON
+  std::string_view scene;             ///< what the scene has besides, as JSON
+};
+
+constexpr std::string_view pinned_corner = R"("pins": {"vertices": ["upper_right"], "ring": 1})";
+
+constexpr std::array scenes = {
+    EffectScene{"gravity", R"("acceleration": [0, 0, -9.81])", pinned_corner},
+    EffectScene{"rigid_damping", R"("rate": 1)", pinned_corner},
+    EffectScene{"constraint_damping", R"("rate": 1)", pinned_corner},
+    EffectScene{"tethers", R"("per_vertex": 1)", pinned_corner},
+};
+
+/// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.
+RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar) {
+  const std::string gravity = scene.effect == "gravity" ? "" : R"({"type": "gravity"}, )";
+  const std::string text = fmt::format(
+      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
+          "effects": [{}{{"type": "{}", {}}}], "initial": {{"perturbation": 1e-6}},
+          "solver": {{"precision": "{}"}}}})",
+      cells, scene.scene, gravity, scene.effect, scene.settings, scalar == "float" ? "single" : "double");
+  return parse_experiment(text, "bench").runs.front();
+}
+
+class CloseWatch {
+ public:
+  CloseWatch(const RunConfig& config, std::string_view effect) : effect_(effect) {
+    const Scene scene = build_scene(config);
+    vertices = scene.rest.vertex_count();
+    simulation_ = simulation_of(scene);
+    for (int step = 0; step < warm_up_steps; ++step) this->step();
+  }
+
+  /// Processor seconds of the effect's passes in a step.
+  double step() {
+    const PassStatistics before = effect();
+    const double cpu_start = thread_cpu_s();
+    const auto start = std::chrono::steady_clock::now();
+    if (!simulation_->step()) throw std::runtime_error("the cloth of a benchmark diverged");
+    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double cpu = thread_cpu_s() - cpu_start;
+    const PassStatistics after = effect();
+    acted = static_cast<double>(after.acted - before.acted);
+    const double seconds = cpu * (after.seconds - before.seconds) / wall;
+    share = seconds / cpu;
+    return seconds;
+  }
+
+  int vertices = 0;
+  double acted = 0, share = 0;  // in the last step
+
+ private:
+  PassStatistics effect() const {
+    PassStatistics sum;
+    for (const PassStatistics& pass : simulation_->passes())
+      if (pass.name.starts_with(effect_)) sum.seconds += pass.seconds, sum.acted += pass.acted;
+    return sum;
+  }
+
+  std::string effect_;
+  std::unique_ptr<Simulation> simulation_;
+};
+
+BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
+                 const BenchOptions& options) {
+  CloseWatch cloth(config_of(scene, cells, scalar), scene.effect);
+  BenchRow row{.name = fmt::format("effect/{}/{}", scene.effect, cells),
+               .scalar = scalar,
+               .vertices = cloth.vertices,
+               .constraints = cloth.vertices,
+               .repetitions = options.repetitions};
+  const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions,
+                                  options.quick ? 0.005 : 0.1, [&] { return cloth.step(); });
+  const double to_ns = 1e9 / cloth.vertices;  // per vertex and step
+  row.ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
+  row.more["acted_per_step"] = cloth.acted;
+  if (cloth.acted > 0) row.more["per_action_ns"] = 1e9 * seconds.median / cloth.acted;
+  row.more["share_of_step"] = cloth.share;
+  return row;
+}
+
+}  // namespace
+
+std::vector<BenchCase> effect_cases(const BenchOptions& options) {
+  using Sizes = std::vector<int>;
+  std::vector<BenchCase> cases;
+  for (const EffectScene& scene : scenes)
+    for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000})
+      cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
+                       .oracle = "",
+                       .run = [=, &scene] { return measure(scene, cells, "float", options); }});
+  return cases;
+}
+
+}  // namespace bendlab

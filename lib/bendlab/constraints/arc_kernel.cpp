@@ -1,0 +1,131 @@
+#include "bendlab/constraints/arc_spring.hpp"
+#include "bendlab/constraints/element_kernel.hpp"
+#include "bendlab/constraints/pack_math.hpp"
+
+namespace bendlab {
+template <>
+struct PackKernel<ArcSpring> {
+  using Law = ArcSpring::Law;
+  using Laws = std::integer_sequence<Law, Law::exact, Law::polynomial>;
+
+  template <class Real, Law law>
+  BENDLAB_INLINE static PackConstraint<Real, 2> evaluate(const std::array<PackPoints<Real>, 2>& p,
+                                                         const std::array<Pack<Real>, 1>& rest,
+                                                         std::integral_constant<Law, law>) {
+    using P = Pack<Real>;
+    const PackVector<Real> d = p[0].position - p[1].position;
+    const P squared = dot(d, d), shortest = collapsed_ratio<Real> * rest[0];
+    PackConstraint<Real, 2> result;
+    result.defined = squared > shortest * shortest;
+    const P per_length = inverse_square_root(result.defined ? squared : broadcast<Real>(1));
+    result.value = squared * per_length - rest[0];
+    result.gradient = {scaled<Real>(per_length, d), scaled<Real>(-per_length, d)};
+    return result;
+  }
+
+  // A segment at ρ = r/L: its push p = P L²/k_b, and dp/dρ.
+  template <class Real>
+  struct Bent {
+    Pack<Real> ratio, push, slope;
+  };
+
+  // ArcSpring::change(). In units of L and k_b/L² the new ρ solves
+  //
+  //     load - yielding (1 - ρ) = p(ρ)
+  //
+  // where `load` is the push that would hold the segment straight and `yielding` what shortening by L takes off it.
+  // Lanes that need no solution compute one all the same, of whatever value.
+  template <class Real, Law law>
+  BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const std::array<Pack<Real>, 1>& rest,
+                                          std::integral_constant<Law, law>, const Pack<Real>& w,
+                                          const Pack<Real>& alpha, const Pack<Real>& multiplier) {
+    using P = Pack<Real>;
+    const P length = rest[0], per_both = 1 / (length * w), per_w = length * per_both;
+    const P straight = multiplier - value * per_w, to_push = alpha * length * length;
+    const P load = to_push * straight, yielding = to_push * length * per_w, shortened = -value * per_both * w;
+    Bent<Real> bent;
+    P limit;  // of the load that a straight segment bears
+    if constexpr (law == Law::exact) {
+      bent = arc<Real>(load, yielding), limit = broadcast<Real>(12);
+    } else {
+      bent = quartic<Real>(load, yielding), limit = quartic_at<Real>(broadcast<Real>(1)).push;
+    }
+    // The last step, in ρ: it is exact to rounding both where the push changes the length much and where little.
+    const P held = to_push * multiplier;
+    const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
+    const P buckled = load > limit ? step * length * per_w : -value * per_w;
+    return straight < P{} ? -multiplier : buckled;
+  }
+
+ private:
+  // The polynomial law or its derivative, by ascending powers. Element by element: of a list of casts GCC 12 makes
+  // wrong numbers under -frounding-math.
+  template <class Real, bool derivative>
+  static constexpr auto series = [] {
+    std::array<Real, ArcSpring::polynomial.size() - derivative> coefficients{};
+    for (std::size_t n = 0; n < coefficients.size(); ++n)
+      coefficients[n] = static_cast<Real>((derivative ? static_cast<double>(n + 1) : 1) *
+                                          ArcSpring::polynomial[n + derivative]);
+    return coefficients;
+  }();
+
+  template <class Real>
+  BENDLAB_INLINE static Bent<Real> quartic_at(const Pack<Real>& ratio) {
+    return {ratio, detail::polynomial(series<Real, false>, ratio),
+            detail::polynomial(series<Real, true>, ratio)};
+  }
+
+  // Fraction of an interval at which the hyperbola through both ends and with the slope of the first is 0.
+  template <class Real>
+  BENDLAB_INLINE static Pack<Real> first_guess(const Pack<Real>& at_0, const Pack<Real>& slope_at_0,
+                                               const Pack<Real>& at_1) {
+    return at_0 / (at_0 + slope_at_0 * (at_1 / (at_0 - at_1)));
+  }
+
+  template <class Real>
+  BENDLAB_INLINE static Pack<Real> clamped(const Pack<Real>& x, Real highest) {
+    const Pack<Real> low = x > Pack<Real>{} ? x : Pack<Real>{};
+    return low < highest ? low : broadcast(highest);
+  }
+
+  // In z = y²: ρ = 3e - z f and p = 4/e with e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2. Times e, the equation
+  // reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0, falling and convex on the way to its root: Newton's method cannot
+  // run away. After these steps z is right to 10⁻³ (float) and 10⁻⁷ (double), and the last one squares that.
+  template <class Real>
+  BENDLAB_INLINE static Bent<Real> arc(const Pack<Real>& load, const Pack<Real>& yielding) {
+    using P = Pack<Real>;
+    constexpr int steps = sizeof(Real) == 4 ? 3 : 4;
+    constexpr auto closed = static_cast<Real>(9.869604401089358);  // z = π² at y = π
+    P z = closed * clamped<Real>(first_guess<Real>(load / 3 - 4, -closed * (load / 30 + yielding / 18),
+                                                   (load - yielding) / closed - 4),
+                                 1);
+    P e = bessel_1<Real>(z), f = bessel_2<Real>(z);
+    for (int step = 0; step < steps; ++step) {
+      const P force = load - yielding * (1 - 3 * e + z * f);
+      z = clamped<Real>(z + 2 * (e * force - 4) / (f * force + yielding * e * e), closed);
+      e = bessel_1<Real>(z), f = bessel_2<Real>(z);
+    }
+    const P per_e = 1 / e;
+    return {3 * e - z * f, 4 * per_e, -4 * f * per_e * per_e * per_e};
+  }
+
+  // p is convex in ρ: the same from 1 - ρ = 0.
+  template <class Real>
+  BENDLAB_INLINE static Bent<Real> quartic(const Pack<Real>& load, const Pack<Real>& yielding) {
+    using P = Pack<Real>;
+    constexpr int steps = sizeof(Real) == 4 ? 2 : 3;
+    const Bent<Real> straight = quartic_at<Real>(broadcast<Real>(1));
+    const P guess = first_guess<Real>(load - straight.push, straight.slope - yielding,
+                                      load - yielding - series<Real, false>[0]);
+    Bent<Real> bent = quartic_at<Real>(1 - clamped<Real>(guess, 1));
+    for (int step = 0; step < steps; ++step) {
+      const P left = bent.push - load + yielding * (1 - bent.ratio);
+      bent = quartic_at<Real>(clamped<Real>(bent.ratio + left / (yielding - bent.slope), 1));
+    }
+    return bent;
+  }
+};
+
+BENDLAB_ELEMENT_KERNELS(ArcSpring);
+
+}  // namespace bendlab

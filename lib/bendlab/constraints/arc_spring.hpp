@@ -1,0 +1,132 @@
+// A segment that buckles: the bending spring of Choi and Ko 2002, §4.2, between two vertices a and b.
+//
+//       .-'''-.           The cloth between a and b is not compressed, it is bent to a circular arc of length L:
+//      /       \          r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ², and its ends push apart with
+//     a----r----b         P = -dU/dr = k_b κ² / (sinc y - cos y): 12 k_b/L² straight, 4π² k_b/L² closed.
+//
+// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L²: the force jumps.
+// Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs; change() solves for
+// the multiplier with the jump in it and needs none.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <string_view>
+
+#include "bendlab/constraints/elements.hpp"
+#include "bendlab/constraints/value.hpp"
+
+namespace bendlab {
+
+struct ArcSpring {
+  static constexpr std::string_view name = "arc_spring";
+  static constexpr std::size_t arity = 2;
+  static constexpr std::size_t rest_values = 1;  ///< L, m
+  static constexpr bool one_sided = true;
+
+  enum class Law {
+    exact,       ///< the arc's push
+    polynomial,  ///< P = -(4 k_b/L²) p(r/L), p of degree 4: within 1.6 % of that
+  };
+
+  /// -4 p, p as Blender's implicit cloth solver has it (implicit_blender.c, which leaves the factor 4/L² out); by
+  /// ascending powers of r/L.
+  static constexpr std::array<double, 5> polynomial = {4 * 9.713, -4 * 23.116, 4 * 39.083, -4 * 34.193,
+                                                       4 * 11.541};
+
+  /// r/L and P L²/k_b of a segment that is bent the fraction t in [0, 1] of the way from straight to closed.
+  struct Bent {
+    double ratio, push;
+  };
+  static Bent bent(double t, Law law);
+
+  /// P L²/k_b at r/L in [0, 1].
+  static double push(double ratio, Law law) { return bent(bending_of(ratio, law), law).push; }
+
+  /// C = r - L. Undefined where r has collapsed against L.
+  template <class Real>
+  static ConstraintValue<Real, 2> value(const std::array<Vector3Of<Real>, 2>& p,
+                                        const std::array<Real, 1>& rest, Law) {
+    const Vector3Of<Real> d = p[0] - p[1];
+    const Real length = d.norm();
+    if (!(length > collapsed_ratio<Real> * rest[0])) return {.gradient = {}, .defined = false};
+    return {length - rest[0], {d / length, -d / length}};
+  }
+
+  /// U / k_b, 1/m, at C = r - L.
+  static double energy(double value, const std::array<double, 1>& rest, Law law);
+
+  /// Δλ of the exact solution of λ' = h² P(r'), r' = r + w Δλ at C = r - L, where P at r' = L may be anything from 0
+  /// to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` 1 / (k_b h²), λ ≥ 0 pushes. In double for every Real.
+  static double change(double value, const std::array<double, 1>& rest, Law law, double w, double alpha,
+                       double multiplier);
+
+ private:
+  static double sinc(double y) { return y > 0 ? std::sin(y) / y : 1; }
+  static double sinc_minus_cosine(double y);
+  static double bending_of(double ratio, Law law);
+
+  // Where `above(t)`, true at 0, turns false, to 2⁻⁶⁰ of [0, 1].
+  template <class Above>
+  static double bisected(const Above& above) {
+    double low = 0, high = 1;
+    for (int i = 0; i < 60; ++i) (above((low + high) / 2) ? low : high) = (low + high) / 2;
+    return (low + high) / 2;
+  }
+};
+
+/// sinc y - cos y; its series where the difference would cancel.
+inline double ArcSpring::sinc_minus_cosine(double y) {
+  if (y > 0.5) return sinc(y) - std::cos(y);
+  double term = y * y / 3, sum = 0;  // Σ (-1)ⁿ 2 (n + 1) y²ⁿ⁺² / (2n + 3)!
+  for (int n = 1; n <= 8; ++n) sum += term, term *= -y * y * (n + 1) / (n * (2.0 * n + 2) * (2.0 * n + 3));
+  return sum;
+}
+
+inline ArcSpring::Bent ArcSpring::bent(double t, Law law) {
+  if (law == Law::exact) {
+    const double y = std::numbers::pi * t;
+    return {sinc(y), y > 0 ? 4 * y * y / sinc_minus_cosine(y) : 12};
+  }
+  double push = 0;
+  for (std::size_t n = polynomial.size(); n-- > 0;) push = push * (1 - t) + polynomial[n];
+  return {1 - t, push};
+}
+
+inline double ArcSpring::bending_of(double ratio, Law law) {
+  return bisected([&](double t) { return bent(t, law).ratio > ratio; });
+}
+
+inline double ArcSpring::energy(double value, const std::array<double, 1>& rest, Law law) {
+  const double length = rest[0], ratio = 1 + value / length;
+  if (!(ratio < 1)) return 0;
+  if (law == Law::exact) {
+    const double y = std::numbers::pi * bending_of(ratio, law);
+    return 2 * y * y / length;
+  }
+  double from = 0, to = 0;  // of the polynomial's integral
+  for (std::size_t n = polynomial.size(); n-- > 0;) {
+    const double coefficient = polynomial[n] / static_cast<double>(n + 1);
+    from = from * ratio + coefficient, to += coefficient;
+  }
+  return (to - from * ratio) / length;
+}
+
+inline double ArcSpring::change(double value, const std::array<double, 1>& rest, Law law, double w,
+                                double alpha, double multiplier) {
+  const double straight = multiplier - value / w;  // λ' at r' = L
+  if (straight < 0) return -multiplier;
+  const double length = rest[0], to_push = alpha * length * length, yielding = to_push * length / w;
+  if (to_push * straight <= bent(0, law).push) return -value / w;
+  // In units of L and k_b/L²: push(r') is `straight`'s less what shortening by 1 - r' relieves. It falls as r' grows.
+  const Bent end = bent(bisected([&](double t) {
+                          const Bent at = bent(t, law);
+                          return to_push * straight - yielding * (1 - at.ratio) > at.push;
+                        }),
+                        law);
+  // From whichever of the two determines the other: a push that changes by 7 to 118 per unit of r', or r'.
+  return yielding > 40 ? end.push / to_push - multiplier : ((end.ratio - 1) * length - value) / w;
+}
+
+}  // namespace bendlab
