@@ -35,8 +35,7 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   if (static_cast<int>(rim.size()) == rest.vertex_count())
     throw std::invalid_argument(
         fmt::format("'{}' names the vertices at one end of a tube along z; this mesh is flat and would be "
-                    "pinned whole. Name "
-                    "corners or sides",
+                    "pinned whole. Name corners or sides",
                     name));
   return rim;
 }
