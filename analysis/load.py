@@ -324,10 +324,25 @@ def _with(settings, point):
 def _place(config, sweep):
     """Where on the sweep a config is: ((pointer, value), …), without the settings of models it doesn't use."""
     used = [pointer for pointer in sweep if _applies(config, pointer)]
-    return tuple((pointer, _hashable(at(config, pointer))) for pointer in used)
+    return tuple((pointer, _hashable(swept_value(config, pointer, sweep))) for pointer in used)
+
+
+def swept_value(config, pointer, sweep):
+    """The value of the sweep that a config has at a pointer, None where it has none of them."""
+    actual = at(config, pointer)
+    return next((value for value in sweep[pointer] if _matches(actual, value)), None)
+
+
+def _matches(actual, wanted):
+    """Equal; of a swept object the config has the settings that it names, and the defaults of all others."""
+    if isinstance(wanted, dict):
+        return isinstance(actual, dict) and all(_matches(actual.get(key), value) for key, value in wanted.items())
+    return actual == wanted
 
 
 def _hashable(value):
+    if isinstance(value, dict):
+        return json.dumps(value, sort_keys=True)
     return tuple(map(_hashable, value)) if isinstance(value, list) else value  # 0 and 0.0 are equal and hash alike
 
 
@@ -337,4 +352,4 @@ def _applies(config, pointer):
 
 
 def _on_sweep(config, sweep):
-    return all(at(config, pointer) in values for pointer, values in sweep.items() if _applies(config, pointer))
+    return all(swept_value(config, pointer, sweep) is not None for pointer in sweep if _applies(config, pointer))

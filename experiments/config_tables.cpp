@@ -17,7 +17,7 @@ namespace {
 using enum ParameterType;
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 4> generators = {"grid", "equilateral", "delaunay", "disc"};
+constexpr std::array<std::string_view, 5> generators = {"grid", "equilateral", "delaunay", "disc", "tube"};
 constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "both"};
 constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
@@ -57,7 +57,8 @@ constexpr std::array top_level = {
 constexpr std::array mesh = {
     Parameter{.name = "generator", .type = text, .unit = "", .default_value = "grid",
               .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
-                         "triangles; delaunay: irregular, seeded; disc: concentric rings",
+                         "triangles; delaunay: irregular, seeded; disc: concentric rings, as many as cells; "
+                         "tube: the side of a cylinder or cone around z, with cells around it",
               .choices = generators},
     Parameter{.name = "file", .type = text, .unit = "", .default_value = {},
               .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
@@ -66,7 +67,7 @@ constexpr std::array mesh = {
               .meaning = "Extent along x",
               .minimum = 0, .above = true},
     Parameter{.name = "height", .type = number, .unit = "m", .default_value = 1.0,
-              .meaning = "Extent along y",
+              .meaning = "Extent along y; tube: along z",
               .minimum = 0, .above = true},
     Parameter{.name = "cells", .type = integer, .unit = "1", .default_value = 32,
               .meaning = "Resolution: cells along the width",
@@ -78,7 +79,10 @@ constexpr std::array mesh = {
               .meaning = "equilateral: direction of the rows of edges against the long side",
               .choices = row_directions},
     Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
-              .meaning = "disc: its radius",
+              .meaning = "disc: its radius; tube: that of its lower end",
+              .minimum = 0, .above = true},
+    Parameter{.name = "radius_top", .type = number, .unit = "m", .default_value = {},
+              .meaning = "tube: radius of its upper end; absent: that of the lower end",
               .minimum = 0, .above = true},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "delaunay: seed of the random points",
@@ -92,7 +96,8 @@ constexpr std::array mesh = {
 const std::array<Parameter, 3>& pins() {
   static const std::array<Parameter, 3> table = {
       Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
-                .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides, centre",
+                .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides and centre of its x-y "
+                           "face; top_rim and bottom_rim are the ends of a tube",
                 .choices = vertex_selectors()},
       Parameter{.name = "indices", .type = numbers, .unit = "1", .default_value = no_indices,
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), besides the "
@@ -116,7 +121,8 @@ constexpr std::array material = {
               .choices = coordinate_sources},
     Parameter{.name = "warp_direction", .type = numbers, .unit = "1",
               .default_value = std::span<const double>(default_warp),
-              .meaning = "Direction of the warp threads in the rest shape; any length but zero",
+              .meaning = "Direction of the warp threads in the rest shape, of any length but zero; 0, 0, 1 runs "
+                         "along a tube",
               .length = 3},
 };
 

@@ -23,7 +23,10 @@ TriangleMesh generate(const ParameterValues& mesh) {
   const double width = mesh.number("width"), height = mesh.number("height");
   const int cells = static_cast<int>(mesh.integer("cells"));
   const std::string& generator = mesh.text("generator");
-  if (generator == "disc") return disc(mesh.number("radius"), cells);
+  const double radius = mesh.number("radius");
+  if (generator == "disc") return disc(radius, cells);
+  if (generator == "tube")
+    return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
   if (generator == "delaunay")
     return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
   if (generator == "equilateral")
@@ -62,8 +65,11 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
         "file, or pin by name in /pins/vertices",
         config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
-  for (const std::string& name : values.texts("vertices"))
-    for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
+  for (const std::string& name : values.texts("vertices")) try {
+      for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
+    } catch (const std::invalid_argument& error) {  // a name that this mesh has no place for
+      throw ConfigError("/pins/vertices", {{"/pins/vertices", error.what()}});
+    }
   for (const double index : values.numbers("indices")) {
     if (index >= rest.vertex_count())
       throw ConfigError("/pins/indices",

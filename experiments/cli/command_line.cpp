@@ -91,7 +91,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   add_configs(validate, a);
 
   CLI::App* reproduce = add_command(
-      app, a, "reproduce", "Run the paper's experiments and ablations and draw the page of its claims",
+      app, a, "reproduce",
+      "Run the paper's experiments, ablations and the comparison of models, and draw the page of its claims",
       [&a] { return reproduce_command(a.options, a.reproduce_out, a.full); });
   add_campaign(reproduce, a);
   reproduce->add_flag("--full", a.full, "With resolution 256 too");

@@ -4,12 +4,14 @@ import sys
 import tempfile
 import unittest
 from pathlib import Path
+from types import SimpleNamespace
 
 import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import fig_5  # noqa: E402
+import fig_models  # noqa: E402
 import fig_structure  # noqa: E402
 import load  # noqa: E402
 import page  # noqa: E402
@@ -108,6 +110,17 @@ class LoadTest(unittest.TestCase):
         places = {load._place(load._with({"bending": {}}, point), sweep) for point in load._points(sweep)}
         self.assertEqual(len(places), 3)
 
+    def test_a_swept_object_is_found_by_the_settings_it_names(self):
+        sweep = {"/bending": [{"model": "bridson", "stiffness": "k"}, {"model": "bridson", "compliance": 250}]}
+        defaults = {"k": 0.5, "compliance": 250.0, "bridson": {}}
+        second = {"bending": {"model": "bridson", "stiffness": "compliance", **defaults}}
+        self.assertEqual(load.swept_value(second, "/bending", sweep), sweep["/bending"][1])
+        self.assertTrue(load._on_sweep(second, sweep))
+        self.assertFalse(load._on_sweep({"bending": {**second["bending"], "compliance": 1.0}}, sweep))
+        places = [load._place(load._with({}, {"/bending": value}), sweep) for value in sweep["/bending"]]
+        self.assertEqual(load._place(second, sweep), places[1])
+        self.assertNotEqual(*places)
+
     def test_spread_is_median_and_range(self):
         s = load.spread([5, 1, 2]) - 1
         self.assertEqual((s.median, s.low, s.high, s.count), (1, 0, 4, 3))
@@ -190,6 +203,46 @@ class FigureTest(unittest.TestCase):
         self.assertAlmostEqual(effect["model"], np.log10(2), places=14)  # 10 → 5 and 2 → 1
         self.assertAlmostEqual(effect["ring"], np.log10(5), places=14)  # 10 → 2 and 5 → 1
         self.assertAlmostEqual(effect["interaction"], 0, places=14)
+
+    def test_the_elastica_bends_as_the_master_curve(self):
+        # Tip over length at Γ = weight length³ / rigidity: Γ/8 where it is small, else a solution of the boundary value
+        # problem to 10 digits; the midpoint rule over 400 points is good to (1/400)² times some 10.
+        for gamma, x, y in ((0.01, 0.999999, 0.001250), (1, 0.991246, 0.123471), (10, 0.656354, 0.700200)):
+            tip = fig_models.elastica(gamma, 1, 1)[-1]
+            np.testing.assert_allclose(tip, [x, -y], atol=1e-4)
+        np.testing.assert_allclose(fig_models.elastica(10 / 8, 2, 1)[-1], [2 * 0.656354, -2 * 0.7002], atol=2e-4)
+
+    def test_the_cost_of_a_model_by_hand(self):
+        config = {"bending": {"model": "dihedral"}, "solver": {"dt": 0.5, "substeps": 2, "iterations": 10}}
+        passes = {"strain": 2.0, "bending": 3.0, "predict": 1.0, "recording": 4.0}
+        runs = [load.Run(Path("-"), "", "", "complete", config, {"bending_constraints": 50, "vertices": 25},
+                         {"time": np.array([0, 4.0])}, cpu_s=cpu, passes=passes) for cpu in (10, 5, 20)]
+        c = fig_models.cost(runs)  # 8 steps of 20 projections; half of each pass's wall time was the processor's
+        self.assertAlmostEqual(c["strain"], 1e3 / 8)
+        self.assertAlmostEqual(c["bending"], 1.5e3 / 8)
+        self.assertAlmostEqual(c["rest"], 0.5e3 / 8)
+        self.assertAlmostEqual(c["ns"], 1.5e9 / (8 * 20 * 50))
+        self.assertEqual(c["per_vertex"], 2)
+
+    def test_the_side_of_a_strip_is_the_mean_of_its_rows(self):
+        rest = np.array([[x, y, 0] for x in (-2, -1, 0, 1) for y in (0, 1)], float)
+        hung = rest + np.repeat([[0, 0, 5], [0, 0, 5], [-0.2, 0, 4], [-0.8, 0, 3]], 2, axis=0)
+        hung[5] += [0.2, 0, -0.5]  # one end of a row
+        strip = SimpleNamespace(rest_positions=rest, pinned=rest[:, 0] < -0.5, positions=lambda frame: hung)
+        np.testing.assert_allclose(fig_models.profile(strip), [[0, 0], [0.9, -1.25], [1.2, -2]], atol=1e-15)
+
+    def test_every_model_that_is_swept_has_a_colour_and_a_name(self):
+        for name in ("hanging_sheet", "cantilever"):
+            sweep = json.loads((load.CONFIGS / f"models/{name}.json").read_text())["sweep"]
+            models = sweep.get("/bending/model") or [value["model"] for value in sweep["/bending"]]
+            self.assertLessEqual(set(models), set(style.MODEL_COLOURS) & set(style.MODEL_NAMES))
+
+    def test_the_titles_say_what_the_runs_say(self):
+        def run(model, strain):
+            return load.Run(Path("-"), "", "", "complete", {"bending": {"model": model}}, {"mean_strain": strain}, {"time": []})
+        runs = {("none", 1): [run("none", 25.0)], ("adaptive", 1): [run("adaptive", 0.05)], ("lod", 1): [run("lod", 0.5)]}
+        title = fig_models.sheet_title([1], ["none", "adaptive", "lod"], runs)
+        self.assertEqual(title, "One substep: 1 of 3 models keep the mean strain below 10 %; it exceeds 100 % with no bending")
 
     def test_a_page_without_runs_says_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,11 +1,16 @@
 #include "bendlab/mesh/generators.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 #include <vector>
 
+#include "bendlab/mesh/quality.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/mesh/soup.hpp"
 #include "tests/catch.hpp"
@@ -178,6 +183,132 @@ TEST_CASE("a disc has 6 r vertices on ring r", "[mesh][generators]") {
       CHECK_THAT(point(mesh, vertex++).norm(), WithinRel(2.0 * r / rings, 1e-15));
 }
 
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+struct Frustum {
+  double radius, radius_top, height;
+
+  double slant() const { return std::hypot(radius_top - radius, height); }
+  double area() const { return pi * (radius + radius_top) * slant(); }
+};
+
+const std::vector<Frustum> frustums = {{0.5, 0.5, 1.5}, {0.2, 0.6, 0.8}, {3, 0.4, 1}, {1, 0.999999, 2}};
+
+double area_of(const RestMesh& rest) {
+  double sum = 0;
+  for (const double area : rest.areas()) sum += area;
+  return sum;
+}
+
+double tube_area(const Frustum& f, int cells) {
+  return area_of(RestMesh(tube(f.radius, f.radius_top, f.height, cells)));
+}
+
+// Edges of one triangle only, as one neighbour list per vertex.
+std::vector<std::vector<int>> boundary_of(const RestMesh& rest) {
+  std::vector<std::vector<int>> neighbours(static_cast<std::size_t>(rest.vertex_count()));
+  Eigen::SparseMatrix<int> uses(rest.vertex_count(), rest.vertex_count());
+  for (Eigen::Index t = 0; t < rest.triangle_count(); ++t)
+    for (int c = 0; c < 3; ++c) {
+      const int a = rest.triangles()(t, c), b = rest.triangles()(t, (c + 1) % 3);
+      uses.coeffRef(std::min(a, b), std::max(a, b)) += 1;
+    }
+  for (Eigen::Index e = 0; e < rest.edges().rows(); ++e) {
+    const int a = rest.edges()(e, 0), b = rest.edges()(e, 1);
+    if (uses.coeff(a, b) != 1) continue;
+    neighbours[static_cast<std::size_t>(a)].push_back(b);
+    neighbours[static_cast<std::size_t>(b)].push_back(a);
+  }
+  return neighbours;
+}
+
+}  // namespace
+
+TEST_CASE("a tube is closed around and open at two rims", "[mesh][generators]") {
+  for (const Frustum& f : frustums)
+    for (const int cells : {3, 8, 25}) {
+      INFO(f.radius << ' ' << f.radius_top << ' ' << f.height << ", " << cells << " cells");
+      const TriangleMesh mesh = tube(f.radius, f.radius_top, f.height, cells);
+      CHECK(diagnose(mesh).empty());
+      const RestMesh rest(mesh);
+      CHECK(rest.vertex_count() - rest.edges().rows() + rest.triangle_count() ==
+            0);  // Euler number of a ring
+      const auto boundary = boundary_of(rest);
+      const int last = rest.vertex_count() - cells;
+      for (int v = 0; v < rest.vertex_count(); ++v) {
+        auto neighbours = boundary[static_cast<std::size_t>(v)];
+        std::sort(neighbours.begin(), neighbours.end());
+        if (v >= cells && v < last) {
+          CHECK(neighbours.empty());
+          continue;
+        }
+        // Around the first and the last row, each one loop through `cells` vertices.
+        const int first = v < cells ? 0 : last, at = v - first;
+        std::vector<int> expected = {first + (at + 1) % cells, first + (at + cells - 1) % cells};
+        std::sort(expected.begin(), expected.end());
+        CHECK(neighbours == expected);
+      }
+    }
+}
+
+TEST_CASE("the vertices of a tube lie on circles of its cone, evenly spaced", "[mesh][generators]") {
+  const int cells = 14;
+  for (const Frustum& f : frustums) {
+    const TriangleMesh mesh = tube(f.radius, f.radius_top, f.height, cells);
+    for (int v = 0; v < mesh.vertex_count(); ++v) {
+      const double r = point(mesh, v).norm(), up = mesh.positions(v, 2) / f.height + 0.5;
+      // On the cone's straight side, to the rounding of the logarithm that spaces the rows.
+      CHECK_THAT(r, WithinRel(f.radius + up * (f.radius_top - f.radius), 1e-9));
+      const int next = v % cells == cells - 1 ? v + 1 - cells : v + 1;
+      CHECK_THAT((mesh.positions.row(next) - mesh.positions.row(v)).norm(),
+                 WithinRel(2 * r * std::sin(pi / cells), 1e-13));
+    }
+    for (const auto& [end, radius, z] :
+         {std::tuple(0, f.radius, -f.height / 2),
+          std::tuple(static_cast<int>(mesh.vertex_count()) - 1, f.radius_top, f.height / 2)}) {
+      CHECK_THAT(point(mesh, end).norm(), WithinRel(radius, 1e-14));
+      CHECK(mesh.positions(end, 2) == z);
+    }
+  }
+}
+
+TEST_CASE("a tube's area is that of its frustum to second order", "[mesh][generators]") {
+  // A cylinder's triangles: base 2 r sin(π/m), apex dz up and r (1 - cos(π/m)) outward.
+  const int cells = 40;
+  const RestMesh cylinder(tube(0.5, 0.5, 1.5, cells));
+  const int rows = cylinder.vertex_count() / cells - 1;
+  const double height = std::hypot(1.5 / rows, 0.5 * (1 - std::cos(pi / cells)));
+  CHECK_THAT(area_of(cylinder), WithinRel(2.0 * cells * rows * 0.5 * std::sin(pi / cells) * height, 1e-12));
+
+  for (const Frustum& f : frustums) {
+    const double coarse = f.area() - tube_area(f, 40), fine = f.area() - tube_area(f, 160);
+    // 16 but for the rounding of some 30 rows to a whole number, which changes the triangles' height.
+    CHECK(std::abs(coarse / fine - 16) < 1.6);
+  }
+}
+
+TEST_CASE("a tube's triangles face outward and are nearly equilateral", "[mesh][generators]") {
+  for (const Frustum& f : frustums) {
+    const TriangleMesh mesh = tube(f.radius, f.radius_top, f.height, 32);
+    for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
+      const auto corner = [&](int c) -> Vector3 {
+        return mesh.positions.row(mesh.triangles(t, c)).transpose();
+      };
+      const Vector3 normal = (corner(1) - corner(0)).cross(corner(2) - corner(0));
+      Vector3 outward = corner(0) + corner(1) + corner(2);
+      outward.z() = 0;
+      REQUIRE(normal.dot(outward) > 0);
+      CHECK_THAT(corner(1).z(), WithinAbs(corner(0).z(), 0));  // the first edge lies along the circle
+    }
+    // Rows are rounded to a whole number of at least 6 (8 % of 60°), a cone's rows taper by at most a sixth.
+    const auto angles = measure_quality(mesh.positions, mesh.triangles).measures;
+    CHECK(angles[4].minimum > 50);
+    CHECK(angles[5].maximum < 70);
+  }
+}
+
 TEST_CASE("generators refuse sizes and counts that make no mesh", "[mesh][generators]") {
   const double nan = std::numeric_limits<double>::quiet_NaN(),
                infinity = std::numeric_limits<double>::infinity();
@@ -189,6 +320,9 @@ TEST_CASE("generators refuse sizes and counts that make no mesh", "[mesh][genera
     CHECK_THROWS_AS(delaunay(bad, 1, 4, 1), std::invalid_argument);
     CHECK_THROWS_AS(delaunay(1, bad, 4, 1), std::invalid_argument);
     CHECK_THROWS_AS(disc(bad, 3), std::invalid_argument);
+    CHECK_THROWS_AS(tube(bad, 1, 1, 8), std::invalid_argument);
+    CHECK_THROWS_AS(tube(1, bad, 1, 8), std::invalid_argument);
+    CHECK_THROWS_AS(tube(1, 1, bad, 8), std::invalid_argument);
   }
   for (const int bad : {0, -3, 1 << 20}) {
     CHECK_THROWS_AS(grid(1, 1, bad, 2), std::invalid_argument);
@@ -196,7 +330,10 @@ TEST_CASE("generators refuse sizes and counts that make no mesh", "[mesh][genera
     CHECK_THROWS_AS(equilateral(1, 1, bad), std::invalid_argument);
     CHECK_THROWS_AS(delaunay(1, 1, bad, 1), std::invalid_argument);
     CHECK_THROWS_AS(disc(1, bad), std::invalid_argument);
+    CHECK_THROWS_AS(tube(1, 1, 1, bad), std::invalid_argument);
   }
   CHECK_THROWS_AS(equilateral(1, 1, 1), std::invalid_argument);
+  CHECK_THROWS_AS(tube(1, 1, 1, 2), std::invalid_argument);          // no ring
+  CHECK_THROWS_AS(tube(1, 1, 1e9, 8), std::invalid_argument);        // a billion rows
   CHECK_THROWS_AS(delaunay(1e-9, 1, 10, 1), std::invalid_argument);  // ten billion rows
 }

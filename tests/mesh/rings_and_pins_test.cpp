@@ -132,6 +132,12 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   CHECK(select_vertices(rest, "right") == std::vector{3, 7, 11});
   CHECK(select_vertices(RestMesh(disc(1, 3)), "centre") == std::vector{0});
   CHECK_THROWS_AS(select_vertices(rest, "middle"), std::invalid_argument);
+  CHECK_THROWS_AS(select_vertices(rest, "top_rim"), std::invalid_argument);  // flat: it would be every vertex
+
+  const RestMesh sleeve(tube(0.3, 0.2, 1, 5));
+  CHECK(select_vertices(sleeve, "bottom_rim") == std::vector{0, 1, 2, 3, 4});
+  const int last = sleeve.vertex_count() - 1;
+  CHECK(select_vertices(sleeve, "top_rim") == std::vector{last - 4, last - 3, last - 2, last - 1, last});
 }
 
 TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {

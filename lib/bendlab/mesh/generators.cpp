@@ -36,17 +36,17 @@ double grid_line(double extent, int i, int n) {
 
 class MeshBuilder {
  public:
-  int add_vertex(double x, double y) {
-    points_.push_back({x, y});
+  int add_vertex(double x, double y, double z = 0) {
+    points_.push_back({x, y, z});
     return static_cast<int>(points_.size()) - 1;
   }
   void add_triangle(int a, int b, int c) { triangles_.push_back({a, b, c}); }
 
   TriangleMesh build() const {
     TriangleMesh mesh;
-    mesh.positions = Positions::Zero(static_cast<Eigen::Index>(points_.size()), 3);
+    mesh.positions.resize(static_cast<Eigen::Index>(points_.size()), 3);
     for (std::size_t v = 0; v < points_.size(); ++v)
-      mesh.positions.row(static_cast<Eigen::Index>(v)).head<2>() = points_[v].transpose();
+      mesh.positions.row(static_cast<Eigen::Index>(v)) = points_[v].transpose();
     mesh.triangles.resize(static_cast<Eigen::Index>(triangles_.size()), 3);
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       mesh.triangles.row(static_cast<Eigen::Index>(t)) << triangles_[t][0], triangles_[t][1],
@@ -55,7 +55,7 @@ class MeshBuilder {
   }
 
  private:
-  std::vector<Vector2> points_;
+  std::vector<Vector3> points_;
   std::vector<std::array<int, 3>> triangles_;
 };
 
@@ -248,6 +248,40 @@ TriangleMesh disc(double radius, int rings) {
         if (k + 1 < r)
           builder.add_triangle(inner, vertex(r, outer + 1), vertex(r - 1, sector * (r - 1) + k + 1));
       }
+  return builder.build();
+}
+
+TriangleMesh tube(double radius, double radius_top, double height, int cells) {
+  checked_size("radius", radius);
+  checked_size("radius_top", radius_top);
+  checked_size("height", height);
+  checked_count("cells around", cells, 3);
+
+  // Near radius r an edge is 2 r sin(π/cells) and a row √3/2 of it, so rows are even in the logarithm of r.
+  const double slant = std::hypot(radius_top - radius, height), growth = std::log(radius_top / radius);
+  const double mean_radius =
+      std::abs(growth) < 1e-6 ? (radius + radius_top) / 2 : (radius_top - radius) / growth;
+  const double row = std::numbers::sqrt3 * mean_radius * std::sin(std::numbers::pi / cells);
+  const int rows = checked_count("number of rows", std::max(1.0, std::round(slant / row)));
+
+  MeshBuilder builder;
+  for (int j = 0; j <= rows; ++j) {
+    const double r = j == rows ? radius_top : radius * std::exp(growth * j / rows);
+    const double up =
+        std::abs(growth) < 1e-6 ? static_cast<double>(j) / rows : (r - radius) / (radius_top - radius);
+    for (int i = 0; i < cells; ++i) {
+      const double angle = std::numbers::pi * (2 * i + j % 2) / cells;
+      builder.add_vertex(r * std::cos(angle), r * std::sin(angle), (up - 0.5) * height);
+    }
+  }
+  const auto vertex = [&](int j, int i) { return j * cells + i % cells; };
+  for (int j = 0; j < rows; ++j)
+    for (int i = 0; i < cells; ++i) {
+      const int turned =
+          j % 2;  // the row above lies half a cell ahead of an even row, half behind an odd one
+      builder.add_triangle(vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + turned));
+      builder.add_triangle(vertex(j + 1, i + 1), vertex(j + 1, i), vertex(j, i + 1 - turned));
+    }
   return builder.build();
 }
 

@@ -1,5 +1,5 @@
-// Flat rest meshes: in the plane z = 0, centred at the origin, every triangle counter-clockwise. Lengths in
-// m. All throw std::invalid_argument for a size or count that is not allowed.
+// Rest meshes, centred at the origin. Flat ones lie in the plane z = 0, every triangle counter-clockwise.
+// Lengths in m. All throw std::invalid_argument for a size or count that is not allowed.
 #pragma once
 
 #include <cstdint>
@@ -39,5 +39,16 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
 /// Concentric rings around a centre vertex, ring r with 6 r vertices at radius r / rings · radius; numbered
 /// from the centre outward, each ring from angle 0.
 TriangleMesh disc(double radius, int rings);
+
+/// A sleeve or skirt: the side of a cylinder or cone frustum around z, open at both ends, without a seam, normals
+/// outward. Rows of `cells` (at least 3) vertices on circles, every second row turned by half a cell:
+///
+///     +---+---+---+       radius_top at z = height / 2
+///    / \ / \ / \ /        Radii go from row to row by one factor, and as many rows as bring the triangles
+///   +---+---+---+         nearest to equilateral: all triangles of a frustum are similar.
+///
+/// Numbered row by row from the bottom, each from angle 0 or half a cell. A triangle's first edge lies along its
+/// circle.
+TriangleMesh tube(double radius, double radius_top, double height, int cells);
 
 }  // namespace bendlab

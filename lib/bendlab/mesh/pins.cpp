@@ -11,8 +11,9 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 9> selectors = {
-    "upper_right", "upper_left", "lower_right", "lower_left", "top", "bottom", "left", "right", "centre"};
+constexpr std::array<std::string_view, 11> selectors = {
+    "upper_right", "upper_left", "lower_right", "lower_left", "top",       "bottom",
+    "left",        "right",      "centre",      "top_rim",    "bottom_rim"};
 
 int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   Eigen::Index nearest = 0;
@@ -27,6 +28,16 @@ std::vector<int> side_vertices(const RestMesh& rest, int axis, double level) {
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (std::abs(rest.positions()(v, axis) - level) <= relative_tolerance * rest.size()) side.push_back(v);
   return side;
+}
+
+std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, double level) {
+  std::vector<int> rim = side_vertices(rest, 2, level);
+  if (static_cast<int>(rim.size()) == rest.vertex_count())
+    throw std::invalid_argument(
+        fmt::format("'{}' names the vertices at one end of a tube along z; this mesh is flat and would be "
+                    "pinned whole. Name corners or sides",
+                    name));
+  return rim;
 }
 
 }  // namespace
@@ -62,6 +73,8 @@ std::vector<int> select_vertices(const RestMesh& rest, std::string_view name) {
   if (name == "bottom") return side_vertices(rest, 1, low.y());
   if (name == "left") return side_vertices(rest, 0, low.x());
   if (name == "right") return side_vertices(rest, 0, high.x());
+  if (name == "top_rim") return rim_vertices(rest, name, high.z());
+  if (name == "bottom_rim") return rim_vertices(rest, name, low.z());
   throw std::invalid_argument(
       fmt::format("'{}' names no vertices; allowed: {}", name, fmt::join(selectors, ", ")));
 }

@@ -1,0 +1,59 @@
+#include "bendlab/mesh/material_coordinates.hpp"
+
+#include <Eigen/Dense>
+#include <cmath>
+
+#include "bendlab/mesh/generators.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::WithinAbs;
+
+namespace {
+
+Vector3 corner(const TriangleMesh& mesh, Eigen::Index t, int c) {
+  return mesh.positions.row(mesh.triangles(t, c)).transpose();
+}
+
+// Warp and weft axis in space: the columns of F = P Q⁻¹ of the rest shape itself.
+Eigen::Matrix<double, 3, 2> axes(const TriangleMesh& mesh, Eigen::Index t, const InverseRest& q) {
+  Eigen::Matrix<double, 3, 2> p;
+  p << corner(mesh, t, 1) - corner(mesh, t, 0), corner(mesh, t, 2) - corner(mesh, t, 0);
+  Eigen::Matrix2d inverse;
+  inverse << q[0], q[1], q[2], q[3];
+  return p * inverse;
+}
+
+}  // namespace
+
+TEST_CASE("the warp projected onto a tube is orthonormal in every triangle", "[mesh]") {
+  for (const TriangleMesh& mesh : {tube(0.3, 0.3, 1, 12), tube(0.6, 0.1, 0.7, 9)})
+    for (const Vector3& warp : {Vector3(1, 0, 0), Vector3(0, 0, 5), Vector3(1, 2, 3)}) {
+      const std::vector<InverseRest> inverses = inverse_rest_from_warp(mesh, warp);
+      for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
+        const auto f = axes(mesh, t, inverses[static_cast<std::size_t>(t)]);
+        // Lengths near 0.1 m from coordinates near 1 m: rounded by 10⁻¹⁵ of themselves, some operations each.
+        CHECK_THAT((f.transpose() * f - Eigen::Matrix2d::Identity()).norm(), WithinAbs(0, 1e-13));
+        CHECK(warp.dot(f.col(0)) > 0);
+        CHECK_THAT(warp.normalized().dot(f.col(1)), WithinAbs(0, 1e-13));  // the projection is the warp axis
+      }
+    }
+}
+
+TEST_CASE("along a tube the warp is as steep as its side", "[mesh]") {
+  const TriangleMesh mesh = tube(0.6, 0.1, 0.7, 60);
+  const std::vector<InverseRest> inverses = inverse_rest_from_warp(mesh, Vector3::UnitZ());
+  for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
+    // Triangles lean against the cone by about π / (2√3 · 60), 0.015.
+    CHECK_THAT(axes(mesh, t, inverses[static_cast<std::size_t>(t)])(2, 0),
+               WithinAbs(0.7 / std::hypot(0.7, 0.5), 0.02));
+}
+
+TEST_CASE("a warp at right angles to a triangle falls back to its first edge", "[mesh]") {
+  const TriangleMesh mesh = tube(0.3, 0.3, 1, 12);
+  for (const Eigen::Index t : {0, 1, 40}) {
+    const Vector3 e1 = corner(mesh, t, 1) - corner(mesh, t, 0), e2 = corner(mesh, t, 2) - corner(mesh, t, 0);
+    const InverseRest q = inverse_rest_from_warp(mesh, e1.cross(e2))[static_cast<std::size_t>(t)];
+    CHECK_THAT((axes(mesh, t, q).col(0) - e1.normalized()).norm(), WithinAbs(0, 1e-13));
+  }
+}
