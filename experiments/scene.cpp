@@ -176,11 +176,17 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   const bool contacts_used = std::ranges::any_of(scene.effects, [](const EffectSettings& settings) {
     return find_effect(settings.type)->uses_contacts;
   });
-  for (const EffectSettings& settings : scene.effects)
-    for (Pass<Real>& pass :
-         find_effect(settings.type)
-             ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used}))
-      passes.push_back(std::move(pass));
+  for (std::size_t i = 0; i < scene.effects.size(); ++i) {
+    const EffectSettings& settings = scene.effects[i];
+    try {
+      for (Pass<Real>& pass :
+           find_effect(settings.type)
+               ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used}))
+        passes.push_back(std::move(pass));
+    } catch (const std::invalid_argument& error) {  // settings that do not go together, or not with this mesh
+      throw ConfigError(settings.type, {{fmt::format("/effects/{}", i), error.what()}});
+    }
+  }
   return make_simulation<Real>(scene.input, std::move(passes));
 }
 
