@@ -140,6 +140,23 @@ TEST_CASE("strain limiting leaves what is within bounds alone, to the last bit",
   CHECK(same_bits(state.position, before.position));
 }
 
+TEST_CASE("strain limiting of a triangle without area is finite and leaves a line its direction",
+          "[effects]") {
+  std::mt19937_64 random(6);
+  const RestMesh rest = random_triangle(random);
+  const Pins none = make_pins(rest, {}, 0);
+  auto passes = test::passes_of<float>("strain_limiting", rest, none);
+  for (const float length : {0.0f, 3.0f}) {
+    State<float> state = test::state_of<float>(rest, none);
+    for (std::size_t v = 0; v < 3; ++v) state.position[v].set({length * static_cast<float>(v), 0, 0});
+    test::run(passes, state, 0.01);
+    for (std::size_t v = 0; v < 3; ++v) {
+      CHECK(std::abs(state.position[v].x) <= 2 * length);
+      CHECK(std::abs(state.position[v].y) + std::abs(state.position[v].z) < 1e-5f);  // rounding of 3 m
+    }
+  }
+}
+
 // Gauss-Seidel on a mesh 10 triangles wide: its error goes down by a constant factor per sweep. A flat sheet that
 // is squeezed could fold over in its plane, where no sweep gets it out again: it is rough by 1 % of its size.
 TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "[effects]", float, double) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "bendlab/constraints/tolerances.hpp"
 #include "bendlab/effects/effect.hpp"
@@ -61,8 +62,10 @@ class Limits {
   // G, or false where the stretches lie within bounds.
   bool correction(const Matrix2<Real>& c, Matrix2<Real>& g) const {
     const Real mean = (c(0, 0) + c(1, 1)) / 2, half_difference = (c(0, 0) - c(1, 1)) / 2;
-    const Real radius = std::sqrt(half_difference * half_difference + c(0, 1) * c(0, 1));
-    if (mean + radius <= max_ * max_ && mean - radius >= min_ * min_) return false;
+    const Real squared = half_difference * half_difference + c(0, 1) * c(0, 1);
+    const Real above = max_ * max_ - mean, below = mean - min_ * min_;  // room on either side
+    if (above >= 0 && below >= 0 && squared <= above * above && squared <= below * below) return false;
+    const Real radius = std::sqrt(squared);  // σ² = mean ± radius
     const Real first = factor(std::sqrt(mean + radius));
     const Real second = factor(std::sqrt(std::max(mean - radius, Real(0))));
     g = (first + second) / 2 * Matrix2<Real>::Identity();

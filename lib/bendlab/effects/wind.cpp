@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
