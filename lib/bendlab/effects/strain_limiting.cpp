@@ -59,18 +59,20 @@ class Limits {
   explicit Limits(const ParameterValues& values)
       : min_(static_cast<Real>(values.number("min"))), max_(static_cast<Real>(values.number("max"))) {}
 
-  // G, or false where the stretches lie within bounds.
-  bool correction(const Matrix2<Real>& c, Matrix2<Real>& g) const {
-    const Real mean = (c(0, 0) + c(1, 1)) / 2, half_difference = (c(0, 0) - c(1, 1)) / 2;
-    const Real squared = half_difference * half_difference + c(0, 1) * c(0, 1);
+  // G, or false where the stretches lie within bounds. C = [[xx, xy], [xy, yy]].
+  bool correction(Real xx, Real xy, Real yy, Matrix2<Real>& g) const {
+    const Real mean = (xx + yy) / 2, half_difference = (xx - yy) / 2;
+    const Real squared = half_difference * half_difference + xy * xy;
     const Real above = max_ * max_ - mean, below = mean - min_ * min_;  // room on either side
     if (above >= 0 && below >= 0 && squared <= above * above && squared <= below * below) return false;
     const Real radius = std::sqrt(squared);  // σ² = mean ± radius
     const Real first = factor(std::sqrt(mean + radius));
     const Real second = factor(std::sqrt(std::max(mean - radius, Real(0))));
     g = (first + second) / 2 * Matrix2<Real>::Identity();
-    if (radius > 0)
-      g += (first - second) / 2 * ((c - mean * Matrix2<Real>::Identity()) / radius);  // V diag(1, -1) Vᵀ
+    if (radius > 0) {  // V diag(1, -1) Vᵀ
+      const Matrix2<Real> mirror{{half_difference, xy}, {xy, -half_difference}};
+      g += (first - second) / (2 * radius) * mirror;
+    }
     return true;
   }
 
@@ -115,16 +117,17 @@ void place(std::array<Point<Real>*, 3> corners, const Edges2<Real>& edges) {
 
 template <class Real>
 bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Real>& points) {
-  const auto& c = triangle.corners;
-  const Vector3Of<Real> p0 = points[c[0]].vector();
-  Edges2<Real> edges;
-  edges << points[c[1]].vector() - p0, points[c[2]].vector() - p0;
+  const auto& [a, b, c] = triangle.corners;
   const auto& q = triangle.inverse_rest;
-  const Matrix2<Real> inverse_rest{{q[0], q[1]}, {q[2], q[3]}};
-  const Edges2<Real> f = edges * inverse_rest;
+  const Vector3Of<Real> e1 = points[b].vector() - points[a].vector(),
+                        e2 = points[c].vector() - points[a].vector();
+  const Vector3Of<Real> f1 = q[0] * e1 + q[2] * e2, f2 = q[1] * e1 + q[3] * e2;  // F's columns
   Matrix2<Real> g;
-  if (!limits.correction(f.transpose() * f, g)) return false;
-  place<Real>({&points[c[0]], &points[c[1]], &points[c[2]]}, f * g * inverse_rest.inverse());
+  if (!limits.correction(f1.squaredNorm(), f1.dot(f2), f2.squaredNorm(), g)) return false;
+  Edges2<Real> f;
+  f << f1, f2;
+  const Matrix2<Real> inverse_rest{{q[0], q[1]}, {q[2], q[3]}};
+  place<Real>({&points[a], &points[b], &points[c]}, f * g * inverse_rest.inverse());
   return true;
 }
 
