@@ -176,14 +176,20 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
           .small_angle = values.number("small_angle")};
 }
 
+// The compiled passes of the effect at that place, under its name. Throws ConfigError for settings that do not go
+// together, or not with this mesh.
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
   const bool contacts_used = std::ranges::any_of(
       scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
-  std::vector<Pass<Real>> passes =
-      find_effect(settings.type)
-          ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  std::vector<Pass<Real>> passes;
+  try {
+    passes = find_effect(settings.type)
+                 ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(settings.type, {{fmt::format("/effects/{}", index), error.what()}});
+  }
   const std::string name = pass_name(scene.effects, index);
   for (Pass<Real>& pass : passes) pass.name = name + pass.name.substr(settings.type.size());
   return passes;

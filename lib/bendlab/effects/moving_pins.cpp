@@ -1,0 +1,247 @@
+// Moving pins: pinned vertices follow keyframes.
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <set>
+#include <stdexcept>
+
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> interpolations = {"linear", "smooth"};
+constexpr std::array<double, 3> up = {0, 0, 1}, zero = {0, 0, 0};
+constexpr std::array<double, 1> start = {0};
+constexpr std::span<const double> no_numbers;
+constexpr std::span<const std::string_view> no_texts;
+
+const std::array parameters = {
+    Parameter{.name = "vertices",
+              .type = ParameterType::texts,
+              .default_value = no_texts,
+              .meaning =
+                  "which pinned vertices move, by the names of /pins/vertices, each with the rings pinned "
+                  "around it; nothing here and in indices: all",
+              .choices = vertex_selectors()},
+    Parameter{.name = "indices",
+              .type = ParameterType::numbers,
+              .unit = "1",
+              .default_value = no_numbers,
+              .meaning = "the same by index, besides the named ones",
+              .minimum = 0},
+    Parameter{.name = "times",
+              .type = ParameterType::numbers,
+              .unit = "s",
+              .default_value = std::span<const double>(start),
+              .meaning = "of the keyframes, growing; before the first one and after the last one those hold"},
+    Parameter{.name = "offsets",
+              .type = ParameterType::numbers,
+              .unit = "m",
+              .default_value = no_numbers,
+              .meaning = "from where the vertices start, three numbers per keyframe; none: no offset"},
+    Parameter{.name = "angles",
+              .type = ParameterType::numbers,
+              .unit = "degrees",
+              .default_value = no_numbers,
+              .meaning = "of a turn about the axis before the offset, one per keyframe; none: no turn"},
+    Parameter{.name = "axis",
+              .type = ParameterType::numbers,
+              .unit = "1",
+              .default_value = std::span<const double>(up),
+              .meaning = "direction of the axis of the turn, right-handed; any length but zero",
+              .length = 3},
+    Parameter{.name = "centre",
+              .type = ParameterType::numbers,
+              .unit = "m",
+              .default_value = std::span<const double>(zero),
+              .meaning = "a point on that axis",
+              .length = 3},
+    Parameter{.name = "interpolation",
+              .type = ParameterType::text,
+              .default_value = "linear",
+              .meaning = "between keyframes: linear, or smooth (3 s² - 2 s³: at rest at every keyframe)",
+              .choices = interpolations},
+};
+
+struct Pose {
+  Vector3 offset = Vector3::Zero();  // m
+  double angle = 0;                  // rad
+};
+
+// Poses at growing times. Throws std::invalid_argument for lists that do not fit each other.
+class Keyframes {
+ public:
+  explicit Keyframes(const ParameterValues& values)
+      : times_(values.numbers("times")), smooth_(values.text("interpolation") == "smooth") {
+    const std::vector<double>&offsets = values.numbers("offsets"), &angles = values.numbers("angles");
+    check("offsets", offsets.size(), 3), check("angles", angles.size(), 1);
+    if (times_.empty()) throw std::invalid_argument("times is empty: list at least one keyframe");
+    for (std::size_t k = 0; k < times_.size(); ++k) {
+      if (k > 0 && !(times_[k] > times_[k - 1]))
+        throw std::invalid_argument(
+            fmt::format("times must grow: {} s stands after {} s", times_[k], times_[k - 1]));
+      Pose pose;
+      if (!offsets.empty()) pose.offset = Vector3(offsets.data() + 3 * k);
+      if (!angles.empty()) pose.angle = angles[k] * std::numbers::pi / 180;
+      poses_.push_back(pose);
+    }
+  }
+
+  bool all_at_the_start() const {
+    return std::ranges::all_of(poses_, [](const Pose& p) { return p.angle == 0 && p.offset.isZero(0); });
+  }
+
+  // A keyframe's own time gives its pose to the last bit.
+  Pose at(double time) const {
+    const auto next = std::ranges::upper_bound(times_, time);
+    const auto k = static_cast<std::size_t>(next - times_.begin());
+    if (k == 0) return poses_.front();
+    const Pose& from = poses_[k - 1];
+    if (k == times_.size()) return from;
+    const double x = (time - times_[k - 1]) / (times_[k] - times_[k - 1]);
+    const double s = smooth_ ? x * x * (3 - 2 * x) : x;
+    const Pose& to = poses_[k];
+    return {from.offset + s * (to.offset - from.offset), from.angle + s * (to.angle - from.angle)};
+  }
+
+ private:
+  void check(const char* name, std::size_t given, std::size_t per_key) const {
+    if (given != 0 && given != per_key * times_.size())
+      throw std::invalid_argument(
+          fmt::format("{} has {} numbers, expected {} (each of the {} times needs {}) or none", name, given,
+                      per_key * times_.size(), times_.size(), per_key));
+  }
+
+  std::vector<double> times_;
+  std::vector<Pose> poses_;
+  bool smooth_;
+};
+
+// The vertex a scene names that each pinned vertex is held with: itself, or the nearest one, over pinned
+// vertices. #V, -1 where free.
+std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
+  std::vector<int> seed(static_cast<std::size_t>(rest.vertex_count()), -1), queue = pins.seeds;
+  for (const int vertex : queue) seed[static_cast<std::size_t>(vertex)] = vertex;
+  for (std::size_t i = 0; i < queue.size(); ++i)
+    for (const int next : rest.one_ring()[queue[i]])
+      if (int& own = seed[static_cast<std::size_t>(next)]; pins.pinned(next) && own < 0)
+        own = seed[static_cast<std::size_t>(queue[i])], queue.push_back(next);
+  return seed;
+}
+
+// The vertices that the settings name; all pinned ones where they name none. Throws std::invalid_argument for one
+// that is not in the mesh or not pinned.
+std::set<int> named_vertices(const EffectInput& input) {
+  std::set<int> named;
+  const auto add = [&](int vertex, const std::string& setting) {
+    if (!input.pins.pinned(vertex))
+      throw std::invalid_argument(
+          fmt::format("{}: vertex {} is not pinned: name it in /pins too, or not here", setting, vertex));
+    named.insert(vertex);
+  };
+  for (const std::string& name : input.parameters.texts("vertices"))
+    for (const int vertex : select_vertices(input.rest, name)) add(vertex, "vertices, " + name);
+  for (const double index : input.parameters.numbers("indices")) {
+    if (index != std::floor(index) || index >= input.rest.vertex_count())
+      throw std::invalid_argument(fmt::format("indices: {} is no vertex; the mesh has vertices 0 to {}",
+                                              index, input.rest.vertex_count() - 1));
+    add(static_cast<int>(index), "indices");
+  }
+  if (named.empty()) named.insert(input.pins.all.begin(), input.pins.all.end());
+  return named;
+}
+
+// Where each of them stands in the state.
+std::vector<std::size_t> places_of_moving(const EffectInput& input) {
+  const std::set<int> named = named_vertices(input);
+  const std::vector<int> seed = seeds_of_pins(input.rest, input.pins);
+  std::vector<std::size_t> places;
+  for (const int vertex : input.pins.all)
+    if (named.contains(vertex) || named.contains(seed[static_cast<std::size_t>(vertex)]))
+      places.push_back(input.place_of(vertex));
+  return places;
+}
+
+// A turn about an axis, then an offset; without angles it is start + offset and no other arithmetic.
+class Motion {
+ public:
+  explicit Motion(const ParameterValues& values)
+      : keyframes_(values),
+        turns_(!values.numbers("angles").empty()),
+        axis_(values.numbers("axis").data()),
+        centre_(values.numbers("centre").data()) {
+    if (turns_ && !(axis_.norm() > 0)) throw std::invalid_argument("axis has no length: give it a direction");
+    axis_.normalize();
+  }
+
+  bool none() const { return keyframes_.all_at_the_start(); }
+
+  // Calls place(i, position) for the i-th of the starts; coordinates are relative to `origin`.
+  template <class Place>
+  void at(double time, const std::vector<Vector3>& starts, const Vector3& origin, const Place& place) const {
+    const Pose pose = keyframes_.at(time);
+    const Eigen::Matrix3d turn = Eigen::AngleAxisd(pose.angle, axis_).toRotationMatrix();
+    const Vector3 centre = centre_ - origin;
+    for (std::size_t i = 0; i < starts.size(); ++i)
+      place(i, turns_ ? Vector3(centre + turn * (starts[i] - centre) + pose.offset)
+                      : Vector3(starts[i] + pose.offset));
+  }
+
+ private:
+  Keyframes keyframes_;
+  bool turns_;
+  Vector3 axis_, centre_;
+};
+
+// Sets the predicted positions of pinned vertices, which no projection moves, to those of the substep's end, at
+// context.time + h. What prediction made of their velocities is overwritten; `update` derives their velocities from
+// where they were before, for whatever asks how fast a pin moves.
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const Motion motion(input.parameters);
+  std::vector<std::size_t> places = places_of_moving(input);
+  if (places.empty() || motion.none()) return {};
+  return {{"moving_pins", Stage::predicted,
+           [motion, places = std::move(places),
+            starts = std::vector<Vector3>()](PassContext<Real>& context) mutable {
+             State<Real>& state = context.state;
+             if (starts.empty())
+               for (const std::size_t v : places)
+                 starts.push_back(state.previous[v].vector().template cast<double>());
+             const double end = context.time + static_cast<double>(context.substep);
+             motion.at(end, starts, state.origin, [&](std::size_t i, const Vector3& position) {
+               const Vector3Of<Real> now = position.template cast<Real>();
+               context.acted += now != state.previous[places[i]].vector();
+               state.position[places[i]].set(now);
+             });
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect moving_pins{
+    .name = "moving_pins",
+    .summary =
+        "pinned vertices follow keyframes exactly; of several lists that move a vertex the last one counts",
+    .source = "prescribed motion: start + offset, after a turn about an axis where angles are given",
+    .parameters = parameters,
+    .needs_projection = true,
+    .repeatable = true,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+    .idle =
+        [](const ParameterValues& values) {
+          const auto zeros = [&](const char* name) {
+            return std::ranges::all_of(values.numbers(name), [](double x) { return x == 0; });
+          };
+          return zeros("offsets") && zeros("angles");
+        },
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,184 @@
+// Strain limiting: no triangle is stretched or squeezed beyond bounds.
+//
+// F = P Q⁻¹ maps a triangle's material coordinates to space; its singular values σ₁ ≥ σ₂ are the principal
+// stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ, which follows from
+// FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. That leaves open where the triangle goes as a rigid
+// piece: its centre of mass stays, for its linear momentum, and it turns in its plane by the angle at which
+// Σ m r × r' = 0, for its angular momentum; neither changes a stretch. So one projection is exact for any
+// masses. Pins are infinite masses: one pinned corner is what the triangle is placed about. Of two, the edge
+// between lies where it must, the free corner alone moves, and the bounds are met after several projections, if
+// that edge allows.
+//
+// Triangle by triangle, each sees what the ones before it did. A few sweeps settle what neighbours disagree on; a
+// whole sheet that is too long takes as many as the square of its width in triangles, as with any such sweep.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "bendlab/constraints/tolerances.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/material_coordinates.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array parameters = {
+    Parameter{.name = "min",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 0.9,
+              .meaning = "smallest principal stretch; 0: none",
+              .minimum = 0,
+              .maximum = 1},
+    Parameter{.name = "max",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 1.1,
+              .meaning = "largest principal stretch",
+              .minimum = 1},
+};
+
+template <class Real>
+using Matrix2 = Eigen::Matrix<Real, 2, 2>;
+template <class Real>
+using Edges2 = Eigen::Matrix<Real, 3, 2>;  // p1 - p0, p2 - p0
+
+template <class Real>
+struct Triangle {
+  std::array<std::uint32_t, 3> corners;  // places in the state
+  std::array<Real, 4> inverse_rest;      // Q⁻¹ by rows, 1/m
+};
+
+// Principal stretches within bounds, from C = FᵀF.
+template <class Real>
+class Limits {
+  Real min_, max_;
+
+ public:
+  explicit Limits(const ParameterValues& values)
+      : min_(static_cast<Real>(values.number("min"))), max_(static_cast<Real>(values.number("max"))) {}
+
+  // G, or false where the stretches lie within bounds. C = [[xx, xy], [xy, yy]].
+  bool correction(Real xx, Real xy, Real yy, Matrix2<Real>& g) const {
+    const Real mean = (xx + yy) / 2, half_difference = (xx - yy) / 2;
+    const Real squared = half_difference * half_difference + xy * xy;
+    const Real above = max_ * max_ - mean, below = mean - min_ * min_;  // room on either side
+    if (above >= 0 && below >= 0 && squared <= above * above && squared <= below * below) return false;
+    const Real radius = std::sqrt(squared);  // σ² = mean ± radius
+    const Real first = factor(std::sqrt(mean + radius));
+    const Real second = factor(std::sqrt(std::max(mean - radius, Real(0))));
+    g = (first + second) / 2 * Matrix2<Real>::Identity();
+    if (radius > 0) {  // V diag(1, -1) Vᵀ
+      const Matrix2<Real> mirror{{half_difference, xy}, {xy, -half_difference}};
+      g += (first - second) / (2 * radius) * mirror;
+    }
+    return true;
+  }
+
+ private:
+  // σ' / σ. A collapsed triangle has no direction to grow in.
+  Real factor(Real stretch) const {
+    return stretch > collapsed_ratio<Real> ? std::clamp(stretch, min_, max_) / stretch : Real(1);
+  }
+};
+
+// Moves a triangle's corners so that its edges become `edges`, up to a turn in its plane; momenta as above.
+template <class Real>
+void place(std::array<Point<Real>*, 3> corners, const Edges2<Real>& edges) {
+  using Vector = Vector3Of<Real>;
+  const auto pinned = std::ranges::count_if(corners, [](const Point<Real>* p) { return p->w == 0; });
+  const auto weight = [](const Point<Real>& p, bool of_pins) {
+    return of_pins ? (p.w == 0 ? Real(1) : Real(0)) : (p.w == 0 ? Real(0) : 1 / p.w);
+  };
+  const std::array<Vector, 3> shape = {Vector::Zero(), edges.col(0), edges.col(1)};
+  Vector centre = Vector::Zero(), shape_centre = Vector::Zero();
+  Real sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real m = weight(*corners[i], pinned > 0);
+    centre += m * corners[i]->vector(), shape_centre += m * shape[i], sum += m;
+  }
+  centre /= sum, shape_centre /= sum;
+  const Vector normal = edges.col(0).cross(edges.col(1)).normalized();
+  Real along = 0, across = 0;  // Σ m r·r', Σ m (r × r')·n
+  for (std::size_t i = 0; i < 3; ++i) {
+    const Real m = weight(*corners[i], pinned > 1);
+    const Vector r = corners[i]->vector() - centre, target = shape[i] - shape_centre;
+    along += m * r.dot(target), across += m * r.cross(target).dot(normal);
+  }
+  const Real length = std::sqrt(along * along + across * across);
+  const Real cosine = length > 0 ? along / length : Real(1), sine = length > 0 ? -across / length : Real(0);
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (corners[i]->w == 0) continue;
+    const Vector target = shape[i] - shape_centre;
+    corners[i]->set(centre + cosine * target + sine * normal.cross(target));
+  }
+}
+
+template <class Real>
+bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Real>& points) {
+  const auto& [a, b, c] = triangle.corners;
+  const auto& q = triangle.inverse_rest;
+  const Vector3Of<Real> e1 = points[b].vector() - points[a].vector(),
+                        e2 = points[c].vector() - points[a].vector();
+  const Vector3Of<Real> f1 = q[0] * e1 + q[2] * e2, f2 = q[1] * e1 + q[3] * e2;  // F's columns
+  Matrix2<Real> g;
+  if (!limits.correction(f1.squaredNorm(), f1.dot(f2), f2.squaredNorm(), g)) return false;
+  Edges2<Real> f;
+  f << f1, f2;
+  const Matrix2<Real> inverse_rest{{q[0], q[1]}, {q[2], q[3]}};
+  place<Real>({&points[a], &points[b], &points[c]}, f * g * inverse_rest.inverse());
+  return true;
+}
+
+// In the order of their first places: near in memory, and the same whatever the threads.
+template <class Real>
+std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
+  const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());
+  std::vector<Triangle<Real>> triangles;
+  for (int t = 0; t < input.rest.triangle_count(); ++t) {
+    const auto corner = input.rest.triangles().row(t);
+    const bool held =
+        input.pins.pinned(corner(0)) && input.pins.pinned(corner(1)) && input.pins.pinned(corner(2));
+    if (held || !(input.rest.areas()[static_cast<std::size_t>(t)] > 0)) continue;
+    Triangle<Real> triangle;
+    for (std::size_t i = 0; i < 3; ++i)
+      triangle.corners[i] = static_cast<std::uint32_t>(input.place_of(corner(static_cast<Eigen::Index>(i))));
+    const InverseRest& q = inverse[static_cast<std::size_t>(t)];
+    std::ranges::transform(q, triangle.inverse_rest.begin(), [](double x) { return static_cast<Real>(x); });
+    triangles.push_back(triangle);
+  }
+  std::ranges::stable_sort(triangles, {},
+                           [](const Triangle<Real>& t) { return *std::ranges::min_element(t.corners); });
+  return triangles;
+}
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const Limits<Real> limits(input.parameters);
+  std::vector<Triangle<Real>> triangles = triangles_of<Real>(input);
+  if (triangles.empty()) return {};
+  return {{"strain_limiting", Stage::project,
+           [limits, triangles = std::move(triangles)](PassContext<Real>& context) {
+             for (const Triangle<Real>& triangle : triangles)
+               context.acted += limit(triangle, limits, context.state.position);
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect strain_limiting{
+    .name = "strain_limiting",
+    .summary = "no triangle's principal stretch leaves its bounds; keeps both momenta",
+    .source =
+        "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; ours: the "
+        "turn "
+        "that keeps angular momentum",
+    .parameters = parameters,
+    .needs_projection = true,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

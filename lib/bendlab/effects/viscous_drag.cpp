@@ -1,0 +1,57 @@
+// Viscous drag: a force against the velocity of every free vertex, in proportion to its share of the cloth.
+#include <array>
+#include <cmath>
+
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array parameters = {
+    Parameter{.name = "coefficient",
+              .type = ParameterType::number,
+              .unit = "N s/m³",
+              .default_value = 0.1,
+              .meaning =
+                  "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area; a "
+                  "free sheet of ρ kg/m² falls at ρ g/c in the end",
+              .minimum = 0},
+};
+
+// Without other forces v' = -(c A / m) v has the solution v exp(-c A h / m), which turns no velocity round
+// however long the step. With gravity, that is added in one piece before, a falling sheet ends at
+// g h / (exp(k h) - 1) for k = c A / m: by the fraction k h / 2 less than g / k.
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const double coefficient = input.parameters.number("coefficient");
+  if (coefficient == 0) return {};
+  // c A in kg/s: the mass of a cloth of density c.
+  const std::vector<double> drag = lumped_masses(input.rest, coefficient);
+  std::vector<Real> drag_at(drag.size());
+  for (int v = 0; v < input.rest.vertex_count(); ++v)
+    drag_at[input.place_of(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
+  return {{"viscous_drag", Stage::damp, [drag_at = std::move(drag_at)](PassContext<Real>& context) {
+             State<Real>& state = context.state;
+             for (std::size_t v = 0; v < drag_at.size(); ++v) {
+               const Real kept = std::exp(-drag_at[v] * state.position[v].w * context.substep);
+               state.velocity[v].set(kept * state.velocity[v].vector());
+             }
+             context.acted += drag_at.size();
+           }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect viscous_drag{
+    .name = "viscous_drag",
+    .summary = "drag of a viscous medium at rest on every free vertex, in proportion to velocity and area",
+    .source = "Stokes' law for a surface, F = -c A v; exact over a substep without other forces",
+    .parameters = parameters,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+    .idle = [](const ParameterValues& values) { return values.number("coefficient") == 0; },
+};
+}  // namespace effect
+}  // namespace bendlab

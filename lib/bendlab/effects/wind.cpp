@@ -1,0 +1,217 @@
+// Wind: aerodynamic lift and drag on every triangle.
+//
+//          n        u: velocity of the triangle relative to the air, n: its normal, c = n·u / |u|
+//          |   u    drag  -½ ρ C_D A |c| |u| u                  against u; A |c| is the area that u sees
+//     _____|__/     lift  -½ ρ C_L A c (|u|² n - (n·u) u)       across u, towards where n points away from u
+//         A         A: the triangle's area now
+//
+// |u|² n - (n·u) u = u × (n × u) is Wilson et al.'s direction of lift. They do not weight it by c: it is then
+// largest where the air flows along the cloth, and jumps to its opposite as the cloth turns through that
+// position. With c (Keckeisen et al. 2004) it goes through zero there.
+//
+// An explicit impulse h F of a strong wind on a light triangle would throw it beyond the air's velocity, more in
+// each substep. So a triangle takes its force to no more than where it does it good: with m, the part of its
+// corners' masses that is its own, |u + s h F / m| is least at s = m |u| D / (h (D² + L²)), D and L being the
+// sizes of drag and lift; the impulse is h F times the smaller of s and 1. Then |u| does not grow. A vertex's
+// change is the mean of what its triangles would do as free pieces, weighted by mass, so (Jensen's inequality)
+// the kinetic energy relative to a steady uniform wind does not grow either in a free cloth, whatever h.
+// Where s ≥ 1, that is for (D² + L²) / D ≤ m |u| / h, the force is the law's, exactly.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/gusts.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<double, 3> breeze = {0, 5, 0};
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "velocity",
+        .type = ParameterType::numbers,
+        .unit = "m/s",
+        .default_value = std::span<const double>(breeze),
+        .meaning =
+            "mean velocity of the air; 0, 0, 0 is air at rest. List wind before gravity: it then sees the "
+            "velocities at the start of the substep, and terminal velocities are exact",
+        .length = 3},
+    Parameter{.name = "air_density",
+              .type = ParameterType::number,
+              .unit = "kg/m³",
+              .default_value = 1.204,
+              .meaning = "ρ; the default is dry air at 20 °C and 101325 Pa",
+              .minimum = 0},
+    Parameter{.name = "drag_coefficient",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 1.28,
+              .meaning = "C_D, of a flat plate across the flow: 1.28 (NASA Glenn, kite aerodynamics)",
+              .minimum = 0,
+              .above = true},
+    Parameter{
+        .name = "lift_coefficient",
+        .type = ParameterType::number,
+        .unit = "1",
+        .default_value = 1.0,
+        .meaning = "C_L; at 45 degrees, where it is greatest, the lift is that of a wing with half of it",
+        .minimum = 0},
+    Parameter{
+        .name = "gust_amplitude",
+        .type = ParameterType::number,
+        .unit = "1",
+        .default_value = 0.0,
+        .meaning =
+            "standard deviation of each component of the air's velocity, as a fraction of the mean speed "
+            "(turbulence intensity); it never exceeds 2.01 times that",
+        .minimum = 0},
+    Parameter{.name = "gust_time",
+              .type = ParameterType::number,
+              .unit = "s",
+              .default_value = 0.5,
+              .meaning = "time in which a gust gives way to the next, independent one",
+              .minimum = 0,
+              .above = true},
+    Parameter{
+        .name = "gusts_travel",
+        .type = ParameterType::boolean,
+        .default_value = false,
+        .meaning =
+            "gusts are carried along with the mean velocity (Taylor's frozen turbulence); otherwise the "
+            "air has one velocity everywhere"},
+    Parameter{.name = "seed",
+              .type = ParameterType::integer,
+              .unit = "1",
+              .default_value = 1,
+              .meaning = "seed of the gusts: the same bits for the same seed",
+              .minimum = 0},
+};
+
+struct Air {
+  Vector3 mean;  // m/s
+  Gusts gusts;
+  bool travel;
+
+  explicit Air(const ParameterValues& values)
+      : mean(values.numbers("velocity").data()),
+        gusts{values.number("gust_amplitude") * mean.norm(), values.number("gust_time"),
+              static_cast<std::uint64_t>(values.integer("seed"))},
+        travel(values.boolean("gusts_travel") && gusts.deviation > 0) {}
+
+  Vector3 velocity_at(double time) const {
+    return gusts.deviation > 0 ? Vector3(mean + gusts.at(time)) : mean;
+  }
+  // What blows at `place` now came through the world's origin, or through the plane there across the wind,
+  // place·mean / |mean|² ago.
+  Vector3 velocity_at(double time, const Vector3& place) const {
+    return velocity_at(time - place.dot(mean) / mean.squaredNorm());
+  }
+};
+
+template <class Real>
+class Wind {
+  using Vector = Vector3Of<Real>;
+
+  struct Triangle {
+    std::array<std::uint32_t, 3> corners;  // places in the state
+    std::array<Real, 3> share;             // of each corner's mass: the triangle's part of the area around it
+  };
+
+  Air air_;
+  Real drag_, lift_;  // ½ ρ C, kg/m³
+  std::vector<Triangle> triangles_;
+  std::vector<Vector> impulse_;  // #V, N s
+
+ public:
+  explicit Wind(const EffectInput& input)
+      : air_(input.parameters), impulse_(static_cast<std::size_t>(input.rest.vertex_count())) {
+    const double half_density = 0.5 * input.parameters.number("air_density");
+    drag_ = static_cast<Real>(half_density * input.parameters.number("drag_coefficient"));
+    lift_ = static_cast<Real>(half_density * input.parameters.number("lift_coefficient"));
+    const std::vector<double> area = lumped_masses(input.rest, 1);
+    for (int t = 0; t < input.rest.triangle_count(); ++t) {
+      Triangle triangle{};
+      for (int c = 0; c < 3; ++c) {
+        const int vertex = input.rest.triangles()(t, c);
+        const auto i = static_cast<std::size_t>(c);
+        triangle.corners[i] = static_cast<std::uint32_t>(input.place_of(vertex));
+        const double third = input.rest.areas()[static_cast<std::size_t>(t)] / 3;
+        triangle.share[i] =
+            third > 0 ? static_cast<Real>(third / area[static_cast<std::size_t>(vertex)]) : Real(0);
+      }
+      triangles_.push_back(triangle);
+    }
+  }
+
+  // All triangles see the velocities from before: their order does not matter but for rounding, and it is fixed.
+  void operator()(PassContext<Real>& context) {
+    State<Real>& state = context.state;
+    std::fill(impulse_.begin(), impulse_.end(), Vector::Zero());
+    Vector air = air_.velocity_at(context.time).template cast<Real>();
+    for (const Triangle& triangle : triangles_) {
+      if (air_.travel) air = local_air(state, triangle, context.time);
+      const Vector impulse = impulse_on(triangle, state, air, context.substep);
+      if (impulse.isZero(0)) continue;
+      for (const std::uint32_t corner : triangle.corners) impulse_[corner] += impulse / Real(3);
+      ++context.acted;
+    }
+    for (std::size_t v = 0; v < impulse_.size(); ++v)
+      if (state.position[v].w > 0)
+        state.velocity[v].set(state.velocity[v].vector() + state.position[v].w * impulse_[v]);
+  }
+
+ private:
+  static Vector centroid(const Points<Real>& points, const Triangle& triangle) {
+    const auto& c = triangle.corners;
+    return (points[c[0]].vector() + points[c[1]].vector() + points[c[2]].vector()) / Real(3);
+  }
+
+  Vector local_air(const State<Real>& state, const Triangle& triangle, double time) const {
+    const Vector3 place = centroid(state.position, triangle).template cast<double>() + state.origin;
+    return air_.velocity_at(time, place).template cast<Real>();
+  }
+
+  Vector impulse_on(const Triangle& triangle, const State<Real>& state, const Vector& air, Real h) const {
+    const auto& [a, b, c] = triangle.corners;
+    const Vector origin = state.position[a].vector();
+    const Vector doubled =
+        (state.position[b].vector() - origin).cross(state.position[c].vector() - origin);  // 2 A n
+    const Vector u = centroid(state.velocity, triangle) - air;
+    const Real flow = doubled.dot(u), speed_squared = u.squaredNorm(), size = doubled.norm();
+    if (!(speed_squared > 0 && size > 0)) return Vector::Zero();
+    const Real speed = std::sqrt(speed_squared);
+    const Vector drag = -drag_ / 2 * std::abs(flow) * u;
+    const Vector lift = -lift_ / 2 * flow * speed / size * (doubled - flow / speed_squared * u);
+    Real mass = static_cast<Real>(state.mass[a]) * triangle.share[0];
+    mass = std::min(mass, static_cast<Real>(state.mass[b]) * triangle.share[1]);
+    mass = 3 * std::min(mass, static_cast<Real>(state.mass[c]) * triangle.share[2]);
+    const Real squared = h * (drag.squaredNorm() + lift.squaredNorm()), most = mass * speed * drag.norm();
+    return (squared > most ? h * most / squared : h) * (drag + lift);
+  }
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  if (input.parameters.number("air_density") == 0) return {};
+  return {{"wind", Stage::force, Wind<Real>(input)}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect wind{
+    .name = "wind",
+    .summary = "aerodynamic drag and lift on every triangle, of a steady or gusting wind or of air at rest",
+    .source =
+        "Wilson et al. 2014 (drag, direction of lift) with Keckeisen et al. 2004's lift, zero along the flow",
+    .parameters = parameters,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+    .idle = [](const ParameterValues& values) { return values.number("air_density") == 0; },
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,206 @@
+// Moving pins against their keyframes.
+#include <numbers>
+
+#include "experiments/config.hpp"
+#include "experiments/scene.hpp"
+#include "tests/catch.hpp"
+#include "tests/effects/one_pass.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Numbers = std::vector<double>;
+using Names = std::vector<std::string>;
+
+// A sheet that hangs on the vertices of a side, whose pins follow what `settings` say.
+template <class Real>
+std::unique_ptr<Simulation> hanging(const RestMesh& rest, const Pins& pins, test::Settings settings,
+                                    double dt, int substeps = 1, double rate = 0) {
+  SimulationInput input = test::sheet(rest, pins, "crossover");
+  input.settings.dt = dt, input.settings.substeps = substeps;
+  auto passes = test::passes_of<Real>("moving_pins", rest, pins, settings);
+  passes.push_back(test::effect_passes<Real>("gravity").front());
+  if (rate > 0) passes.push_back(test::effect_passes<Real>("rigid_damping", "rate", rate).front());
+  return make_simulation<Real>(input, std::move(passes));
+}
+
+Vector3 row(const Positions& positions, int vertex) {
+  return positions.row(vertex).transpose();
+}
+
+// What a scene's simulation is refused with.
+ConfigProblems problems_of(const std::string& effect) {
+  const std::string config =
+      R"({"name": "t", "mesh": {"cells": 4}, "pins": {"vertices": ["upper_left"], "ring": 0},)"
+      R"("effects": [{"type": "gravity"}, {"type": "moving_pins", )" +
+      effect + "}]}";
+  try {
+    simulation_of(build_scene(parse_experiment(config, "test").runs.at(0)));
+  } catch (const ConfigError& error) {
+    return error.problems();
+  }
+  return {};
+}
+
+}  // namespace
+
+// The position that the solver holds is Real(start + offset(t)), start being relative to the origin and t the
+// substep's start plus h. All of it is computed here again, in steps that the compiler may not join.
+TEMPLATE_TEST_CASE("moving pins are where the keyframes say, to the last bit", "[effects]", float, double) {
+  using Real = TestType;
+  const RestMesh rest(grid(1, 1, 6, 6));
+  const Pins pins = make_pins(rest, select_vertices(rest, "top"), 0);
+  const Vector3 target(0.7, -0.3, 1.1);
+  const double last = 0.35, dt = 1.0 / 60;
+  for (const int substeps : {1, 3}) {
+    const auto simulation = hanging<Real>(
+        rest, pins, {{"times", Numbers{0, last}}, {"offsets", Numbers{0, 0, 0, 0.7, -0.3, 1.1}}}, dt,
+        substeps);
+    const double h = dt / substeps;
+    for (int step = 1; step <= 30; ++step) {
+      const volatile double before = (step * substeps - 1) * h;
+      const double now = before + static_cast<double>(static_cast<Real>(h));
+      REQUIRE(simulation->step());
+      const Positions positions = simulation->positions();
+      for (const int pin : pins.all)
+        for (int axis = 0; axis < 3; ++axis) {
+          const auto start = static_cast<Real>(rest.position(pin)(axis) - rest.centre()(axis));
+          const volatile double offset = now < last ? now / last * target(axis) : target(axis);
+          const volatile auto expected = static_cast<Real>(static_cast<double>(start) + offset);
+          REQUIRE(positions(pin, axis) == static_cast<double>(expected) + rest.centre()(axis));
+        }
+    }
+    for (const int pin : pins.all)  // at rest once the last keyframe is past
+      CHECK(simulation->velocities().row(pin).norm() == 0);
+  }
+}
+
+TEST_CASE("moving pins: between keyframes, before and after", "[effects]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const auto offset_at = [&](const char* interpolation, double time) {
+    auto passes = test::passes_of<double>("moving_pins", rest, pins,
+                                          {{"times", Numbers{1, 2, 4}},
+                                           {"offsets", Numbers{0.5, 0, 0, 1, 2, 0, 1, 0, -4}},
+                                           {"interpolation", std::string(interpolation)}});
+    State<double> state = test::state_of<double>(rest, pins);
+    test::run(passes, state, 0, time);
+    const auto pin = static_cast<std::size_t>(pins.all.front());
+    return Vector3(state.position[pin].vector() - state.previous[pin].vector());
+  };
+  const auto close = [](const Vector3& a, const Vector3& b) { return (a - b).norm() < 1e-15; };
+  for (const char* interpolation : {"linear", "smooth"}) {
+    CHECK(close(offset_at(interpolation, 0), {0.5, 0, 0}));
+    CHECK(close(offset_at(interpolation, 1), {0.5, 0, 0}));
+    CHECK(close(offset_at(interpolation, 2), {1, 2, 0}));
+    CHECK(close(offset_at(interpolation, 3), {1, 1, -2}));
+    CHECK(close(offset_at(interpolation, 9), {1, 0, -4}));
+  }
+  CHECK(close(offset_at("linear", 1.25), {0.625, 0.5, 0}));
+  // 3 s² - 2 s³ = 5/32 at s = 1/4
+  CHECK(close(offset_at("smooth", 1.25), {0.5 + 0.5 * 5 / 32, 2.0 * 5 / 32, 0}));
+}
+
+TEST_CASE("moving pins turn about an axis, then shift", "[effects]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  auto passes = test::passes_of<double>("moving_pins", rest, pins,
+                                        {{"times", Numbers{0, 1}},
+                                         {"offsets", Numbers{0, 0, 0, 0, 0, 3}},
+                                         {"angles", Numbers{0, 180}},
+                                         {"axis", Numbers{0, 0, 2}},
+                                         {"centre", Numbers{1, 2, 7}}});
+  State<double> state = test::state_of<double>(rest, pins);
+  state.origin = {0.5, 0.5, 0};  // positions are relative to it
+  for (const double time : {0.5, 1.0}) {
+    State<double> moved = state;
+    test::run(passes, moved, 0, time);
+    for (const int pin : pins.all) {
+      const auto i = static_cast<std::size_t>(pin);
+      const Vector3 r = state.position[i].vector() + state.origin - Vector3(1, 2, 7);
+      const Vector3 turned = time < 1 ? Vector3(-r.y(), r.x(), r.z()) : Vector3(-r.x(), -r.y(), r.z());
+      const Vector3 expected = Vector3(1, 2, 7) + turned + Vector3(0, 0, 3 * time);
+      CHECK((moved.position[i].vector() + state.origin - expected).norm() < 1e-14);  // a few roundings of 7
+    }
+  }
+}
+
+TEST_CASE("moving pins take the rings along that are pinned around them", "[effects]") {
+  const RestMesh rest(grid(1, 1, 8, 8));
+  std::vector<int> corners = select_vertices(rest, "upper_left");
+  const int right = select_vertices(rest, "upper_right").front(), left = corners.front();
+  corners.push_back(right);
+  const Pins pins = make_pins(rest, corners, 1);
+  auto passes = test::passes_of<double>(
+      "moving_pins", rest, pins,
+      {{"vertices", Names{"upper_left"}}, {"times", Numbers{0}}, {"offsets", Numbers{0, 0, 1}}});
+  State<double> state = test::state_of<double>(rest, pins);
+  const std::size_t held = make_pins(rest, {left}, 1).all.size();
+  CHECK(test::run(passes, state, 0.1) == held);
+  const Pins moving = make_pins(rest, {left}, 1);
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    CHECK(state.position[static_cast<std::size_t>(v)].z == (moving.pinned(v) ? 1 : 0));
+}
+
+TEST_CASE("moving pins: lists of their own for each side, the cloth follows", "[effects]") {
+  const RestMesh rest(grid(1, 1, 12, 12));
+  std::vector<int> sides = select_vertices(rest, "left");
+  for (const int vertex : select_vertices(rest, "right")) sides.push_back(vertex);
+  const Pins pins = make_pins(rest, sides, 0);
+  SimulationInput input = test::sheet(rest, pins, "crossover");
+  std::vector<Pass<double>> passes = test::effect_passes<double>("rigid_damping", "rate", 4.0);
+  passes.push_back(test::effect_passes<double>("gravity").front());
+  for (const char* side : {"left", "right"}) {  // both up by 1 m, towards each other by 0.2 m
+    const double inward = std::string(side) == "left" ? 0.1 : -0.1;
+    passes.push_back(test::passes_of<double>("moving_pins", rest, pins,
+                                             {{"vertices", Names{side}},
+                                              {"times", Numbers{0, 1}},
+                                              {"offsets", Numbers{0, 0, 0, inward, 0, 1}},
+                                              {"interpolation", std::string("smooth")}})
+                         .front());
+  }
+  const auto simulation = make_simulation<double>(input, std::move(passes));
+  for (int s = 0; s < 360; ++s) REQUIRE(simulation->step());
+  const Positions positions = simulation->positions();
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    // Cloth of length 1 between pins 0.8 apart hangs less than half its length below them.
+    CHECK(positions(v, 2) < 1 + 1e-12);
+    CHECK(positions(v, 2) > 0.5);
+  }
+  const int middle = select_vertices(rest, "centre").front();
+  CHECK(std::abs(row(positions, middle).x() - rest.position(middle).x()) < 0.02);  // it hangs in the middle
+  CHECK(row(positions, middle).z() < 0.8);
+}
+
+TEST_CASE("moving pins: what cannot be is refused where it stands", "[effects]") {
+  const auto refused = [](const std::string& effect, const std::string& text) {
+    INFO(effect);
+    const ConfigProblems problems = problems_of(effect);
+    REQUIRE(problems.size() == 1);
+    CHECK(problems[0].pointer == "/effects/1");
+    CHECK_THAT(problems[0].message, ContainsSubstring(text));
+  };
+  const std::string moves = R"("times": [0, 1], "offsets": [0, 0, 0, 1, 0, 0])";
+  CHECK(problems_of(moves).empty());
+  refused(R"("vertices": ["upper_right"], )" + moves, "is not pinned");
+  refused(R"("indices": [0], )" + moves, "vertex 0 is not pinned");
+  refused(R"("indices": [1.5], )" + moves, "1.5 is no vertex");
+  refused(R"("indices": [25], )" + moves, "vertices 0 to 24");
+  refused(R"("times": [0, 1], "offsets": [0, 0, 0])", "expected 6");
+  refused(R"("times": [0, 1], "angles": [0])", "expected 2");
+  refused(R"("times": [0, 1, 1], "angles": [0, 10, 20])", "times must grow");
+  refused(R"("times": [])", "at least one keyframe");
+  refused(R"("times": [0], "angles": [10], "axis": [0, 0, 0])", "axis has no length");
+}
+
+TEST_CASE("moving pins that do not move, or are not there, have no pass", "[effects]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  const Pins pins = make_pins(rest, {0}, 0), none = make_pins(rest, {}, 0);
+  const test::Settings moves = {{"offsets", Numbers{1, 0, 0}}};
+  CHECK(test::passes_of<float>("moving_pins", rest, pins).empty());
+  CHECK(test::passes_of<float>("moving_pins", rest, none, moves).empty());
+  CHECK(test::passes_of<float>("moving_pins", rest, pins, moves).size() == 1);
+}
+
+}  // namespace bendlab
