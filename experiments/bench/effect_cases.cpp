@@ -29,6 +29,10 @@ constexpr std::array scenes = {
     EffectScene{"rigid_damping", R"("rate": 1)", pinned_corner},
     EffectScene{"constraint_damping", R"("rate": 1)", pinned_corner},
     EffectScene{"tethers", R"("per_vertex": 1)", pinned_corner},
+    EffectScene{"viscous_drag", R"("coefficient": 1)", pinned_corner},
+    EffectScene{"wind", R"("velocity": [0, 5, 0])", pinned_corner},
+    EffectScene{"moving_pins", R"("times": [0, 1e5], "offsets": [0, 0, 0, 1e3, 0, 0])", pinned_corner},
+    EffectScene{"strain_limiting", R"("min": 0.99, "max": 1.01)", pinned_corner},
 };
 
 /// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.

@@ -1,10 +1,12 @@
 // `bendlab bench`: that it measures, and that programs can read what it prints.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 #include <string>
 
+#include "bendlab/effects/effect.hpp"
 #include "experiments/bench/bench.hpp"
 #include "experiments/bench/roofline.hpp"
 #include "experiments/cli/errors.hpp"
@@ -101,6 +103,18 @@ TEST_CASE("the roofline's model counts what a constraint moves", "[bench]") {
   const double least = roofline_seconds(strain_cost, 4, 0.5, scene);
   CHECK(least >= strain_cost.flops / peak_flops(4));
   CHECK(least >= 28 / triad_bandwidth(scene));
+}
+
+TEST_CASE("bench measures every effect in a scene where it acts", "[bench][effects]") {
+  const nlohmann::json rows = rows_of("^effect/");
+  for (const Effect* effect : effects()) {
+    INFO(effect->name);
+    const std::string name = "effect/" + std::string(effect->name) + "/32";
+    const auto row = std::ranges::find_if(rows, [&](const auto& each) { return each.at("name") == name; });
+    REQUIRE(row != rows.end());
+    CHECK(row->at("acted_per_step") > 0);
+    CHECK(row->at("ns_per_constraint") > 0);
+  }
 }
 
 }  // namespace bendlab
