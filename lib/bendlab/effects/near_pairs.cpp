@@ -1,0 +1,215 @@
+#include "bendlab/effects/near_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace bendlab {
+namespace {
+
+// Beyond the margin, for rounding: of float boxes, relative to the largest coordinate.
+constexpr double box_rounding = 4e-7;
+// A pair this near at rest, relative to the thickness, touches: a seam that is not welded.
+constexpr double touching = 1e-6;
+
+Positions centres_of(const RestMesh& rest) {
+  Positions centres(rest.triangle_count(), 3);
+  for (Eigen::Index t = 0; t < centres.rows(); ++t)
+    centres.row(t) =
+        (rest.positions().row(rest.triangles()(t, 0)) + rest.positions().row(rest.triangles()(t, 1)) +
+         rest.positions().row(rest.triangles()(t, 2))) /
+        3;
+  return centres;
+}
+
+// Each edge to the first triangle that has it.
+template <class Triangles>
+void give_edges(Triangles& triangles) {
+  struct Side {
+    int low, high;
+    std::size_t triangle, edge;
+    auto operator<=>(const Side&) const = default;
+  };
+  std::vector<Side> sides;
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const auto [low, high] = std::minmax(triangles[t].place[i], triangles[t].place[(i + 1) % 3]);
+      sides.push_back({low, high, t, i});
+    }
+  std::ranges::sort(sides);
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    triangles[sides[s].triangle].owns_edge[sides[s].edge] =
+        s == 0 || sides[s - 1].low != sides[s].low || sides[s - 1].high != sides[s].high;
+}
+
+// The least and the largest of vertices' vectors along each axis: their order does not matter.
+template <class Real>
+struct Range {
+  Vector3 low, high;
+
+  template <class Vector>
+  Range(std::size_t count, const Vector& vector) {
+    Vector3Of<Real> least = vector(0), most = least;
+    for (std::size_t v = 1; v < count; ++v) {
+      const Vector3Of<Real> x = vector(v);
+      least = least.cwiseMin(x), most = most.cwiseMax(x);
+    }
+    low = least.template cast<double>(), high = most.template cast<double>();
+  }
+  Vector3 middle() const { return 0.5 * (low + high); }
+};
+
+}  // namespace
+
+template <class Real>
+NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
+    : thickness_(thickness), tree_(centres_of(input.rest)) {
+  const auto count = static_cast<std::size_t>(input.rest.vertex_count());
+  rest_.resize(count);
+  for (int v = 0; v < input.rest.vertex_count(); ++v) rest_[input.place_of(v)] = input.rest.position(v);
+
+  std::vector<char> owned(count, 0);
+  for (Eigen::Index t = 0; t < input.rest.triangles().rows(); ++t) {
+    Triangle triangle{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int v = input.rest.triangles()(t, static_cast<Eigen::Index>(i));
+      triangle.place[i] = static_cast<int>(input.place_of(v));
+      triangle.owns_vertex[i] = !std::exchange(owned[static_cast<std::size_t>(v)], 1);
+    }
+    triangles_.push_back(triangle);
+  }
+  give_edges(triangles_);
+}
+
+// Where all places lie within their margins, so do all straight ways between such.
+template <class Real>
+void NearPairs<Real>::begin(const State<Real>& state, double margin) {
+  if (part_of_target_ < 1 || !cover(state.previous) || !cover(state.position)) {
+    find(state, 1, margin);
+    return;
+  }
+  for (NearPair& pair : pairs_) measure_start(state, pair);
+}
+
+template <class Real>
+bool NearPairs<Real>::cover(const Points<Real>& points) const {
+  if (found_at_.empty()) return false;
+  const Range<Real> moved(rest_.size(), [&](std::size_t v) -> Vector3Of<Real> {
+    return points[v].vector() - found_at_[v].vector();
+  });
+  return 0.5 * (moved.high - moved.low).norm() <= margin_;  // also false for NaN
+}
+
+template <class Real>
+void NearPairs<Real>::find(const State<Real>& state, double part_of_target, double margin) {
+  part_of_target_ = part_of_target, margin_ = margin;
+  found_at_ = state.position;
+  pairs_.clear();
+  set_boxes(state);
+  tree_.for_overlaps(
+      [&](int a, int b) { look_at(state, static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
+}
+
+// On the same side along an axis, at the start and at the end: on that side all the way.
+template <class Real>
+bool NearPairs<Real>::Way::meets(const Way& other) const {
+  const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
+  const Box::Corner on_this_side = above(start, other.start).min(above(end, other.end));
+  const Box::Corner on_that_side = above(other.start, start).min(above(other.end, end));
+  return on_this_side.max(on_that_side).maxCoeff() <= 0;
+}
+
+template <class Real>
+void NearPairs<Real>::set_boxes(const State<Real>& state) {
+  const Range<Real> moved(rest_.size(), [&](std::size_t v) -> Vector3Of<Real> {
+    return state.position[v].vector() - state.previous[v].vector();
+  });
+  const Range<Real> places(rest_.size(),
+                           [&](std::size_t v) -> Vector3Of<Real> { return state.position[v].vector(); });
+  const double largest = std::max(places.low.cwiseAbs().maxCoeff(), places.high.cwiseAbs().maxCoeff()) +
+                         std::max(moved.low.cwiseAbs().maxCoeff(), moved.high.cwiseAbs().maxCoeff());
+  const double reach = 0.5 * part_of_target_ * thickness_ + margin_ + box_rounding * largest;
+  const auto box_about = [&](const Point<Real>& p) {
+    const auto lower = [&](Real x) { return static_cast<float>(static_cast<double>(x) - reach); };
+    const auto upper = [&](Real x) { return static_cast<float>(static_cast<double>(x) + reach); };
+    return Box{{lower(p.x), lower(p.y), lower(p.z), 0}, {upper(p.x), upper(p.y), upper(p.z), 0}};
+  };
+  vertex_ways_.resize(rest_.size());
+  for (std::size_t v = 0; v < rest_.size(); ++v)
+    vertex_ways_[v] = {box_about(state.previous[v]), box_about(state.position[v])};
+  Box::Corner shared;
+  const Eigen::Vector3f middle = Vector3(moved.middle()).cast<float>();
+  shared << middle.array(), 0;
+  triangle_ways_.resize(triangles_.size()), boxes_.resize(triangles_.size());
+  for (std::size_t t = 0; t < triangles_.size(); ++t) {
+    Way& way = triangle_ways_[t] = {};
+    for (const int place : triangles_[t].place) way.include(vertex_ways_[static_cast<std::size_t>(place)]);
+    boxes_[t] = way.end;
+    boxes_[t].low -= shared, boxes_[t].high -= shared;
+    boxes_[t].include(way.start);
+  }
+  tree_.renew(boxes_);
+}
+
+template <class Real>
+typename NearPairs<Real>::Way NearPairs<Real>::edge_way(const Triangle& t, std::size_t edge) const {
+  Way way = vertex_ways_[static_cast<std::size_t>(t.place[edge])];
+  way.include(vertex_ways_[static_cast<std::size_t>(t.place[(edge + 1) % 3])]);
+  return way;
+}
+
+template <class Real>
+void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::size_t second) {
+  if (!triangle_ways_[first].meets(triangle_ways_[second])) return;
+  const auto has = [](const Triangle& t, int v) {
+    return t.place[0] == v || t.place[1] == v || t.place[2] == v;
+  };
+  for (const auto& [own, other] : {std::pair(first, second), std::pair(second, first)}) {
+    const Triangle &t = triangles_[own], &facing = triangles_[other];
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int v = t.place[i];
+      if (t.owns_vertex[i] && !has(facing, v) &&
+          vertex_ways_[static_cast<std::size_t>(v)].meets(triangle_ways_[other]))
+        add(state, Pairing::vertex_triangle, {v, facing.place[0], facing.place[1], facing.place[2]});
+    }
+  }
+  const Triangle &a = triangles_[first], &b = triangles_[second];
+  for (std::size_t i = 0; i < 3; ++i) {
+    if (!a.owns_edge[i]) continue;
+    const int a0 = a.place[i], a1 = a.place[(i + 1) % 3];
+    const Way way = edge_way(a, i);
+    if (!way.meets(triangle_ways_[second])) continue;
+    for (std::size_t j = 0; j < 3; ++j) {
+      const int b0 = b.place[j], b1 = b.place[(j + 1) % 3];
+      if (b.owns_edge[j] && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1 && way.meets(edge_way(b, j)))
+        add(state, Pairing::edge_edge, {a0, a1, b0, b1});
+    }
+  }
+}
+
+template <class Real>
+void NearPairs<Real>::measure_start(const State<Real>& state, NearPair& pair) const {
+  const Vector3 gap = shortest_gap(pair.pairing, corners_of(pair, state.previous)).vector;
+  pair.start = gap.norm();
+  pair.normal = pair.start > 0 ? Vector3(gap / pair.start) : Vector3::Zero();
+}
+
+template <class Real>
+void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& place) {
+  NearPair pair{place, pairing, 0, {}, thickness_};
+  measure_start(state, pair);
+  // Two vertices come nearer by their margins besides.
+  const double end = separation_along(pair.normal, pairing, corners_of(pair, state.position)) - 2 * margin_;
+  const double least = std::min(pair.start, end);
+  if (least > part_of_target_ * thickness_) return;
+  Corners rest;
+  for (std::size_t i = 0; i < 4; ++i) rest[i] = rest_[static_cast<std::size_t>(place[i])];
+  const double at_rest = shortest_gap(pairing, rest).vector.norm();
+  pair.target = std::min(thickness_, 0.5 * at_rest);
+  if (at_rest > touching * thickness_ && least <= part_of_target_ * pair.target) pairs_.push_back(pair);
+}
+
+template class NearPairs<float>;
+template class NearPairs<double>;
+
+}  // namespace bendlab

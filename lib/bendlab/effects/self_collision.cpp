@@ -1,0 +1,276 @@
+// Self-collision: cloth keeps its thickness from itself and does not pass through itself.
+//
+// A pair of a vertex and a triangle, or of two edges, has a gap: the vector between the points where they are
+// nearest. Two rules act on it.
+//
+// * In each iteration a pair nearer than its target is moved apart along its gap, and a pair that met on
+//   the straight way from the start of the substep is moved back to the side it came from, along the gap at
+//   the moment it met: Δx_i = -w_i λ n, mass-weighted (Müller et al. 2007, §4.3; the moment of contact, Provot
+//   1997 and Bridson et al. 2002, §6). Linear momentum is kept to rounding. Angular momentum is kept too
+//   where the correction lies along the gap; for a pair that met, about where it met, not where it has
+//   slid to since.
+// * The iterations may end before all pairs are served. So at the end of the substep every pair's way is looked
+//   at once more; those that meet are moved back as before, a few rounds long, and what then still meets moves
+//   as a rigid body with all it meets, until nothing does (Provot 1997; Bridson et al. 2002, §7.4: impact
+//   zones).
+//
+// Guaranteed, where the substep starts without an intersection: none at its end, whatever the step, speed
+// and iterations, as long as no two elements that touch both hold pinned vertices that are moved against each other. What
+// is not: the thickness itself, where iterations are few; that a start with intersections is undone (each
+// pair stays on its side); that a triangle does not turn over within its own plane, through a line.
+//
+// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is given time
+// to come apart, as it would shoot apart else.
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/near_pairs.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array parameters = {
+    Parameter{
+        .name = "thickness",
+        .type = ParameterType::number,
+        .unit = "m",
+        .default_value = 0.005,
+        .meaning = "how far layers of cloth keep apart; half of the distance at rest where that is less",
+        .minimum = 0,
+        .above = true},
+};
+
+// s: a pair that is nearer than its target comes apart by the target in this time.
+constexpr double recovery_time = 0.02;
+// A pair has met where it is this part of its target or, if less, of its distance at the start apart.
+constexpr double meeting = 0.1;
+// A pair that met is moved back to this part of the same.
+constexpr double moved_back = 0.5;
+constexpr int rounds_before_zones = 8;
+// What a vertex may move on before pairs are looked for again, in thicknesses.
+constexpr double margin = 0.5;
+
+// Sets of vertices that move as one.
+class Zones {
+ public:
+  bool joined(const NearPair& pair) {
+    const auto zone = [&](std::size_t i) { return zone_of(pair.place[i]); };
+    return zone(0) == zone(1) && zone(0) == zone(2) && zone(0) == zone(3);
+  }
+  void join(const NearPair& pair) {
+    for (const int place : pair.place) {
+      if (parent_.try_emplace(place, place).second) members_.push_back(place);
+      parent_[zone_of(place)] = zone_of(pair.place[0]);
+    }
+  }
+  /// The zones, by members in the order they came.
+  std::vector<std::vector<int>> all() {
+    std::map<int, std::size_t> index;
+    std::vector<std::vector<int>> zones;
+    for (const int place : members_) {
+      const auto [at, is_new] = index.try_emplace(zone_of(place), zones.size());
+      if (is_new) zones.emplace_back();
+      zones[at->second].push_back(place);
+    }
+    return zones;
+  }
+
+ private:
+  int zone_of(int place) {
+    auto at = parent_.find(place);
+    if (at == parent_.end()) return place;
+    while (at->second != at->first) {
+      const auto above = parent_.find(at->second);
+      at->second = above->second;
+      at = above;
+    }
+    return at->first;
+  }
+
+  std::map<int, int> parent_;
+  std::vector<int> members_;
+};
+
+// The rotation that displacements d of masses at r about their centre have in common.
+struct Turn {
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  Vector3 moment = Vector3::Zero();
+
+  void add(double mass, const Vector3& r, const Vector3& d) {
+    inertia += mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
+    moment += mass * r.cross(d);
+  }
+  // Vertices on a line do not turn about it.
+  Eigen::Matrix3d rotation() const {
+    constexpr double relative_rank = 1e-12;
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
+    Vector3 angle = axes.eigenvectors().transpose() * moment;
+    for (int i = 0; i < 3; ++i)
+      angle(i) = axes.eigenvalues()(i) > relative_rank * axes.eigenvalues()(2)
+                     ? angle(i) / axes.eigenvalues()(i)
+                     : 0;
+    const double size = angle.norm();
+    if (!(size > 0)) return Eigen::Matrix3d::Identity();
+    return Eigen::AngleAxisd(size, axes.eigenvectors() * angle / size).toRotationMatrix();
+  }
+};
+
+template <class Real>
+class SelfCollision {
+ public:
+  SelfCollision(const EffectInput& input, double thickness)
+      : thickness_(thickness), near_(input, thickness) {}
+
+  // Stage::project.
+  void keep_apart(PassContext<Real>& context) {
+    State<Real>& state = context.state;
+    if (!std::exchange(begun_, true)) near_.begin(state, margin * thickness_);
+    const double recovered = std::min(1.0, static_cast<double>(context.substep) / recovery_time);
+    const auto move = [&](int place, const Vector3& to) {
+      point(state, place).set(to.template cast<Real>());
+    };
+    for (const NearPair& pair : near_.pairs()) {
+      const double target = std::min(pair.target, pair.start + recovered * pair.target);
+      const std::optional<Gap> gap = gap_to_widen(state, pair, target);
+      if (gap && widen(state, pair, *gap, target, move)) ++context.acted;
+    }
+  }
+
+  // Stage::velocity.
+  void let_nothing_through(PassContext<Real>& context) {
+    State<Real>& state = context.state;
+    const auto move = [&](int place, const Vector3& to) {
+      Point<Real>& p = point(state, place);
+      const Vector3Of<Real> old = p.vector();
+      p.set(to.template cast<Real>());
+      Point<Real>& velocity = state.velocity[static_cast<std::size_t>(place)];
+      velocity.set(velocity.vector() + (p.vector() - old) / context.substep);
+    };
+    Zones zones;
+    bool met_any = true;
+    for (int round = 0; met_any; ++round) {
+      if (!near_.cover(state.position)) near_.find(state, meeting, margin * thickness_);
+      met_any = false;
+      for (const NearPair& pair : near_.pairs()) {
+        const std::optional<Gap> met = meeting_gap(state, pair, corners_of(pair, state.position));
+        if (!met || zones.joined(pair)) continue;
+        met_any = true;
+        if (round < rounds_before_zones)
+          context.acted += widen(state, pair, *met, moved_back * std::min(pair.target, pair.start), move);
+        else
+          zones.join(pair), ++context.acted;
+      }
+      for (const std::vector<int>& zone : zones.all()) move_as_one(state, zone, move);
+    }
+    begun_ = false;
+  }
+
+ private:
+  static Point<Real>& point(State<Real>& state, int place) {
+    return state.position[static_cast<std::size_t>(place)];
+  }
+
+  // The gap at which a pair met since the start of the substep; `end` is where it is.
+  static std::optional<Gap> meeting_gap(const State<Real>& state, const NearPair& pair, const Corners& end) {
+    const double separation = meeting * std::min(pair.target, pair.start);
+    if (!(separation > 0)) return std::nullopt;
+    if (separation_along(pair.normal, pair.pairing, end) >= separation) return std::nullopt;
+    return first_contact(pair.pairing, corners_of(pair, state.previous), end, separation);
+  }
+
+  // The gap along which a pair that is to be `target` apart comes apart.
+  static std::optional<Gap> gap_to_widen(const State<Real>& state, const NearPair& pair, double target) {
+    const Corners end = corners_of(pair, state.position);
+    if (std::min(pair.start, separation_along(pair.normal, pair.pairing, end)) >= target) return std::nullopt;
+    if (const std::optional<Gap> met = meeting_gap(state, pair, end)) return met;
+    return shortest_gap(pair.pairing, end);
+  }
+
+  // Moves the points that a gap lies between apart along it, until they are `target` apart; false where they
+  // are.
+  template <class Move>
+  static bool widen(State<Real>& state, const NearPair& pair, const Gap& gap, double target,
+                    const Move& move) {
+    const Corners x = corners_of(pair, state.position);
+    const Vector3 normal = gap.vector.normalized();
+    std::array<double, 4> share;
+    double missing = target, shares = 0;
+    for (std::size_t i = 0; i < 4; ++i) {
+      missing -= gap.weight[i] * normal.dot(x[i]);
+      share[i] = static_cast<double>(point(state, pair.place[i]).w) * gap.weight[i];
+      shares += share[i] * gap.weight[i];
+    }
+    if (!(missing > 0 && shares > 0)) return false;
+    for (std::size_t i = 0; i < 4; ++i)
+      if (share[i] != 0) move(pair.place[i], x[i] + missing / shares * share[i] * normal);
+    return true;
+  }
+
+  // Rigid motion nearest to the members' own, momenta kept; pinned members take the others with them.
+  template <class Move>
+  static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
+    double mass = 0;
+    Vector3 centre = Vector3::Zero(), shift = Vector3::Zero();
+    bool held = false;
+    for (const int place : zone) held |= point(state, place).w == 0;
+    const auto for_deciding = [&](const auto& action) {
+      for (const int place : zone) {
+        const auto p = static_cast<std::size_t>(place);
+        if (held && state.position[p].w != 0) continue;
+        const Vector3 start = state.previous[p].vector().template cast<double>();
+        action(state.mass[p], start, Vector3(state.position[p].vector().template cast<double>() - start));
+      }
+    };
+    for_deciding([&](double m, const Vector3& start, const Vector3& d) {
+      mass += m, centre += m * start, shift += m * d;
+    });
+    centre /= mass, shift /= mass;
+    Turn turn;
+    if (!held)
+      for_deciding([&](double m, const Vector3& start, const Vector3& d) { turn.add(m, start - centre, d); });
+    const Eigen::Matrix3d rotation = held ? Eigen::Matrix3d::Identity() : turn.rotation();
+    for (const int place : zone) {
+      if (point(state, place).w == 0) continue;
+      const Vector3 start = state.previous[static_cast<std::size_t>(place)].vector().template cast<double>();
+      move(place, centre + shift + rotation * (start - centre));
+    }
+  }
+
+  double thickness_;
+  NearPairs<Real> near_;
+  bool begun_ = false;  // this substep
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const bool all_pinned = input.pins.all.size() == static_cast<std::size_t>(input.rest.vertex_count());
+  if (input.rest.triangle_count() < 2 || all_pinned) return {};
+  const auto collision = std::make_shared<SelfCollision<Real>>(input, input.parameters.number("thickness"));
+  return {{"self_collision", Stage::project, [collision](PassContext<Real>& c) { collision->keep_apart(c); }},
+          {"self_collision", Stage::velocity,
+           [collision](PassContext<Real>& c) { collision->let_nothing_through(c); }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect self_collision{
+    .name = "self_collision",
+    .summary = "cloth keeps a thickness from itself and never passes through itself",
+    .source =
+        "Müller et al. 2007, §4.3; Bridson, Fedkiw and Anderson 2002, §6-7; Li, Kaufman and Jiang 2021, §5",
+    .parameters = parameters,
+    .needs_projection = true,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

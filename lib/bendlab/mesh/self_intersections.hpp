@@ -1,0 +1,17 @@
+// Where a surface passes through itself.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// Pairs of triangles that intersect other than in the vertices or the edge they share, by CGAL's exact
+/// predicates (Polygon Mesh Processing, self_intersections); each pair ascending, the list too. A triangle
+/// whose points are collinear pairs with itself. Throws std::invalid_argument for positions that are not
+/// finite and for triangles that are no oriented manifold.
+std::vector<std::array<int, 2>> self_intersections(const Positions& positions, const Triangles& triangles);
+
+}  // namespace bendlab

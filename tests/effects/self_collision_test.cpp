@@ -1,0 +1,385 @@
+// Cloth against itself: what must not happen, whatever the speed, and what may not change.
+#include <numeric>
+#include <set>
+
+#include "bendlab/effects/near_pairs.hpp"
+#include "bendlab/mesh/self_intersections.hpp"
+#include "bendlab/metrics/motion.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+constexpr double thickness = 0.005;  // m, the default
+
+template <class Real>
+void append(std::vector<Pass<Real>>& passes, std::vector<Pass<Real>> more) {
+  for (Pass<Real>& pass : more) passes.push_back(std::move(pass));
+}
+
+template <class Real>
+std::vector<Pass<Real>> collision(const RestMesh& rest, double h = thickness, std::vector<int> place = {}) {
+  const Effect& effect = *find_effect("self_collision");
+  ParameterValues values(effect.parameters);
+  values.set("thickness", h);
+  return effect.compile<Real>({values, rest, make_pins(rest, {}, 0), place});
+}
+
+// Two triangles far from each other at rest.
+RestMesh two_triangles() {
+  TriangleMesh mesh;
+  mesh.positions.resize(6, 3);
+  mesh.positions << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 1, 0, 0, 1.1, 0, 0, 1, 0.1, 0;
+  mesh.triangles.resize(2, 3);
+  mesh.triangles << 0, 1, 2, 3, 4, 5;
+  return RestMesh(std::move(mesh));
+}
+
+// Vertices on their way through a substep.
+template <class Real>
+State<Real> state_on_the_way(const Positions& from, const Positions& to, const std::vector<double>& mass,
+                             const std::vector<int>& place = {}) {
+  State<Real> state;
+  const auto count = static_cast<std::size_t>(from.rows());
+  state.vertex_count = static_cast<int>(count);
+  state.mass.resize(count);
+  state.position.resize(count), state.velocity.resize(count);
+  state.previous.resize(count);
+  for (std::size_t v = 0; v < count; ++v) {
+    const auto row = static_cast<Eigen::Index>(v);
+    const std::size_t at = place.empty() ? v : static_cast<std::size_t>(place[v]);
+    state.mass[at] = mass[v];
+    state.previous[at].set(from.row(row).transpose().template cast<Real>());
+    state.position[at].set(to.row(row).transpose().template cast<Real>());
+    state.position[at].w = state.previous[at].w = static_cast<Real>(1 / mass[v]);
+  }
+  return state;
+}
+
+template <class Real>
+Positions positions_of(const State<Real>& state, const std::vector<int>& place = {}) {
+  Positions positions(state.vertex_count, 3);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+    const auto at = static_cast<std::size_t>(place.empty() ? v : place[static_cast<std::size_t>(v)]);
+    positions.row(v) = state.position[at].vector().template cast<double>().transpose();
+  }
+  return positions;
+}
+
+// Runs the passes of a stage; how many pairs they say they corrected.
+template <class Real>
+std::uint64_t run(std::vector<Pass<Real>>& passes, Stage stage, State<Real>& state,
+                  double substep = 1.0 / 60) {
+  const Constraints<Real> none;
+  PassContext<Real> context{state, none, static_cast<Real>(substep)};
+  for (Pass<Real>& pass : passes)
+    if (pass.stage == stage) pass.run(context);
+  return context.acted;
+}
+
+// A crumpled sheet: triangles near each other everywhere, none through another.
+Positions crumpled(const RestMesh& rest, std::uint64_t seed) {
+  std::mt19937_64 random(seed);
+  const double height = test::uniform(random, 0.02, 0.05), waves = test::uniform(random, 20, 40);
+  Positions positions = rest.positions();
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+    positions(v, 2) = height * std::sin(waves * positions(v, 0));
+    positions(v, 0) *= 0.05;
+  }
+  return positions;
+}
+
+Corners rows(const Positions& positions, const std::array<int, 4>& vertices) {
+  Corners corners;
+  for (std::size_t i = 0; i < 4; ++i) corners[i] = positions.row(vertices[i]).transpose();
+  return corners;
+}
+
+// Every pair of a mesh without a common vertex.
+std::vector<std::pair<Pairing, std::array<int, 4>>> all_pairs(const RestMesh& rest) {
+  std::vector<std::pair<Pairing, std::array<int, 4>>> pairs;
+  const Triangles& t = rest.triangles();
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    for (Eigen::Index i = 0; i < t.rows(); ++i)
+      if (v != t(i, 0) && v != t(i, 1) && v != t(i, 2))
+        pairs.push_back({Pairing::vertex_triangle, {v, t(i, 0), t(i, 1), t(i, 2)}});
+  const Edges& e = rest.edges();
+  for (Eigen::Index i = 0; i < e.rows(); ++i)
+    for (Eigen::Index j = i + 1; j < e.rows(); ++j)
+      if (e(i, 0) != e(j, 0) && e(i, 0) != e(j, 1) && e(i, 1) != e(j, 0) && e(i, 1) != e(j, 1))
+        pairs.push_back({Pairing::edge_edge, {e(i, 0), e(i, 1), e(j, 0), e(j, 1)}});
+  return pairs;
+}
+
+// The same pair by the names of its vertices, in any order within an element and of two edges.
+std::array<int, 4> sorted_name(Pairing pairing, std::array<int, 4> v) {
+  if (pairing == Pairing::vertex_triangle) {
+    std::sort(v.begin() + 1, v.end());
+    return v;
+  }
+  if (v[0] > v[1]) std::swap(v[0], v[1]);
+  if (v[2] > v[3]) std::swap(v[2], v[3]);
+  if (v[0] > v[2]) std::swap(v[0], v[2]), std::swap(v[1], v[3]);
+  return v;
+}
+
+// A sheet folded to and fro along x into layers `gap` apart, the turns straight down: a start without
+// intersections and not far from rest.
+Positions accordion(const RestMesh& rest, int folds, double gap) {
+  Positions positions = rest.positions();
+  const double left = rest.box_min().x(), layer = (rest.box_max().x() - left) / (folds + 1);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+    const double along = positions(v, 0) - left;
+    const int below = std::min(folds, static_cast<int>(along / layer + 1e-9));
+    const double within = along - below * layer;
+    positions(v, 0) = below % 2 == 0 ? within : layer - within;
+    positions(v, 2) = gap * along / layer;  // layers rise evenly: gap between them on the average
+  }
+  return positions;
+}
+
+template <class Real>
+Pass<Real> floor_at(Real height) {
+  return {"floor", Stage::contact, [height](PassContext<Real>& context) {
+            for (Point<Real>& p : context.state.position)
+              if (p.w > 0) p.z = std::max(p.z, height);
+          }};
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("a vertex shot at a triangle at 50 m/s stays on its side", "[effects][self_collision]",
+                   float, double) {
+  const RestMesh rest = two_triangles();
+  for (int seed = 0; seed < 20; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond(test::uniform(random, -1, 1), test::uniform(random, -1, 1),
+                           test::uniform(random, -1, 1), test::uniform(random, -1, 1))
+            .normalized();
+    SimulationInput input;
+    input.size = rest.size();
+    input.is_pinned.assign(6, 0);
+    input.positions = rest.positions();
+    // A vertex is shot through the middle of the other triangle, or drags an edge over one of its edges.
+    const bool edges = seed % 2 == 1;
+    input.positions.bottomRows(3) << 0.03, 0.03, 0.3, 0.02, 0.05, 0.4, 0.05, 0.02, 0.4;
+    if (edges) input.positions.bottomRows(3) << 0.05, -0.06, 0.3, 0.05, 0.04, 0.2, 0.05, -0.01, 0.4;
+    input.velocities = Positions::Zero(6, 3);
+    input.velocities(3, 2) = -50;
+    input.positions = (input.positions * turn.toRotationMatrix().transpose()).eval();
+    input.velocities = (input.velocities * turn.toRotationMatrix().transpose()).eval();
+    for (int v = 0; v < 6; ++v) input.mass.push_back(test::uniform(random, 0.01, 0.02));
+
+    const Motion before = motion_of(input.mass, input.positions, input.velocities);
+    const auto simulation = make_simulation<TestType>(input, collision<TestType>(rest));
+    REQUIRE(simulation->step());
+    INFO("seed " << seed);
+    const Corners x = rows(simulation->positions(), edges ? std::array{3, 4, 0, 1} : std::array{3, 0, 1, 2});
+    const Vector3 gap = shortest_gap(edges ? Pairing::edge_edge : Pairing::vertex_triangle, x).vector;
+    CHECK(gap.dot(turn * Vector3::UnitZ()) > 0);  // on the side it came from
+    // Ten iterations on triangles that turn meanwhile; the dragged edge turns by 45 degrees, away from the other.
+    CHECK(gap.norm() >= 0.99 * thickness);
+    if (!edges) CHECK(gap.norm() <= 1.01 * thickness);
+    CHECK(simulation->passes().back().acted + simulation->passes()[1].acted > 0);
+    const Motion after = motion_of(input.mass, simulation->positions(), simulation->velocities());
+    const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
+    const double scale =
+        60 * 0.02;  // kg m/s: what a position's rounding, eps m in 1/60 s, is on the heaviest vertex
+    CHECK((after.linear_momentum - before.linear_momentum).norm() <= 6 * eps * scale);
+    REQUIRE((simulation->step() && simulation->step()));
+    CHECK(self_intersections(simulation->positions(), rest.triangles()).empty());
+    CHECK(after.kinetic_energy < before.kinetic_energy);  // nothing bounces
+  }
+}
+
+TEMPLATE_TEST_CASE("a correction keeps both momenta", "[effects][self_collision]", float, double) {
+  const RestMesh rest = two_triangles();
+  const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
+  int corrected = 0;
+  for (int seed = 0; seed < 200; ++seed) {
+    std::mt19937_64 random(static_cast<std::uint64_t>(seed));
+    Positions from(6, 3), to;
+    for (Eigen::Index v = 0; v < 6; ++v)
+      from.row(v) = (Vector3(0, 0, v < 3 ? 0 : 0.011) +
+                     test::random_vector(random, 1).cwiseProduct(Vector3(0.1, 0.1, 0.002)))
+                        .transpose();
+    to = from;
+    to.bottomRows(3).col(2).array() -= 0.006;  // nearer than the thickness, but not through
+    std::vector<double> mass;
+    for (int v = 0; v < 6; ++v) mass.push_back(test::uniform(random, 0.5, 2));
+    State<TestType> state = state_on_the_way<TestType>(from, to, mass);
+    auto passes = collision<TestType>(rest);
+    // One pair at a time is tested where only one is corrected.
+    const Positions before = positions_of(state);
+    if (run(passes, Stage::project, state) != 1) continue;
+    ++corrected;
+    const Positions moved = positions_of(state) - before;
+    Vector3 linear = Vector3::Zero(), angular = Vector3::Zero();
+    for (Eigen::Index v = 0; v < 6; ++v) {
+      const double m = mass[static_cast<std::size_t>(v)];
+      const Vector3 d = moved.row(v).transpose(), x = before.row(v).transpose();
+      linear += m * d, angular += m * x.cross(d);
+    }
+    CHECK(moved.norm() > 0);
+    CHECK(linear.norm() <= 20 * eps * 0.1);    // kg m: coordinates of 0.1 m rounded, six masses of up to 2 kg
+    CHECK(angular.norm() <= 20 * eps * 0.02);  // kg m²: the same at arms of 0.14 m
+  }
+  CHECK(corrected >= 20);
+}
+
+TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
+  const RestMesh rest(delaunay(1, 1, 10, 4));
+  const auto pairs = all_pairs(rest);
+  const Effect& effect = *find_effect("self_collision");
+  const ParameterValues values(effect.parameters);
+  std::size_t near = 0, listed = 0;
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
+    std::mt19937_64 random(seed);
+    const Positions from = crumpled(rest, seed);
+    Positions to = from;
+    const Vector3 shared = test::random_vector(random, 1);
+    for (Eigen::Index v = 0; v < to.rows(); ++v)
+      to.row(v) += (shared + test::random_vector(random, 0.01)).transpose();
+    const State<double> state =
+        state_on_the_way<double>(from, to, std::vector<double>(static_cast<std::size_t>(to.rows()), 1.0));
+    NearPairs<double> found({values, rest, make_pins(rest, {}, 0), {}}, thickness);
+    CHECK_FALSE(found.cover(state.position));
+    found.begin(state, 0.001);
+    CHECK(found.cover(state.position));
+    std::set<std::pair<Pairing, std::array<int, 4>>> names;
+    for (const NearPair& pair : found.pairs())
+      names.insert({pair.pairing, sorted_name(pair.pairing, pair.place)});
+    CHECK(names.size() == found.pairs().size());  // each once
+    for (const auto& [pairing, vertices] : pairs) {
+      const double at_rest = shortest_gap(pairing, rows(rest.positions(), vertices)).vector.norm();
+      const double target = std::min(thickness, 0.5 * at_rest);
+      // Anywhere on the way counts.
+      double least = 1e300;
+      for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0})
+        least =
+            std::min(least, shortest_gap(pairing, rows(from + time * (to - from), vertices)).vector.norm());
+      if (least > target) continue;
+      ++near;
+      CHECK(names.contains({pairing, sorted_name(pairing, vertices)}));
+    }
+    listed += names.size();
+  }
+  CHECK(near > 1000);            // the sample means something
+  CHECK(listed < pairs.size());  // and the lists are not simply everything, four times over
+}
+
+TEMPLATE_TEST_CASE("where nothing is near, self-collision leaves the same bits", "[effects][self_collision]",
+                   float, double) {
+  const RestMesh rest(grid(1, 1, 16, 16));
+  const SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
+  std::vector<std::uint64_t> acted;
+  const auto end = [&](bool collides) {
+    auto passes = test::effect_passes<TestType>("gravity");
+    if (collides) append(passes, collision<TestType>(rest));
+    const auto simulation = make_simulation<TestType>(input, std::move(passes));
+    for (int s = 0; s < 10; ++s) REQUIRE(simulation->step());
+    for (const PassStatistics& pass : simulation->passes())
+      if (pass.name == "self_collision") acted.push_back(pass.acted);
+    return simulation->positions();
+  };
+  const Positions with = end(true);
+  CHECK(acted == std::vector<std::uint64_t>{0, 0});
+  CHECK(with == end(false));
+}
+
+TEST_CASE("self-collision has no pass where there is nothing to collide", "[effects][self_collision]") {
+  const RestMesh rest(grid(1, 1, 1, 1));
+  CHECK(test::effect_passes<float>("self_collision", rest, make_pins(rest, {}, 0)).size() == 2);
+  CHECK(test::effect_passes<float>("self_collision", rest, make_pins(rest, {0, 1, 2, 3}, 0)).empty());
+}
+
+TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effects][self_collision]", float,
+                   double) {
+  const RestMesh rest(grid(1, 1, 20, 20));
+  const auto count = static_cast<std::size_t>(rest.vertex_count());
+  std::mt19937_64 random(6);
+  std::vector<int> place(count);
+  std::iota(place.begin(), place.end(), 0);
+  for (std::size_t i = count; i-- > 1;) std::swap(place[i], place[random() % (i + 1)]);
+  const Positions from = accordion(rest, 3, 0.02);
+  Positions to = from;
+  for (Eigen::Index v = 0; v < to.rows(); ++v) to.row(v) += test::random_vector(random, 0.02).transpose();
+  const auto after = [&](const std::vector<int>& where) {
+    State<TestType> state = state_on_the_way<TestType>(from, to, std::vector<double>(count, 0.1), where);
+    auto passes = collision<TestType>(rest, thickness, where);
+    for (int iteration = 0; iteration < 3; ++iteration) CHECK(run(passes, Stage::project, state) > 0);
+    run(passes, Stage::velocity, state);
+    return positions_of(state, where);
+  };
+  // Sums over all vertices only widen boxes; what decides is compared pair by pair.
+  CHECK(after({}) == after(place));
+}
+
+TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[effects][self_collision]",
+                   float, double) {
+  // Only the last pass, on displacements that throw layers through each other.
+  const RestMesh rest(grid(1, 1, 16, 16));
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    std::mt19937_64 random(seed);
+    const Positions from = accordion(rest, 3, 0.03);
+    REQUIRE(self_intersections(from, rest.triangles()).empty());
+    Positions to = from;
+    for (Eigen::Index v = 0; v < to.rows(); ++v) to.row(v) += test::random_vector(random, 0.04).transpose();
+    REQUIRE_FALSE(self_intersections(to, rest.triangles()).empty());
+    const std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0.1);
+    State<TestType> state = state_on_the_way<TestType>(from, to, mass);
+    auto passes = collision<TestType>(rest);
+    run(passes, Stage::velocity, state);
+    const Positions end = positions_of(state);
+    CHECK(self_intersections(end, rest.triangles()).empty());
+    const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
+    // Equal masses: momentum is the mean. Each of hundreds of moves rounds coordinates of up to 0.5 m.
+    CHECK((end.colwise().sum() - to.colwise().sum()).norm() <= 3e4 * eps * 0.5);
+  }
+}
+
+TEST_CASE("a sheet folded four times falls onto itself without passing through",
+          "[effects][self_collision]") {
+  const RestMesh rest(grid(1, 1, 20, 20, Diagonal::alternating));
+  const Pins pins = make_pins(rest, {}, 0);
+  const auto intersections_after = [&](std::uint64_t seed, bool collides) {
+    SimulationInput input = test::sheet(rest, pins, "crossover");
+    input.positions = accordion(rest, 4, 0.02);
+    std::mt19937_64 random(seed);
+    for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
+      input.positions.row(v) += test::random_vector(random, 0.1 * thickness).transpose();
+    REQUIRE(self_intersections(input.positions, rest.triangles()).empty());
+    auto passes = test::effect_passes<float>("gravity");
+    passes.push_back(floor_at(-0.05F));
+    if (collides) append(passes, collision<float>(rest));
+    const auto simulation = make_simulation<float>(input, std::move(passes));
+    for (int s = 0; s < 60; ++s) REQUIRE(simulation->step());
+    return self_intersections(simulation->positions(), rest.triangles()).size();
+  };
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) CHECK(intersections_after(seed, true) == 0);
+  CHECK(intersections_after(1, false) > 0);
+}
+
+TEST_CASE("self-collision has the same bits for any number of threads", "[effects][self_collision]") {
+  const RestMesh rest(grid(1, 1, 48, 48));
+  const auto end = [&](int threads) {
+    SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
+    input.positions = accordion(rest, 4, 0.02);
+    input.settings.threads = threads;
+    auto passes = test::effect_passes<float>("gravity");
+    passes.push_back(floor_at(-0.01F));
+    append(passes, collision<float>(rest));
+    const auto simulation = make_simulation<float>(input, std::move(passes));
+    for (int s = 0; s < 10; ++s) REQUIRE(simulation->step());
+    CHECK(simulation->passes().back().calls == 10);
+    return simulation->positions();
+  };
+  CHECK(end(1) == end(3));
+}
+
+}  // namespace bendlab
