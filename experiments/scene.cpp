@@ -45,12 +45,16 @@ TriangleMesh generated_mesh(const ParameterValues& mesh) {
   }
 }
 
+[[noreturn]] void rethrow(const MeshFileError& error) {
+  if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+  throw RunFileError(error.what());
+}
+
 TriangleMesh mesh_from_file(const std::filesystem::path& file, std::vector<std::string>& notes) {
   try {
     return read_mesh(file, &notes);
   } catch (const MeshFileError& error) {
-    if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
-    throw RunFileError(error.what());
+    rethrow(error);
   }
 }
 
@@ -171,16 +175,26 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
 }
 
 template <class Real>
+std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t effect, bool contacts_used) {
+  const EffectSettings& settings = scene.effects[effect];
+  try {
+    return find_effect(settings.type)
+        ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  } catch (const MeshFileError& error) {
+    rethrow(error);
+  } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
+    throw ConfigError(settings.type, {{fmt::format("/effects/{}", effect), error.what()}});
+  }
+}
+
+template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
   const bool contacts_used = std::ranges::any_of(scene.effects, [](const EffectSettings& settings) {
     return find_effect(settings.type)->uses_contacts;
   });
-  for (const EffectSettings& settings : scene.effects)
-    for (Pass<Real>& pass :
-         find_effect(settings.type)
-             ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used}))
-      passes.push_back(std::move(pass));
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    for (Pass<Real>& pass : passes_of<Real>(scene, i, contacts_used)) passes.push_back(std::move(pass));
   return make_simulation<Real>(scene.input, std::move(passes));
 }
 
