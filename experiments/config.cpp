@@ -95,9 +95,11 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
 
   experiment.name = settings["name"];
   experiment.description = settings.value("description", "");
-  for (RunConfig& run : experiment.runs)
+  for (RunConfig& run : experiment.runs) {
+    run.folder = source.parent_path();
     if (const Json* file = value_at(run.resolved, "/mesh/file"))
-      run.mesh_file = source.parent_path() / file->get<std::string>();
+      run.mesh_file = run.folder / file->get<std::string>();
+  }
   return experiment;
 }
 
@@ -124,9 +126,21 @@ std::vector<EffectSettings> RunConfig::effects() const {
   std::vector<EffectSettings> list;
   for (const Json& entry : resolved["effects"]) {
     const std::string type = entry["type"];
-    list.push_back({type, values_of(entry, find_effect(type)->parameters)});
+    ParameterValues values = values_of(entry, find_effect(type)->parameters);
+    if (values.has("file")) values.set("file", (folder / values.text("file")).string());
+    list.push_back({type, std::move(values)});
   }
   return list;
+}
+
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;
+  if (!config.mesh_file.empty()) files.emplace_back("/mesh/file", config.mesh_file);
+  const std::vector<EffectSettings> effects = config.effects();
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (effects[i].values.has("file"))
+      files.emplace_back(fmt::format("/effects/{}/file", i), effects[i].values.text("file"));
+  return files;
 }
 
 std::string identity_text(const RunConfig& config) {

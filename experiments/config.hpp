@@ -31,7 +31,8 @@ struct EffectSettings {
 
 /// One point of a sweep: every value there, only the chosen model's settings kept.
 struct RunConfig {
-  Json resolved;  ///< canonical: equal runs have equal text; holds no name and no description
+  Json resolved;                 ///< canonical: equal runs have equal text; holds no name and no description
+  std::filesystem::path folder;  ///< the config's: files are relative to it; empty if it came from text
   std::filesystem::path mesh_file;  ///< /mesh/file as a path from here; empty: the mesh is generated
   /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
   /// setting of another bending model, for example).
@@ -40,9 +41,12 @@ struct RunConfig {
   /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …), typed.
   ParameterValues section(std::string_view pointer) const;
   std::string bending_model() const;
-  ParameterValues bending_parameters() const;  ///< of the chosen model
-  std::vector<EffectSettings> effects() const;
+  ParameterValues bending_parameters() const;   ///< of the chosen model
+  std::vector<EffectSettings> effects() const;  ///< a `file` as a path from here
 };
+
+/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects' files.
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
 
 /// The part of a resolved config that decides the result: canonical text without /solver/threads (any number
 /// of threads gives the same bits).

@@ -26,11 +26,11 @@ std::string hex_hash(const std::string& text) {
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-std::string file_bytes(const std::filesystem::path& file) {
+std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
-    throw RunFileError(fmt::format(
-        "{}: the mesh file cannot be read; check /mesh/file and the file's permissions", file.string()));
+    throw RunFileError(fmt::format("{}: the mesh file cannot be read; check {} and the file's permissions",
+                                   file.string(), pointer));
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
@@ -232,7 +232,7 @@ void make_folder(const std::filesystem::path& folder) {
 
 std::string run_id(const RunConfig& config) {
   std::string identity = identity_text(config) + std::string(build_info().source_hash);
-  if (!config.mesh_file.empty()) identity += file_bytes(config.mesh_file);
+  for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
   return hex_hash(identity);
 }
 

@@ -48,12 +48,16 @@ TriangleMesh generated_mesh(const ParameterValues& mesh) {
   }
 }
 
+[[noreturn]] void rethrow(const MeshFileError& error) {
+  if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+  throw RunFileError(error.what());
+}
+
 TriangleMesh mesh_from_file(const std::filesystem::path& file, std::vector<std::string>& notes) {
   try {
     return read_mesh(file, &notes);
   } catch (const MeshFileError& error) {
-    if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
-    throw RunFileError(error.what());
+    rethrow(error);
   }
 }
 
@@ -187,6 +191,8 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   try {
     passes = find_effect(settings.type)
                  ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  } catch (const MeshFileError& error) {
+    rethrow(error);
   } catch (const std::invalid_argument& error) {
     throw ConfigError(settings.type, {{fmt::format("/effects/{}", index), error.what()}});
   }

@@ -1,9 +1,14 @@
 // Effects where they work: the time of an effect's passes in the steps of a cloth, from 10³ to 10⁶ vertices.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <array>
 #include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <memory>
+#include <numbers>
 #include <stdexcept>
 
 #include "experiments/bench/families.hpp"
@@ -20,9 +25,14 @@ constexpr int warm_up_steps = 20;
 struct EffectScene {
   std::string_view effect, settings;  ///< its type, and its further settings as JSON
   std::string_view scene;             ///< what the scene has besides, as JSON
+  std::string_view before = "";       ///< effects that are listed before it, as JSON
 };
 
 constexpr std::string_view pinned_corner = R"("pins": {"vertices": ["upper_right"], "ring": 1})";
+
+// Over what pokes into it from below, so that it stays in touch.
+constexpr std::string_view pinned_sides = R"("pins": {"vertices": ["left", "right"]})";
+constexpr std::string_view no_pins = R"("pins": {"vertices": []})";
 
 constexpr std::array scenes = {
     EffectScene{"gravity", R"("acceleration": [0, 0, -9.81])", pinned_corner},
@@ -33,16 +43,59 @@ constexpr std::array scenes = {
     EffectScene{"wind", R"("velocity": [0, 5, 0])", pinned_corner},
     EffectScene{"moving_pins", R"("times": [0, 1e5], "offsets": [0, 0, 0, 1e3, 0, 0])", pinned_corner},
     EffectScene{"strain_limiting", R"("min": 0.99, "max": 1.01)", pinned_corner},
+    EffectScene{"plane", R"("point": [0, 0, -0.1])", no_pins},
+    EffectScene{"sphere", R"("centre": [0, 0, -0.25], "radius": 0.3)", pinned_sides},
+    EffectScene{"capsule", R"("a": [0, -0.5, -0.15], "b": [0, 0.5, -0.15], "radius": 0.2)", pinned_sides},
+    EffectScene{"disc", R"("centre": [0, 0, -0.1], "radius": 0.3)", no_pins},
+    EffectScene{"mesh_obstacle", R"("scale": 0.3, "offset": [0, 0, -0.25])", pinned_sides},
+    EffectScene{"friction", R"("static": 0.5, "kinetic": 0.4)", no_pins,
+                R"({"type": "plane", "point": [0, 0, -0.1]}, )"},
+    EffectScene{"self_collision", R"("thickness": 0.001)", pinned_corner},
+};
+
+/// A ball of 512 triangles around the origin, of radius 1, as a mesh file; removed at the end.
+class BallFile {
+ public:
+  BallFile() {
+    constexpr int rings = 16, around = 17;
+    std::ofstream stream(path);
+    stream << "v 0 0 1\n";
+    for (int r = 1; r < rings; ++r)
+      for (int a = 0; a < around; ++a) {
+        const double polar = std::numbers::pi * r / rings, turn = 2 * std::numbers::pi * a / around;
+        stream << fmt::format("v {} {} {}\n", std::sin(polar) * std::cos(turn),
+                              std::sin(polar) * std::sin(turn), std::cos(polar));
+      }
+    stream << "v 0 0 -1\n";
+    const auto vertex = [](int r, int a) { return 2 + (r - 1) * around + a % around; };
+    const int last = 2 + (rings - 1) * around;
+    for (int a = 0; a < around; ++a) {
+      stream << fmt::format("f 1 {} {}\n", vertex(1, a), vertex(1, a + 1));
+      for (int r = 1; r + 1 < rings; ++r)
+        stream << fmt::format("f {} {} {}\nf {} {} {}\n", vertex(r, a), vertex(r + 1, a),
+                              vertex(r + 1, a + 1), vertex(r, a), vertex(r + 1, a + 1), vertex(r, a + 1));
+      stream << fmt::format("f {} {} {}\n", last, vertex(rings - 1, a + 1), vertex(rings - 1, a));
+    }
+  }
+  ~BallFile() { std::filesystem::remove(path); }
+  BallFile(const BallFile&) = delete;
+  BallFile& operator=(const BallFile&) = delete;
+
+  const std::filesystem::path path =
+      std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
 /// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.
-RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar) {
+RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar, const BallFile& ball) {
   const std::string gravity = scene.effect == "gravity" ? "" : R"({"type": "gravity"}, )";
+  const std::string file =
+      scene.effect == "mesh_obstacle" ? fmt::format(R"("file": "{}", )", ball.path.string()) : "";
   const std::string text = fmt::format(
       R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
-          "effects": [{}{{"type": "{}", {}}}], "initial": {{"perturbation": 1e-6}},
+          "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{"perturbation": 1e-6}},
           "solver": {{"precision": "{}"}}}})",
-      cells, scene.scene, gravity, scene.effect, scene.settings, scalar == "float" ? "single" : "double");
+      cells, scene.scene, gravity, scene.before, scene.effect, file, scene.settings,
+      scalar == "float" ? "single" : "double");
   return parse_experiment(text, "bench").runs.front();
 }
 
@@ -87,7 +140,8 @@ class CloseWatch {
 
 BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
                  const BenchOptions& options) {
-  CloseWatch cloth(config_of(scene, cells, scalar), scene.effect);
+  const BallFile ball;
+  CloseWatch cloth(config_of(scene, cells, scalar, ball), scene.effect);
   BenchRow row{.name = fmt::format("effect/{}/{}", scene.effect, cells),
                .scalar = scalar,
                .vertices = cloth.vertices,

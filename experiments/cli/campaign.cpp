@@ -58,9 +58,10 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunConfig& config = *runs[i].config;
-    const std::string what_names_the_file =
-        fmt::format("{}\n{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]),
-                    config.mesh_file.string(), identity_text(config));
+    std::string what_names_the_file =
+        fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]), identity_text(config));
+    for (const auto& [pointer, path] : input_files(config))
+      what_names_the_file += fmt::format("\n{}", path.string());
     result.push_back(first.try_emplace(what_names_the_file, i).first->second);
   }
   return result;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "experiments/run.hpp"
+#include "experiments/scene.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;
@@ -215,6 +217,34 @@ TEST_CASE("config: a mesh file is looked for beside the config") {
                         Catch::Matchers::ContainsSubstring("cannot be read"));
   CHECK_THROWS_AS(load_experiment(folder), ConfigError);
   std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("config: an effect's file is looked for beside the config and is part of the run's identity") {
+  const auto folder = std::filesystem::temp_directory_path() / "bendlab-config-effect-test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "file.json")
+      << with(R"("effects": [{"type": "gravity"}, {"type": "mesh_obstacle", "file": "body.obj"}])");
+  const Experiment experiment = load_experiment(folder / "file.json");
+  const RunConfig& run = experiment.runs[0];
+  CHECK(run.resolved["effects"][1]["file"] == "body.obj");  // the same on every machine
+  CHECK(run.effects()[1].values.text("file") == (folder / "body.obj").string());
+  const std::vector<std::pair<std::string, std::filesystem::path>> files = {
+      {"/effects/1/file", folder / "body.obj"}};
+  CHECK(input_files(run) == files);
+  CHECK_THROWS_WITH(run_id(run), Catch::Matchers::ContainsSubstring("/effects/1/file"));
+  std::ofstream(folder / "body.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  const std::string id = run_id(run);
+  CHECK(run_id(run) == id);
+  std::ofstream(folder / "body.obj") << "v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n";
+  CHECK(run_id(run) != id);
+  std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("config: settings of an effect that do not go together name the effect") {
+  const RunConfig run =
+      single_run(with(R"("effects": [{"type": "gravity"}, {"type": "plane", "normal": [0, 0, 0]}])"));
+  CHECK_THROWS_WITH(simulation_of(build_scene(run)), Catch::Matchers::ContainsSubstring("/effects/1") &&
+                                                         Catch::Matchers::ContainsSubstring("zero vector"));
 }
 
 TEST_CASE("config: text that is not JSON is refused with line and column") {

@@ -1,0 +1,134 @@
+// Friction: Coulomb's law where obstacles push the cloth.
+//
+// Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F that of all
+// friction. What is left of the sliding against the surface is cancelled as long as the total |F| stays within
+// μ_s D; where it does not, |F| becomes μ_k D. Sums over the iterations, not each iteration by itself: the first
+// one pushes most, and what strain and bending move afterwards has to stick too (the same as accumulated
+// impulses, Catto 2005, §4.3).
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array parameters = {
+    Parameter{.name = "static",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 0.5,
+              .meaning = "μ_s: up to this times the push, friction lets nothing slide",
+              .minimum = 0},
+    Parameter{.name = "kinetic",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 0.4,
+              .meaning = "μ_k: friction of what slides, per push; never more than stops it",
+              .minimum = 0},
+};
+
+// What obstacles and friction did to a vertex in this substep.
+template <class Real>
+struct Grip {
+  using Vector = Vector3Of<Real>;
+
+  std::size_t vertex;
+  Real pressed = 0;                 // D, m: Σ depth
+  Vector pushed = Vector::Zero();   // Σ depth · normal
+  Vector carried = Vector::Zero();  // Σ depth · carried
+  Vector held = Vector::Zero();     // F, m
+  Vector normal = Vector::Zero();   // of the last push, into which friction moves nothing
+};
+
+template <class Real>
+class Friction {
+ public:
+  Friction(int vertex_count, double at_rest, double sliding)
+      : static_(static_cast<Real>(at_rest)),
+        kinetic_(static_cast<Real>(sliding)),
+        grip_of_(static_cast<std::size_t>(vertex_count), none) {}
+
+  void operator()(PassContext<Real>& context) {
+    if (context.time != time_) start(context.time);
+    for (const Contact<Real>& contact : context.state.contacts) add(contact);
+    context.state.contacts.clear();
+    for (Grip<Real>& grip : grips_) context.acted += hold(context.state, grip);
+  }
+
+ private:
+  using Vector = Vector3Of<Real>;
+  static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+  void start(double time) {
+    for (const Grip<Real>& grip : grips_) grip_of_[grip.vertex] = none;
+    grips_.clear();
+    time_ = time;
+  }
+
+  void add(const Contact<Real>& contact) {
+    std::uint32_t& at = grip_of_[contact.vertex];
+    if (at == none) {
+      at = static_cast<std::uint32_t>(grips_.size());
+      grips_.push_back({contact.vertex});
+    }
+    Grip<Real>& grip = grips_[at];
+    grip.normal = contact.normal;
+    grip.pressed += contact.depth;
+    grip.pushed += contact.depth * contact.normal;
+    grip.carried += contact.depth * contact.carried;
+  }
+
+  bool hold(State<Real>& state, Grip<Real>& grip) const {
+    const Real across = grip.pushed.norm();
+    if (!(across > 0)) return false;  // pushed from both sides alike: there is no tangent
+    const Vector normal = grip.pushed / across;
+    const auto tangential = [&](const Vector& v) -> Vector { return v - normal.dot(v) * normal; };
+    Point<Real>& p = state.position[grip.vertex];
+    const Vector slip =
+        tangential(p.vector() - state.previous[grip.vertex].vector() - grip.carried / grip.pressed);
+    const Vector before = tangential(grip.held);
+    grip.held = before - slip;
+    if (const Real wanted = grip.held.norm(); wanted > static_ * grip.pressed)
+      grip.held *= std::min(Real(1), kinetic_ * grip.pressed / wanted);
+    Vector change = grip.held - before;
+    if (const Real into = change.dot(grip.normal); into < 0) change -= into * grip.normal;
+    grip.held = before + change;
+    p.set(p.vector() + change);
+    return !change.isZero(0);
+  }
+
+  Real static_, kinetic_;
+  double time_ = -1;  // s, of the substep that grips_ belongs to
+  std::vector<std::uint32_t> grip_of_;
+  std::vector<Grip<Real>> grips_;
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  return {{"friction", Stage::contact,
+           Friction<Real>(input.rest.vertex_count(), input.parameters.number("static"),
+                          input.parameters.number("kinetic"))}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect friction{
+    .name = "friction",
+    .summary = "Coulomb friction, static and kinetic, where obstacles push the cloth",
+    .source = "Macklin et al. 2014, §6.1, with sums over the iterations as in Catto 2005, §4.3",
+    .parameters = parameters,
+    .needs_projection = true,
+    .uses_contacts = true,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+    .idle =
+        [](const ParameterValues& values) {
+          return values.number("static") == 0 && values.number("kinetic") == 0;
+        },
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,334 @@
+// Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side it
+// came from).
+//
+// * Vertices go to the nearest point. One asks again only when it has moved by as much as it was away: a
+//   vertex that is far costs a comparison.
+// * A vertex whose way in the substep is long against the thickness, and meets the mesh, is held outside the
+//   plane of the triangle that it met first.
+// * Edges of the cloth against the mesh's ridges, its triangles against the mesh's pointed corners: what lies
+//   near is found once per substep, on the predicted positions.
+//
+// Not covered: edges and triangles are not followed through a substep. One that moves by more than the thickness
+// and half its length in it may cut a corner of the mesh between its vertices.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "bendlab/effects/obstacle.hpp"
+#include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/mesh_surface.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array own_parameters = {
+    Parameter{.name = "file",
+              .type = ParameterType::text,
+              .meaning = "mesh file (.obj, .ply, .off, .stl), relative to the config; its content is part of "
+                         "the run's identity",
+              .required = true},
+    Parameter{.name = "scale",
+              .type = ParameterType::number,
+              .unit = "1",
+              .default_value = 1.0,
+              .meaning = "the file's coordinates are multiplied by it",
+              .minimum = 0,
+              .above = true},
+    Parameter{.name = "offset",
+              .type = ParameterType::numbers,
+              .unit = "m",
+              .default_value = std::span<const double>(obstacle::zero),
+              .meaning = "added to the scaled coordinates",
+              .length = 3},
+};
+
+constexpr auto parameters = joined(own_parameters, obstacle::common_parameters);
+
+std::shared_ptr<const MeshSurface> surface_of(const ParameterValues& values) {
+  TriangleMesh mesh = read_mesh(values.text("file"));
+  mesh.positions *= values.number("scale");
+  mesh.positions.rowwise() += obstacle::vector_of(values, "offset").transpose();
+  return std::make_shared<const MeshSurface>(std::move(mesh));
+}
+
+// Parameters in (0, 1) of the nearest points of two segments, where both lie between the ends.
+std::optional<std::array<double, 2>> nearest_between(const Vector3& a, const Vector3& along, const Vector3& b,
+                                                     const Vector3& other) {
+  const Vector3 apart = a - b;
+  const double aa = along.squaredNorm(), ab = along.dot(other), bb = other.squaredNorm();
+  const double determinant = aa * bb - ab * ab;
+  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: ends see to it
+  const double s = (ab * other.dot(apart) - bb * along.dot(apart)) / determinant;
+  const double u = (aa * other.dot(apart) - ab * along.dot(apart)) / determinant;
+  if (!(s > 0 && s < 1 && u > 0 && u < 1)) return std::nullopt;
+  return std::array{s, u};
+}
+
+// Shared by the two passes of an obstacle. Coordinates are the mesh's: the obstacle stands still in them.
+template <class Real>
+class MeshObstacle {
+ public:
+  explicit MeshObstacle(const EffectInput& input)
+      : surface_(surface_of(input.parameters)),
+        motion_{.velocity = obstacle::vector_of(input.parameters, "velocity")},
+        thickness_(input.parameters.number("thickness")),
+        longest_(obstacle::longest_edge(input.rest)),
+        contacts_used_(input.contacts_used),
+        asked_(static_cast<std::size_t>(input.rest.vertex_count())) {
+    const Positions& corners = surface_->mesh().positions;
+    box_ = {corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose()};
+    for (const auto& t : input.rest.triangles().rowwise())
+      triangles_.push_back({input.place_of(t(0)), input.place_of(t(1)), input.place_of(t(2))});
+    own_edges();
+  }
+
+  // Once per substep, on the predicted positions.
+  void find_near(PassContext<Real>& context) {
+    const obstacle::Step<Real> step(motion_, context);
+    corners_near_.clear(), ridges_near_.clear();
+    if (!any_in_reach(context.state, step)) return;
+    for (std::size_t t = 0; t < triangles_.size(); ++t) find_near_triangle(context.state, step, t);
+  }
+
+  void push_out(PassContext<Real>& context) {
+    const obstacle::Step<Real> step(motion_, context);
+    for (const NearRidge& near : ridges_near_) push_edge(context, step, near);
+    for (const NearCorner& near : corners_near_) push_triangle(context, step, near);
+    for (std::size_t v = 0; v < asked_.size(); ++v) push_vertex(context, step, v);
+  }
+
+ private:
+  using Vector = Vector3Of<Real>;
+  using Step = obstacle::Step<Real>;
+
+  struct Asked {
+    Vector3 at = Vector3::Zero();
+    double distance = 0;  // m, a lower bound of the way to the surface from there
+
+    bool surely_beyond(double reach, const Vector3& x) const {
+      const double left = distance - reach;
+      return left > 0 && (x - at).squaredNorm() < left * left;
+    }
+  };
+  struct NearCorner {
+    std::size_t triangle;
+    int corner;
+  };
+  struct NearRidge {
+    std::array<std::size_t, 2> edge;
+    int ridge;
+  };
+  struct Push {
+    Vector3 normal;
+    double depth;
+  };
+
+  // Every edge belongs to the first of its triangles.
+  void own_edges() {
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;  // places, 3 · triangle + side
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      for (std::size_t i = 0; i < 3; ++i) {
+        std::array ends = {triangles_[t][i], triangles_[t][(i + 1) % 3]};
+        std::ranges::sort(ends);
+        edges.emplace_back(ends, 3 * t + i);
+      }
+    std::ranges::sort(edges);
+    owned_.assign(3 * triangles_.size(), 0);
+    for (std::size_t e = 0; e < edges.size(); ++e)
+      if (e == 0 || edges[e].first != edges[e - 1].first) owned_[edges[e].second] = 1;
+  }
+
+  static Vector3 now(const State<Real>& state, const Step& step, std::size_t v) {
+    return state.position[v].vector().template cast<double>() - step.shift();
+  }
+  static Vector3 before(const State<Real>& state, const Step& step, std::size_t v) {
+    return Vector(state.previous[v].vector() + step.advance()).template cast<double>() - step.shift();
+  }
+
+  double distance_to_box(const Vector3& x) const { return box_.exteriorDistance(x); }
+
+  // A triangle's point is no farther from a corner than its longest side.
+  bool any_in_reach(const State<Real>& state, const Step& step) const {
+    double way = 0;
+    for (std::size_t v = 0; v < asked_.size(); ++v)
+      way = std::max(way, (now(state, step, v) - before(state, step, v)).squaredNorm());
+    const double reach = thickness_ + std::sqrt(way) + longest_;
+    for (std::size_t v = 0; v < asked_.size(); ++v)
+      if (!asked_[v].surely_beyond(reach, now(state, step, v))) return true;
+    return false;
+  }
+
+  void find_near_triangle(const State<Real>& state, const Step& step, std::size_t t) {
+    const std::array<std::size_t, 3>& vertices = triangles_[t];
+    std::array<Vector3, 3> x;
+    double reach = thickness_, side = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      x[i] = now(state, step, vertices[i]);
+      reach = std::max(reach, thickness_ + (x[i] - before(state, step, vertices[i])).norm());
+      side = std::max(side, (x[i] - x[0]).norm());
+    }
+    if (asked_[vertices[0]].surely_beyond(reach + side, x[0])) return;
+    const auto [low, high] = bounds(x, reach);
+    if ((low.array() > box_.max().array()).any() || (high.array() < box_.min().array()).any()) return;
+    found_.clear();
+    surface_->triangles_in_box(low, high, found_);
+    add_features(t, x, reach);
+  }
+
+  template <std::size_t count>
+  static std::pair<Vector3, Vector3> bounds(const std::array<Vector3, count>& x, double reach) {
+    Vector3 low = x[0], high = x[0];
+    for (const Vector3& corner : x) low = low.cwiseMin(corner), high = high.cwiseMax(corner);
+    return {low.array() - reach, high.array() + reach};
+  }
+
+  void add_features(std::size_t t, const std::array<Vector3, 3>& x, double reach) {
+    corners_.clear(), ridges_.clear();
+    for (const int face : found_)
+      for (int i = 0; i < 3; ++i) {
+        if (const int ridge = surface_->ridges_of(face)[static_cast<std::size_t>(i)]; ridge >= 0)
+          ridges_.push_back(ridge);
+        if (const int corner = surface_->mesh().triangles(face, i); surface_->is_pointed(corner))
+          corners_.push_back(corner);
+      }
+    for (std::vector<int>* list : {&corners_, &ridges_}) {
+      std::ranges::sort(*list);
+      list->erase(std::ranges::unique(*list).begin(), list->end());
+    }
+    const auto [low, high] = bounds(x, reach);
+    for (const int corner : corners_)
+      if (const Vector3 c = surface_->corner(corner);
+          (c.array() >= low.array()).all() && (c.array() <= high.array()).all())
+        corners_near_.push_back({t, corner});
+    for (std::size_t i = 0; i < 3; ++i)
+      if (owned_[3 * t + i])
+        add_ridges({triangles_[t][i], triangles_[t][(i + 1) % 3]}, {x[i], x[(i + 1) % 3]}, reach);
+  }
+
+  void add_ridges(const std::array<std::size_t, 2>& edge, const std::array<Vector3, 2>& x, double reach) {
+    const auto [low, high] = bounds(x, reach);
+    for (const int ridge : ridges_) {
+      const std::array<int, 2>& ends = surface_->ridges()[static_cast<std::size_t>(ridge)].corners;
+      const auto [from, to] = bounds(std::array{surface_->corner(ends[0]), surface_->corner(ends[1])}, 0);
+      if ((from.array() <= high.array()).all() && (to.array() >= low.array()).all())
+        ridges_near_.push_back({edge, ridge});
+    }
+  }
+
+  // How a point of the cloth goes out whose nearest feature of the mesh, of mean normal `normal`, is `offset`
+  // away. Nothing where it is far enough.
+  std::optional<Push> way_out(const Vector3& x, const Vector3& from, const Vector3& offset,
+                              const Vector3& normal) const {
+    const double distance = offset.norm();
+    if (!surface_->closed()) {
+      if (const auto crossed = surface_->first_crossing(from, x))
+        return Push{crossed->normal, thickness_ - crossed->normal.dot(x - crossed->point)};
+    } else if (offset.dot(normal) < 0) {
+      if (const MeshSurface::Nearest nearest = surface_->nearest(x); nearest.inside)
+        return Push{(nearest.point - x) / nearest.distance, thickness_ + nearest.distance};
+    }
+    if (distance >= thickness_) return std::nullopt;
+    return Push{distance > 0 ? Vector3(offset / distance) : normal, thickness_ - distance};
+  }
+
+  void push_edge(PassContext<Real>& context, const Step& step, const NearRidge& near) const {
+    const MeshSurface::Ridge& ridge = surface_->ridges()[static_cast<std::size_t>(near.ridge)];
+    const State<Real>& state = context.state;
+    const Vector3 a = now(state, step, near.edge[0]), along = now(state, step, near.edge[1]) - a;
+    const Vector3 b = surface_->corner(ridge.corners[0]), other = surface_->corner(ridge.corners[1]) - b;
+    const auto nearest = nearest_between(a, along, b, other);
+    if (!nearest) return;
+    const auto [s, u] = *nearest;
+    const Vector3 x = a + s * along;
+    const Vector3 from = (1 - s) * before(state, step, near.edge[0]) + s * before(state, step, near.edge[1]);
+    if (const auto out = way_out(x, from, x - b - u * other, ridge.normal); out && out->depth > 0)
+      obstacle::push_together<Real, 2>(
+          context, step, near.edge, {static_cast<Real>(1 - s), static_cast<Real>(s)},
+          out->normal.template cast<Real>(), static_cast<Real>(out->depth), contacts_used_);
+  }
+
+  void push_triangle(PassContext<Real>& context, const Step& step, const NearCorner& near) const {
+    const std::array<std::size_t, 3>& vertices = triangles_[near.triangle];
+    const State<Real>& state = context.state;
+    const Vector3 corner = surface_->corner(near.corner);
+    const std::array<Vector3, 3> x = {now(state, step, vertices[0]), now(state, step, vertices[1]),
+                                      now(state, step, vertices[2])};
+    const Vector3 w = nearest_weights(corner, x[0], x[1], x[2]);
+    if (!(w.minCoeff() > 0)) return;  // on an edge: ridges and vertices see to it
+    const Vector3 at = w(0) * x[0] + w(1) * x[1] + w(2) * x[2];
+    const Vector3 from = w(0) * before(state, step, vertices[0]) + w(1) * before(state, step, vertices[1]) +
+                         w(2) * before(state, step, vertices[2]);
+    if (const auto out = way_out(at, from, at - corner, surface_->corner_normal(near.corner));
+        out && out->depth > 0)
+      obstacle::push_together<Real, 3>(
+          context, step, vertices,
+          {static_cast<Real>(w(0)), static_cast<Real>(w(1)), static_cast<Real>(w(2))},
+          out->normal.template cast<Real>(), static_cast<Real>(out->depth), contacts_used_);
+  }
+
+  void push_vertex(PassContext<Real>& context, const Step& step, std::size_t v) {
+    if (!(context.state.position[v].w > 0)) return;
+    const Vector3 x = now(context.state, step, v), from = before(context.state, step, v);
+    Asked& asked = asked_[v];
+    if (asked.surely_beyond(thickness_, x) && asked.surely_beyond(0, from)) return;
+    if (const double far = distance_to_box(x); far > thickness_ + (x - from).norm()) {
+      asked = {x, far};
+      return;
+    }
+    const MeshSurface::Nearest nearest = surface_->nearest(x);
+    asked = {x, nearest.inside ? 0 : nearest.distance};
+    const std::optional<Push> out = crossed(x, from, nearest);
+    if (out && out->depth > 0)
+      obstacle::push(context, step, v, Vector(out->normal.template cast<Real>()),
+                     static_cast<Real>(out->depth), contacts_used_);
+  }
+
+  std::optional<Push> crossed(const Vector3& x, const Vector3& from,
+                              const MeshSurface::Nearest& nearest) const {
+    const double way = (x - from).norm();
+    if (way > thickness_ / 2 && nearest.distance < way + thickness_)
+      if (const auto crossing = surface_->first_crossing(from, x);
+          crossing && (crossing->from_front || !surface_->closed()))
+        return Push{crossing->normal, thickness_ - crossing->normal.dot(x - crossing->point)};
+    if (!nearest.inside && nearest.distance >= thickness_) return std::nullopt;
+    const double height = nearest.inside ? -nearest.distance : nearest.distance;
+    const Vector3 normal = nearest.distance > 0 ? Vector3((x - nearest.point) / height) : nearest.normal;
+    return Push{normal, thickness_ - height};
+  }
+
+  std::shared_ptr<const MeshSurface> surface_;
+  obstacle::Motion motion_;
+  double thickness_, longest_;  // m; the longest edge of the cloth
+  bool contacts_used_;
+  Eigen::AlignedBox3d box_;
+  std::vector<Asked> asked_;  // #V
+  std::vector<std::array<std::size_t, 3>> triangles_;
+  std::vector<char> owned_;  // 3 #T
+  std::vector<NearCorner> corners_near_;
+  std::vector<NearRidge> ridges_near_;
+  std::vector<int> found_, corners_, ridges_;  // of the triangle that is being looked at
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const EffectInput& input) {
+  const auto obstacle = std::make_shared<MeshObstacle<Real>>(input);
+  return {{"mesh_obstacle", Stage::predicted, [obstacle](PassContext<Real>& c) { obstacle->find_near(c); }},
+          {"mesh_obstacle", Stage::project, [obstacle](PassContext<Real>& c) { obstacle->push_out(c); }}};
+}
+
+}  // namespace
+
+namespace effect {
+extern const Effect mesh_obstacle{
+    .name = "mesh_obstacle",
+    .summary = "an obstacle: a triangle mesh from a file, closed or open",
+    .source = "nearest points by CGAL's AABB tree, their side by Bærentzen & Aanæs 2005",
+    .parameters = parameters,
+    .needs_projection = true,
+    .repeatable = true,
+    .compile_float = compile<float>,
+    .compile_double = compile<double>,
+};
+}  // namespace effect
+}  // namespace bendlab

@@ -1,0 +1,131 @@
+// What obstacles share: the settings of all, how they move, and how vertices are pushed out of one.
+#pragma once
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "bendlab/effects/effect.hpp"
+
+namespace bendlab::obstacle {
+
+inline constexpr std::array<double, 3> zero = {0, 0, 0}, up = {0, 0, 1};
+
+inline constexpr std::array common_parameters = {
+    Parameter{.name = "thickness",
+              .type = ParameterType::number,
+              .unit = "m",
+              .default_value = 0.005,
+              .meaning = "distance that the cloth keeps from the surface",
+              .minimum = 0,
+              .above = true},
+    Parameter{.name = "velocity",
+              .type = ParameterType::numbers,
+              .unit = "m/s",
+              .default_value = std::span<const double>(zero),
+              .meaning = "of the obstacle, which stands where its settings say at time 0",
+              .length = 3},
+};
+
+inline constexpr std::array spin_parameter = {
+    Parameter{
+        .name = "spin",
+        .type = ParameterType::number,
+        .unit = "rad/s",
+        .default_value = 0.0,
+        .meaning = "about the axis, counter-clockwise seen from its tip: carries the cloth by friction"},
+};
+
+inline Vector3 vector_of(const ParameterValues& values, std::string_view name) {
+  const std::vector<double>& v = values.numbers(name);
+  return {v[0], v[1], v[2]};
+}
+
+/// The setting as a unit vector. Throws std::invalid_argument where it is zero.
+inline Vector3 direction_of(const ParameterValues& values, std::string_view name) {
+  const Vector3 v = vector_of(values, name);
+  if (!(v.norm() > 0))
+    throw std::invalid_argument(std::string(name) +
+                                " is the zero vector, which has no direction; give it a length");
+  return v.normalized();
+}
+
+/// The longest edge that obstacles reckon with, m: cloth stretched beyond this may be missed between vertices.
+inline double longest_edge(const RestMesh& rest) {
+  constexpr double largest_stretch = 1.5;
+  double longest = 0;
+  for (const auto& e : rest.edges().rowwise())
+    longest = std::max(longest, (rest.position(e(0)) - rest.position(e(1))).norm());
+  return largest_stretch * longest;
+}
+
+/// A steady motion: a velocity, and a spin about an axis through a point that moves along.
+struct Motion {
+  Vector3 velocity = Vector3::Zero();  ///< m/s
+  Vector3 pivot = Vector3::Zero();     ///< m, in the world at time 0
+  Vector3 axis = Vector3::UnitZ();     ///< unit
+  double spin = 0;                     ///< rad/s
+};
+
+/// An obstacle's motion over one substep, in the state's coordinates.
+template <class Real>
+class Step {
+ public:
+  using Vector = Vector3Of<Real>;
+
+  Step(const Motion& motion, const PassContext<Real>& context) {
+    const double h = static_cast<double>(context.substep), turn = h * motion.spin;
+    shift_ = (context.time + h) * motion.velocity - context.state.origin;
+    advance_ = (h * motion.velocity).template cast<Real>();
+    pivot_ = (motion.pivot + shift_ - h * motion.velocity).template cast<Real>();
+    axis_ = motion.axis.template cast<Real>();
+    sine_ = static_cast<Real>(std::sin(turn)), versine_ = static_cast<Real>(1 - std::cos(turn));
+  }
+
+  /// From where a point of the obstacle is in the world at time 0 to the end of the substep; without spin.
+  const Vector3& shift() const { return shift_; }
+  /// How far the velocity takes it.
+  const Vector& advance() const { return advance_; }
+
+  /// How far the obstacle takes what is at `start` at the start of the substep: R(ωh) about the pivot, and on.
+  Vector carried(const Vector& start) const {
+    const Vector turned = axis_.cross(Vector(start - pivot_));
+    return advance_ + sine_ * turned + versine_ * axis_.cross(turned);
+  }
+
+ private:
+  Vector3 shift_;
+  Vector advance_, pivot_, axis_;  // the pivot at the start of the substep
+  Real sine_, versine_;
+};
+
+/// Moves a vertex by `depth` along the unit `normal`, at `point`; a contact where those are used.
+template <class Real>
+void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex,
+          const Vector3Of<Real>& normal, Real depth, bool contacts_used) {
+  Point<Real>& p = context.state.position[vertex];
+  p.set(p.vector() + depth * normal);
+  ++context.acted;
+  if (contacts_used)
+    context.state.contacts.push_back(
+        {vertex, normal, depth, step.carried(context.state.previous[vertex].vector())});
+}
+
+/// Moves points of the cloth Σ weight·vertex by `depth` along `normal`, by a push of each free vertex in
+/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives.
+template <class Real, std::size_t corners>
+void push_together(PassContext<Real>& context, const Step<Real>& step,
+                   const std::array<std::size_t, corners>& vertices, const std::array<Real, corners>& weights,
+                   const Vector3Of<Real>& normal, Real depth, bool contacts_used) {
+  Real yielding = 0;
+  for (std::size_t i = 0; i < corners; ++i)
+    yielding += weights[i] * weights[i] * context.state.position[vertices[i]].w;
+  if (!(yielding > 0)) return;
+  for (std::size_t i = 0; i < corners; ++i)
+    if (const Real part = weights[i] * context.state.position[vertices[i]].w / yielding; part > 0)
+      push(context, step, vertices[i], normal, part * depth, contacts_used);
+}
+
+}  // namespace bendlab::obstacle

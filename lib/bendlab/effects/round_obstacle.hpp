@@ -1,0 +1,190 @@
+// Obstacles that are all points within a radius of a convex core: a ball about a point, a capsule about a
+// segment, a round table top about a flat disc. The distance to the core is a convex function along every
+// line, which makes each of the searches below short:
+//
+// * vertices: within radius + thickness of the core → out along the direction from the core;
+// * fast vertices (a substep's way longer than the radius, so that the nearest way out may be the wrong one):
+//   along the way to where they enter, and then held outside the tangent plane there;
+// * edges between vertices that are outside may still cut through: the lowest point of an edge by Kelley's
+//   cutting planes. Where both ends are R = radius + thickness away from the core, so they are from the core's
+//   point nearest to the edge: the middle of an edge of length l is √(R² - l²/4) away at least, and the inside of
+//   a triangle √(R² - l²/3). That is outside the radius if l² <= 3 t (2 radius + t): then edges and triangles
+//   are not looked at;
+// * a ball or a capsule's end may come through a triangle between its edges: the core's tips against
+//   triangles.
+//
+// Not covered: edges and triangles are not followed through a substep. One that moves by more than
+// radius + thickness in it may pass the core between its vertices: h < (radius + thickness) / speed.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "bendlab/effects/obstacle.hpp"
+
+namespace bendlab::obstacle {
+
+/// A push of an edge or triangle is worth its search only above this fraction of the thickness.
+inline constexpr double tolerance = 1e-3;
+
+// Core<Real>: nearest(x), the core's point nearest to x; away(), a unit vector that leads away from any point
+// of the core; tips, its extremal points where there are finitely many; moved<To>(shift).
+
+template <class Real, template <class> class Core>
+class RoundObstacle {
+ public:
+  using Vector = Vector3Of<Real>;
+
+  RoundObstacle(const EffectInput& input, Core<double> core, double radius, Motion motion)
+      : core_(std::move(core)),
+        motion_(std::move(motion)),
+        radius_(static_cast<Real>(radius)),
+        reach_(static_cast<Real>(radius + input.parameters.number("thickness"))),
+        slack_(static_cast<Real>(tolerance * input.parameters.number("thickness"))),
+        contacts_used_(input.contacts_used) {
+    const double longest = longest_edge(input.rest), t = input.parameters.number("thickness");
+    if (longest * longest <= 3 * t * (2 * radius + t)) return;
+    near_ = static_cast<Real>(t + longest / std::sqrt(3.0));
+    clearance_.resize(static_cast<std::size_t>(input.rest.vertex_count()));
+    const auto place = [&](int v) { return input.place_of(v); };
+    for (const auto& e : input.rest.edges().rowwise()) edges_.push_back({place(e(0)), place(e(1))});
+    if (core_.tips.empty()) return;
+    for (const auto& t3 : input.rest.triangles().rowwise())
+      triangles_.push_back({place(t3(0)), place(t3(1)), place(t3(2))});
+  }
+
+  void operator()(PassContext<Real>& context) {
+    const Step<Real> step(motion_, context);
+    const auto core = core_.template moved<Real>(step.shift());
+    if (!edges_.empty()) {
+      if (!any_near(context.state, step, core)) return;
+      for (const auto& edge : edges_)
+        if (all_near(edge)) push_edge(context, step, core, edge);
+      for (const auto& triangle : triangles_)
+        if (all_near(triangle))
+          for (const Vector& tip : core.tips) push_triangle(context, step, tip, triangle);
+    }
+    for (std::size_t v = 0; v < static_cast<std::size_t>(context.state.vertex_count); ++v)
+      push_vertex(context, step, core, v);
+  }
+
+ private:
+  // Distances to the surface, for edges and triangles to ask; whether any vertex is near or fast.
+  bool any_near(const State<Real>& state, const Step<Real>& step, const Core<Real>& core) {
+    bool any = false;
+    for (std::size_t v = 0; v < clearance_.size(); ++v) {
+      const Vector p = state.position[v].vector();
+      clearance_[v] = (p - core.nearest(p)).norm() - radius_;
+      const Real way = (p - state.previous[v].vector() - step.advance()).squaredNorm();
+      any |= clearance_[v] < near_ || way > radius_ * radius_;
+    }
+    return any;
+  }
+
+  template <std::size_t corners>
+  bool all_near(const std::array<std::size_t, corners>& vertices) const {
+    return std::ranges::all_of(vertices, [&](std::size_t v) { return clearance_[v] < 2 * near_; }) &&
+           std::ranges::any_of(vertices, [&](std::size_t v) { return clearance_[v] < near_; });
+  }
+
+  void push_vertex(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core,
+                   std::size_t v) const {
+    const Point<Real>& point = context.state.position[v];
+    if (!(point.w > 0)) return;
+    const Vector p = point.vector(), from = context.state.previous[v].vector() + step.advance();
+    if ((p - from).squaredNorm() > radius_ * radius_) push_fast(context, step, core, v, from);
+    const Vector at = point.vector(), offset = at - core.nearest(at);
+    const Real squared = offset.squaredNorm();
+    if (!(squared < reach_ * reach_)) return;
+    const Real distance = std::sqrt(squared);
+    push(context, step, v, distance > 0 ? Vector(offset / distance) : core.away(), reach_ - distance,
+         contacts_used_);
+  }
+
+  // Where the way from outside enters, by Newton's method on the distance, which is convex along it: a tangent
+  // stays below, so no step passes the surface, and once the distance grows the way has missed it.
+  void push_fast(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core, std::size_t v,
+                 const Vector& from) const {
+    constexpr int most_steps = 32;  // quadratic; where it grazes, a step quarters the height
+    const Vector to = context.state.position[v].vector(), way = to - from;
+    Real s = 0;
+    for (int i = 0; i < most_steps && s <= 1; ++i) {
+      const Vector at = from + s * way, offset = at - core.nearest(at);
+      const Real distance = offset.norm(), height = distance - reach_, slope = offset.dot(way) / distance;
+      if (distance <= radius_ || slope >= 0) return;  // inside from the start, or leading away
+      if (height <= slack_) {
+        const Vector normal = offset / distance;
+        if (const Real depth = -height - (to - at).dot(normal); depth > 0)
+          push(context, step, v, normal, depth, contacts_used_);
+        return;
+      }
+      s -= height / slope;
+    }
+  }
+
+  void push_edge(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core,
+                 const std::array<std::size_t, 2>& edge) const {
+    const Vector a = context.state.position[edge[0]].vector(),
+                 along = context.state.position[edge[1]].vector() - a;
+    struct Tangent {
+      Real s, height, slope;
+    };
+    Vector normal;
+    const auto tangent_at = [&](Real s) -> Tangent {
+      const Vector x = a + s * along, offset = x - core.nearest(x);
+      const Real distance = offset.norm();
+      normal = distance > 0 ? Vector(offset / distance) : Vector(Vector::Zero());
+      return {s, distance, normal.dot(along)};
+    };
+    Tangent low = tangent_at(0), high = tangent_at(1);
+    if (low.slope >= 0 || high.slope <= 0) return;  // an end is the lowest
+    constexpr int most_cuts = 12;
+    for (int i = 0; i < most_cuts; ++i) {
+      const Real s =
+          (high.height - low.height + low.slope * low.s - high.slope * high.s) / (low.slope - high.slope);
+      const Real bound = low.height + low.slope * (s - low.s);
+      if (bound >= reach_ - slack_) return;
+      if (!(s > low.s && s < high.s)) break;
+      const Tangent middle = tangent_at(s);
+      if (middle.height - bound < slack_ || i + 1 == most_cuts) {
+        if (middle.height < reach_ && middle.height > 0)
+          push_together<Real, 2>(context, step, edge, {1 - s, s}, normal, reach_ - middle.height,
+                                 contacts_used_);
+        return;
+      }
+      (middle.slope < 0 ? low : high) = middle;
+    }
+  }
+
+  // The side is that from which the triangle came.
+  void push_triangle(PassContext<Real>& context, const Step<Real>& step, const Vector& tip,
+                     const std::array<std::size_t, 3>& triangle) const {
+    const auto corners_in = [&](const Points<Real>& points) {
+      return std::array{points[triangle[0]].vector(), points[triangle[1]].vector(),
+                        points[triangle[2]].vector()};
+    };
+    const auto [a, b, c] = corners_in(context.state.position);
+    const Vector u = b - a, v = c - a, cross = u.cross(v), to_tip = tip - a;
+    const Real squared = cross.squaredNorm();
+    if (!(squared > 0)) return;
+    const Real of_b = to_tip.cross(v).dot(cross) / squared, of_c = u.cross(to_tip).dot(cross) / squared;
+    const Real of_a = 1 - of_b - of_c;
+    if (!(of_a > 0 && of_b > 0 && of_c > 0)) return;
+    const auto [a0, b0, c0] = corners_in(context.state.previous);
+    const Vector before = of_a * a0 + of_b * b0 + of_c * c0 + step.advance() - tip;
+    Vector normal = cross / std::sqrt(squared);
+    if (before.dot(normal) < 0) normal = -normal;
+    if (const Real depth = reach_ + normal.dot(to_tip); depth > 0)
+      push_together<Real, 3>(context, step, triangle, {of_a, of_b, of_c}, normal, depth, contacts_used_);
+  }
+
+  Core<double> core_;  // in the world, at time 0
+  Motion motion_;
+  Real radius_, reach_, slack_, near_ = 0;
+  bool contacts_used_;
+  std::vector<Real> clearance_;  // #V, m; empty where vertices are enough
+  std::vector<std::array<std::size_t, 2>> edges_;
+  std::vector<std::array<std::size_t, 3>> triangles_;
+};
+
+}  // namespace bendlab::obstacle

@@ -1,0 +1,205 @@
+#include "bendlab/mesh/mesh_surface.hpp"
+
+#include <CGAL/AABB_tree.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed them
+#include <CGAL/AABB_traits_3.h>
+#include <CGAL/AABB_triangle_primitive_3.h>
+#else
+#include <CGAL/AABB_traits.h>
+#include <CGAL/AABB_triangle_primitive.h>
+#endif
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+namespace bendlab {
+namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Point = Kernel::Point_3;
+using Triangle = Kernel::Triangle_3;
+using Iterator = std::vector<Triangle>::const_iterator;
+#if __has_include(<CGAL/AABB_traits_3.h>)
+using Primitive = CGAL::AABB_triangle_primitive_3<Kernel, Iterator>;
+using Traits = CGAL::AABB_traits_3<Kernel, Primitive>;
+#else
+using Primitive = CGAL::AABB_triangle_primitive<Kernel, Iterator>;
+using Traits = CGAL::AABB_traits<Kernel, Primitive>;
+#endif
+
+Point point_of(const Vector3& x) {
+  return {x.x(), x.y(), x.z()};
+}
+
+// An edge bent by less than this (radians) counts as flat: what touches it touches a face.
+constexpr double flat = 0.01;
+
+constexpr int next(int corner) {
+  return (corner + 1) % 3;
+}
+
+}  // namespace
+
+Vector3 nearest_weights(const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c) {
+  const Vector3 ab = b - a, ac = c - a, ax = x - a, bx = x - b, cx = x - c;
+  const double d1 = ab.dot(ax), d2 = ac.dot(ax);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const double d3 = ab.dot(bx), d4 = ac.dot(bx);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double of_c = d1 * d4 - d3 * d2;
+  if (of_c <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const double d5 = ab.dot(cx), d6 = ac.dot(cx);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double of_b = d5 * d2 - d1 * d6;
+  if (of_b <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const double of_a = d3 * d6 - d5 * d4, from_b = d4 - d3, from_c = d5 - d6;
+  if (of_a <= 0 && from_b >= 0 && from_c >= 0)
+    return {0, from_c / (from_b + from_c), from_b / (from_b + from_c)};
+  return Vector3(of_a, of_b, of_c) / (of_a + of_b + of_c);
+}
+
+struct MeshSurface::Tree {
+  std::vector<Triangle> triangles;
+  CGAL::AABB_tree<Traits> tree;
+
+  explicit Tree(const TriangleMesh& mesh) {
+    for (const auto& t : mesh.triangles.rowwise()) {
+      const auto corner = [&](Eigen::Index i) { return point_of(mesh.positions.row(t(i)).transpose()); };
+      triangles.emplace_back(corner(0), corner(1), corner(2));
+    }
+    tree.insert(triangles.cbegin(), triangles.cend());
+    tree.build();
+    tree.accelerate_distance_queries();
+  }
+
+  int index(Iterator triangle) const { return static_cast<int>(triangle - triangles.cbegin()); }
+
+  template <class Query>
+  std::vector<int> intersected(const Query& query) const {
+    std::vector<Iterator> found;
+    tree.all_intersected_primitives(query, std::back_inserter(found));
+    std::vector<int> indices;
+    for (const Iterator& triangle : found) indices.push_back(index(triangle));
+    std::ranges::sort(indices);
+    return indices;
+  }
+};
+
+MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
+  double volume = 0;  // six times; a closed mesh with a negative one has its normals inwards
+  for (const auto& t : mesh_.triangles.rowwise())
+    volume += (corner(t(0)) - corner(0)).dot((corner(t(1)) - corner(0)).cross(corner(t(2)) - corner(0)));
+  std::map<std::pair<int, int>, int> uses;
+  for (const auto& t : mesh_.triangles.rowwise())
+    for (int i = 0; i < 3; ++i) ++uses[std::minmax({t(i), t(next(i))})];
+  for (const auto& [edge, count] : uses) closed_ &= count == 2;
+  if (closed_ && volume < 0) mesh_.triangles.col(1).swap(mesh_.triangles.col(2));
+  find_normals();
+  find_ridges();
+  tree_ = std::make_unique<Tree>(mesh_);
+}
+
+MeshSurface::~MeshSurface() = default;
+
+// Angle-weighted at corners: with these, the sign of (x - nearest) · normal is the side of x.
+void MeshSurface::find_normals() {
+  corner_normals_.assign(static_cast<std::size_t>(mesh_.vertex_count()), Vector3::Zero());
+  std::map<std::pair<int, int>, Vector3> of_edge;
+  for (const auto& t : mesh_.triangles.rowwise()) {
+    const std::array<Vector3, 3> x = {corner(t(0)), corner(t(1)), corner(t(2))};
+    const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
+    face_normals_.push_back(normal);
+    for (std::size_t i = 0; i < 3; ++i) {
+      const Vector3 one = x[(i + 1) % 3] - x[i], other = x[(i + 2) % 3] - x[i];
+      corner_normals_[static_cast<std::size_t>(t(static_cast<Eigen::Index>(i)))] +=
+          std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
+      const int from = t(static_cast<Eigen::Index>(i)), to = t(next(static_cast<int>(i)));
+      of_edge.try_emplace(std::minmax({from, to}), Vector3::Zero()).first->second += normal;
+    }
+  }
+  for (Vector3& normal : corner_normals_) normal.normalize();
+  for (const auto& t : mesh_.triangles.rowwise()) {
+    std::array<Vector3, 3>& normals = edge_normals_.emplace_back();
+    for (int i = 0; i < 3; ++i)
+      normals[static_cast<std::size_t>(i)] = of_edge.at(std::minmax({t(i), t(next(i))})).normalized();
+  }
+}
+
+// Edges bent outwards; of an open mesh, which has no outwards, all that are bent and those on its rim.
+void MeshSurface::find_ridges() {
+  struct Side {
+    int triangle, edge;
+  };
+  std::map<std::pair<int, int>, std::vector<Side>> sides;
+  for (int t = 0; t < mesh_.triangle_count(); ++t)
+    for (int i = 0; i < 3; ++i)
+      sides[std::minmax({mesh_.triangles(t, i), mesh_.triangles(t, next(i))})].push_back({t, i});
+  ridges_of_.assign(static_cast<std::size_t>(mesh_.triangle_count()), {-1, -1, -1});
+  pointed_.assign(static_cast<std::size_t>(mesh_.vertex_count()), 0);
+  for (const auto& [corners, two] : sides) {
+    const auto index = [](int i) { return static_cast<std::size_t>(i); };
+    if (two.size() == 2) {
+      const Vector3 &one = face_normals_[index(two[0].triangle)],
+                    &other = face_normals_[index(two[1].triangle)];
+      const int opposite = mesh_.triangles(two[1].triangle, (two[1].edge + 2) % 3);
+      const bool bent = one.cross(other).norm() > flat || one.dot(other) < 0;
+      const bool concave = one.dot(corner(opposite) - corner(corners.first)) > 0;
+      if (!bent || (closed_ && concave)) continue;
+    }
+    for (const Side& side : two)
+      ridges_of_[index(side.triangle)][index(side.edge)] = static_cast<int>(ridges_.size());
+    ridges_.push_back(
+        {{corners.first, corners.second}, edge_normals_[index(two[0].triangle)][index(two[0].edge)]});
+    pointed_[index(corners.first)] = pointed_[index(corners.second)] = 1;
+  }
+}
+
+MeshSurface::Nearest MeshSurface::nearest(const Vector3& x) const {
+  const int triangle = tree_->index(tree_->tree.closest_point_and_primitive(point_of(x)).second);
+  const auto at = static_cast<std::size_t>(triangle);
+  const std::array<int, 3> corners = {mesh_.triangles(triangle, 0), mesh_.triangles(triangle, 1),
+                                      mesh_.triangles(triangle, 2)};
+  const Vector3 w = nearest_weights(x, corner(corners[0]), corner(corners[1]), corner(corners[2]));
+  Nearest result;
+  result.point = w(0) * corner(corners[0]) + w(1) * corner(corners[1]) + w(2) * corner(corners[2]);
+  result.normal = face_normals_[at];
+  for (int i = 0; i < 3; ++i) {
+    if (w((i + 2) % 3) == 0) result.normal = edge_normals_[at][static_cast<std::size_t>(i)];
+  }
+  for (int i = 0; i < 3; ++i)
+    if (w(i) == 1)
+      result.normal = corner_normals_[static_cast<std::size_t>(corners[static_cast<std::size_t>(i)])];
+  result.distance = (x - result.point).norm();
+  result.inside = closed_ && (x - result.point).dot(result.normal) < 0;
+  return result;
+}
+
+std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& from,
+                                                                 const Vector3& to) const {
+  if (from == to) return std::nullopt;
+  std::optional<Crossing> first;
+  double earliest = 2;
+  for (const int t : tree_->intersected(Kernel::Segment_3(point_of(from), point_of(to)))) {
+    const Vector3& normal = face_normals_[static_cast<std::size_t>(t)];
+    const double height = normal.dot(from - corner(mesh_.triangles(t, 0))), fall = normal.dot(from - to);
+    if (fall == 0) continue;  // along the triangle: others are crossed
+    if (const double s = std::clamp(height / fall, 0.0, 1.0); s < earliest) {
+      earliest = s;
+      first = Crossing{from + s * (to - from), fall > 0 ? normal : Vector3(-normal), fall > 0};
+    }
+  }
+  return first;
+}
+
+void MeshSurface::triangles_in_box(const Vector3& low, const Vector3& high,
+                                   std::vector<int>& triangles) const {
+  const std::vector<int> found =
+      tree_->intersected(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()));
+  triangles.insert(triangles.end(), found.begin(), found.end());
+}
+
+}  // namespace bendlab
