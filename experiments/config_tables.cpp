@@ -214,6 +214,13 @@ constexpr std::array solver = {
 };
 
 constexpr std::array initial = {
+    Parameter{.name = "folds", .type = integer, .unit = "1", .default_value = 0,
+              .meaning = "How many times the rest sheet is folded, to and fro along x, into layers that lie one "
+                         "above the other; its rest shape stays as it is",
+              .minimum = 0, .maximum = 64},
+    Parameter{.name = "fold_gap", .type = number, .unit = "m", .default_value = 0.01,
+              .meaning = "Distance between the layers of the folded sheet",
+              .minimum = 0, .above = true},
     Parameter{.name = "tilt", .type = number, .unit = "degrees", .default_value = 0.0,
               .meaning = "Rotation of the rest sheet about the x axis through its centre; 0 is horizontal, "
                          "gravity is along -z",

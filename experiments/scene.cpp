@@ -126,9 +126,32 @@ double uniform(std::mt19937_64& generator) {
   return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
 }
 
+// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
+Positions folded(const RestMesh& rest, int folds, double gap) {
+  const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
+  const double layer = (width - folds * turn) / (folds + 1);
+  if (layer <= 0)
+    throw ConfigError("initial pose", {{"/initial/fold_gap",
+                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
+                                                    "{:.3g} m wide: fewer folds or a smaller gap",
+                                                    folds, gap, folds * turn, width)}});
+  Positions positions = rest.positions();
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const double along = positions(v, 0) - rest.box_min().x();
+    const int below = std::min(folds, static_cast<int>(along / (layer + turn)));
+    const double within = along - below * (layer + turn);  // its layer, then the turn that follows
+    const double angle = std::max(0.0, within - layer) / (0.5 * gap);
+    const double to_the_right = std::min(within, layer) - 0.5 * layer + 0.5 * gap * std::sin(angle);
+    positions(v, 0) = rest.centre().x() + (below % 2 == 0 ? to_the_right : -to_the_right);
+    positions(v, 2) += below * gap + 0.5 * gap * (1 - std::cos(angle));
+  }
+  return positions;
+}
+
 Positions initial_positions(const ParameterValues& values, const RestMesh& rest, const Pins& pins) {
   const double tilt = values.number("tilt") * std::numbers::pi / 180;
-  Positions positions = rest.positions();
+  const auto folds = static_cast<int>(values.integer("folds"));
+  Positions positions = folds > 0 ? folded(rest, folds, values.number("fold_gap")) : rest.positions();
   if (tilt != 0) {
     const Eigen::Matrix3d rotation = Eigen::AngleAxisd(tilt, Vector3::UnitX()).toRotationMatrix();
     positions = ((positions.rowwise() - rest.centre().transpose()) * rotation.transpose()).rowwise() +

@@ -23,6 +23,7 @@
 // to come apart, as it would shoot apart else.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -50,13 +51,15 @@ constexpr std::array parameters = {
 
 // s: a pair that is nearer than its target comes apart by the target in this time.
 constexpr double recovery_time = 0.02;
-// A pair has met where it is this part of its target or, if less, of its distance at the start apart.
-constexpr double meeting = 0.1;
-// A pair that met is moved back to this part of the same.
+// A pair has met where it is this part of its target apart, or this part of its distance at the start if that is
+// less: what is near already may come nearer by a little only, or it would be lost to rounding after a few substeps.
+constexpr double meeting = 0.05, meeting_of_start = 0.8;
+// A pair that met is moved back to this part of its target, or to its distance at the start.
 constexpr double moved_back = 0.5;
 constexpr int rounds_before_zones = 8;
-// What a vertex may move on before pairs are looked for again, in thicknesses.
-constexpr double margin = 0.5;
+// What a vertex may move before pairs are looked for again: this part of the thickness, and this of the mean edge
+// at most, so that neighbours at rest are no pairs.
+constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 
 // Sets of vertices that move as one.
 class Zones {
@@ -127,12 +130,13 @@ template <class Real>
 class SelfCollision {
  public:
   SelfCollision(const EffectInput& input, double thickness)
-      : thickness_(thickness), near_(input, thickness) {}
+      : margin_(std::min(margin_per_thickness * thickness, margin_per_edge * input.rest.mean_edge_length())),
+        near_(input, thickness) {}
 
   // Stage::project.
   void keep_apart(PassContext<Real>& context) {
     State<Real>& state = context.state;
-    if (!std::exchange(begun_, true)) near_.begin(state, margin * thickness_);
+    if (!std::exchange(begun_, true)) near_.begin(state, margin_);
     const double recovered = std::min(1.0, static_cast<double>(context.substep) / recovery_time);
     const auto move = [&](int place, const Vector3& to) {
       point(state, place).set(to.template cast<Real>());
@@ -157,18 +161,19 @@ class SelfCollision {
     Zones zones;
     bool met_any = true;
     for (int round = 0; met_any; ++round) {
-      if (!near_.cover(state.position)) near_.find(state, meeting, margin * thickness_);
+      if (!near_.cover(state.position)) near_.find(state, meeting, margin_);
       met_any = false;
       for (const NearPair& pair : near_.pairs()) {
         const std::optional<Gap> met = meeting_gap(state, pair, corners_of(pair, state.position));
         if (!met || zones.joined(pair)) continue;
         met_any = true;
         if (round < rounds_before_zones)
-          context.acted += widen(state, pair, *met, moved_back * std::min(pair.target, pair.start), move);
+          context.acted += widen(state, pair, *met, std::min(moved_back * pair.target, pair.start), move);
         else
           zones.join(pair), ++context.acted;
       }
-      for (const std::vector<int>& zone : zones.all()) move_as_one(state, zone, move);
+      if (met_any)  // nothing may move after the last look
+        for (const std::vector<int>& zone : zones.all()) move_as_one(state, zone, move);
     }
     begun_ = false;
   }
@@ -180,7 +185,7 @@ class SelfCollision {
 
   // The gap at which a pair met since the start of the substep; `end` is where it is.
   static std::optional<Gap> meeting_gap(const State<Real>& state, const NearPair& pair, const Corners& end) {
-    const double separation = meeting * std::min(pair.target, pair.start);
+    const double separation = std::min(meeting * pair.target, meeting_of_start * pair.start);
     if (!(separation > 0)) return std::nullopt;
     if (separation_along(pair.normal, pair.pairing, end) >= separation) return std::nullopt;
     return first_contact(pair.pairing, corners_of(pair, state.previous), end, separation);
@@ -214,7 +219,8 @@ class SelfCollision {
     return true;
   }
 
-  // Rigid motion nearest to the members' own, momenta kept; pinned members take the others with them.
+  // Rigid motion with the momenta of the members' own (the angular one to first order in the angle); pinned members
+  // take the others with them.
   template <class Move>
   static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
     double mass = 0;
@@ -244,7 +250,7 @@ class SelfCollision {
     }
   }
 
-  double thickness_;
+  double margin_;  // m
   NearPairs<Real> near_;
   bool begun_ = false;  // this substep
 };

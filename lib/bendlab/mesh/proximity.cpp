@@ -8,6 +8,7 @@ namespace bendlab {
 namespace {
 
 constexpr int most_advances = 64;
+constexpr double surely_kept = 0.9;  // of the separation, by a pair of which no contact is reported
 
 Gap gap_of(const Corners& x, const std::array<double, 4>& weight) {
   return {weight, weight[0] * x[0] + weight[1] * x[1] + weight[2] * x[2] + weight[3] * x[3]};
@@ -65,11 +66,12 @@ double separation_along(const Vector3& normal, Pairing pairing, const Corners& x
 }
 
 // Along the gap's normal the elements' vertices are as far apart as the gap, or farther: until two of them are
-// half of the separation apart, nothing can happen.
+// nearly the separation apart, nothing can happen.
 std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Corners& end,
                                  double separation) {
   const std::size_t second = pairing == Pairing::vertex_triangle ? 1 : 2;
   Corners x = start;
+  const double least = surely_kept * separation;
   double time = 0;
   for (int advance = 0;; ++advance) {
     const Gap gap = shortest_gap(pairing, x);
@@ -80,7 +82,7 @@ std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Co
     for (std::size_t i = 0; i < second; ++i)
       for (std::size_t j = second; j < 4; ++j) {
         const double now = normal.dot(x[i] - x[j]), then = normal.dot(end[i] - end[j]);
-        if (then < 0.5 * separation) part = std::min(part, (now - 0.5 * separation) / (now - then));
+        if (then < least) part = std::min(part, (now - least) / (now - then));
       }
     time += part * (1 - time);
     if (!(part < 1)) return std::nullopt;

@@ -29,7 +29,7 @@ Gap shortest_gap(Pairing pairing, const Corners& x);
 double separation_along(const Vector3& normal, Pairing pairing, const Corners& x);
 
 /// The gap at the first moment found at which it is not longer than `separation`, while all four go
-/// straight from start to end; none where it stays longer than half of that all along. `separation` is
+/// straight from start to end; none where it stays longer than 0.9 of that all along. `separation` is
 /// positive and below the gap at the start. By conservative advancement (Li, Kaufman and Jiang 2021,
 /// Codimensional Incremental Potential Contact, §5): no cubic to solve, so nothing to lose to its rounding.
 /// A pair that stays about that near over a long way counts as one that comes nearer.
