@@ -22,7 +22,9 @@ extern constinit const BendingModel bridson{
     .summary = "bending element: moment ∝ sin(θ/2) - sin(θ0/2) over every interior edge",
     .source = "Bridson et al. 2003, §4, elastic part, as XPBD",
     .limits =
-        "with k its stiffness depends on resolution, iterations and time step; weights from the rest shape, "
+        "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on it "
+        "overshoots "
+        "as dihedral does; weights from the rest shape, "
         "where the paper takes the current one",
     .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
     .parameters = {},

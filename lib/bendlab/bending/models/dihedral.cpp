@@ -34,8 +34,9 @@ extern constinit const BendingModel dihedral{
     .summary = "the angle between two triangles, signed, over every interior edge",
     .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
     .limits =
-        "with k its stiffness depends on resolution, iterations and time step; a fold of more than 180 "
-        "degrees is seen as one to the other side",
+        "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on hinges "
+        "that share vertices overshoot and throw the sheet about; a fold of more than 180 degrees is seen as "
+        "one to the other side",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .parameters = parameters,
     .build = build,
