@@ -109,6 +109,46 @@ TEST_CASE("friction stops what slides and does not turn it back", "[effects][fri
   }
 }
 
+TEST_CASE("what strain moves after the first push sticks too", "[effects][friction]") {
+  // A stretched sheet on a table: without friction its strain pulls it together.
+  const RestMesh rest(delaunay(0.5, 0.5, 10, 3));
+  const auto moved = [&](double friction) {
+    SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
+    input.positions *= 1.01;
+    input.positions.col(2).setConstant(thickness);
+    const Positions start = input.positions;
+    std::vector<Pass<double>> passes = test::effect_passes<double>("gravity");
+    add_effect(passes, "plane", rest, {{"thickness", thickness}});
+    add_effect(passes, "friction", rest, {{"static", friction}, {"kinetic", friction}});
+    const auto simulation = make_simulation<double>(input, std::move(passes));
+    for (int s = 0; s < 10; ++s) REQUIRE(simulation->step());
+    return (simulation->positions() - start).cwiseAbs().maxCoeff();
+  };
+  CHECK(moved(0) > 1e-3);
+  CHECK(moved(100) < 1e-12);  // 100 g holds more than the strain of 1 %: rounding is left
+}
+
+TEST_CASE("friction moves nothing into the surface that pushed last", "[effects][friction]") {
+  const RestMesh rest = test::vertices(1);
+  std::vector<Pass<double>> passes;
+  add_effect(passes, "friction", rest, {{"static", 1.0}, {"kinetic", 1.0}});
+  REQUIRE(passes.size() == 1);
+  State<double> state;
+  state.vertex_count = 1, state.mass = {1};
+  state.position = {{0.003, 0, 0, 1}}, state.previous = {{0, 0, 0, 1}};
+  const Constraints<double> none;
+  PassContext<double> context{state, none, 0.01};
+  // Pushed by a floor, then by a slope at its foot: the way back to where it was is through the slope.
+  state.contacts = {{0, Vector3(0, 0, 1), 0.002, Vector3::Zero()}};
+  passes[0].run(context);
+  CHECK_THAT(state.position[0].x, WithinAbs(0.001, 1e-15));  // by μ D = 2 mm of the 3
+  const Vector3 slope = Vector3(1, 0, 1).normalized(), before = state.position[0].vector();
+  state.contacts = {{0, slope, 0.001, Vector3::Zero()}};
+  passes[0].run(context);
+  CHECK((state.position[0].vector() - before).dot(slope) >= -1e-15);  // rounding
+  CHECK(state.contacts.empty());
+}
+
 TEST_CASE("a turntable carries the cloth around", "[effects][friction]") {
   const RestMesh rest(delaunay(0.3, 0.3, 8, 2));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");

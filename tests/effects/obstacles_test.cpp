@@ -217,6 +217,41 @@ TEST_CASE("obstacles push and never pull, and contacts tell all of it", "[effect
   }
 }
 
+TEST_CASE("what is finer than a triangle does not come through it", "[effects][obstacles]") {
+  // One triangle, 0.4 m wide, comes down on a ball, on a rod's end and on the corner of a cube that stands on
+  // one. Its middle is the only part of it that touches.
+  TriangleMesh one;
+  one.positions.resize(3, 3);
+  one.positions << 0.23, 0, 0, -0.115, 0.2, 0, -0.115, -0.2, 0;
+  one.triangles.resize(1, 3);
+  one.triangles << 0, 1, 2;
+  const RestMesh rest(one);
+  TriangleMesh standing = box({0.02, 0.02, 0.02});
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(Vector3(1, 1, 1), Vector3::UnitZ()).toRotationMatrix();
+  standing.positions = standing.positions * turn.transpose();
+  const MeshFile cube("standing", standing);
+  const std::vector<std::tuple<std::string, Settings, double>> tips = {
+      {"sphere", {{"radius", 0.02}}, 0.02},
+      {"capsule", {{"a", list({0, 0, 0})}, {"b", list({0, 0, -1})}, {"radius", 0.02}}, 0.02},
+      {"mesh_obstacle", {{"file", cube.path.string()}}, 0.02 * std::sqrt(3.0)}};
+  for (auto [name, settings, top] : tips) {
+    INFO(name);
+    SimulationInput input = test::loose(rest);
+    input.positions.col(2).setConstant(top + 2 * thickness);
+    std::vector<Pass<double>> passes = test::effect_passes<double>("gravity");
+    settings.emplace_back("thickness", thickness);
+    add_effect(passes, name, rest, settings);
+    const auto simulation = make_simulation<double>(input, std::move(passes));
+    double lowest = 1;
+    for (int step = 0; step < 30; ++step) {
+      REQUIRE(simulation->step());
+      lowest = std::min(lowest, simulation->positions().col(2).mean());  // of the middle
+    }
+    CHECK_THAT(lowest, WithinAbs(top + thickness, 1e-4 * thickness));  // triangles are projected to rounding
+  }
+}
+
 TEST_CASE("far from every obstacle nothing changes a bit", "[effects][obstacles]") {
   const MeshFile cube("far", box({0.2, 0.2, 0.2}));
   const RestMesh rest(grid(1, 1, 12, 12));

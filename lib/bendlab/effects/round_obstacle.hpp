@@ -76,7 +76,7 @@ class RoundObstacle {
       const Vector p = state.position[v].vector();
       clearance_[v] = (p - core.nearest(p)).norm() - radius_;
       const Real way = (p - state.previous[v].vector() - step.advance()).squaredNorm();
-      any |= clearance_[v] < near_ || way > radius_ * radius_;
+      any |= clearance_[v] < near_ || clearance_[v] * clearance_[v] < way;
     }
     return any;
   }
@@ -92,8 +92,14 @@ class RoundObstacle {
     const Point<Real>& point = context.state.position[v];
     if (!(point.w > 0)) return;
     const Vector p = point.vector(), from = context.state.previous[v].vector() + step.advance();
-    if ((p - from).squaredNorm() > radius_ * radius_) push_fast(context, step, core, v, from);
-    const Vector at = point.vector(), offset = at - core.nearest(at);
+    const Real way = (p - from).squaredNorm();
+    Vector offset = p - core.nearest(p);
+    // √apart < √way + reach is necessary for the way to enter; (a + b)² <= 2 (a² + b²).
+    if (way > radius_ * radius_ && offset.squaredNorm() < 2 * (way + reach_ * reach_)) {
+      push_fast(context, step, core, v, from);
+      const Vector at = point.vector();
+      offset = at - core.nearest(at);
+    }
     const Real squared = offset.squaredNorm();
     if (!(squared < reach_ * reach_)) return;
     const Real distance = std::sqrt(squared);
