@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace bendlab {
@@ -25,8 +27,19 @@ struct RestTriangle {
     const Vector3 u = axis.normalized(), v = normal.cross(u);
     Eigen::Matrix2d q;
     q << u.dot(e1), u.dot(e2), v.dot(e1), v.dot(e2);
-    const Eigen::Matrix2d inverse = q.inverse();
+    Eigen::Matrix2d inverse = q.inverse();
+    for (int column = 0; column < 2; ++column) snap(inverse(0, column), inverse(1, column));
     return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
+  }
+
+  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). Across the opposite edge
+  // a corner's part is zero, and has to be exactly: where that edge is pinned, a projection divides by it.
+  static void snap(double& b, double& c) {
+    constexpr double rounding = 1e-9;  // of the column's largest entry
+    const double limit = rounding * std::max(std::abs(b), std::abs(c));
+    if (std::abs(b) < limit) b = 0;
+    if (std::abs(c) < limit) c = 0;
+    if (std::abs(b + c) < limit) c = -b;
   }
 };
 
