@@ -139,7 +139,7 @@ void NearPairs<Real>::set_boxes(const State<Real>& state) {
     vertex_ways_[v] = {box_about(state.previous[v]), box_about(state.position[v])};
   Box::Corner shared;
   const Eigen::Vector3f middle = Vector3(moved.middle()).cast<float>();
-  shared << middle.array(), 0;
+  shared << middle.x(), middle.y(), middle.z(), 0;
   triangle_ways_.resize(triangles_.size()), boxes_.resize(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     Way& way = triangle_ways_[t] = {};
