@@ -322,16 +322,17 @@ TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effect
 
 TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[effects][self_collision]",
                    float, double) {
-  // Only the last pass, on displacements that throw layers through each other, substep after substep.
-  const RestMesh rest(grid(1, 1, 12, 12));
+  // Only the last pass, on displacements that throw layers through each other, substep after substep. With seed
+  // 10 large zones turn far: one more move after the last look would cross layers in the seventh.
+  const RestMesh rest(grid(1, 1, 16, 16));
   const std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0.1);
   const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+  for (const std::uint64_t seed : {1U, 10U}) {
     std::mt19937_64 random(seed);
     Positions from = accordion(rest, 3, 0.03);
     REQUIRE(self_intersections(from, rest.triangles()).empty());
     auto passes = collision<TestType>(rest);
-    for (int substep = 0; substep < 10; ++substep) {
+    for (int substep = 0; substep < 8; ++substep) {
       Positions to = 0.9 * from;
       for (Eigen::Index v = 0; v < to.rows(); ++v) to.row(v) += test::random_vector(random, 0.04).transpose();
       REQUIRE_FALSE(self_intersections(to, rest.triangles()).empty());

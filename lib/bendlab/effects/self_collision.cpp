@@ -15,12 +15,16 @@
 //   zones).
 //
 // Guaranteed, where the substep starts without an intersection: none at its end, whatever the step, speed
-// and iterations, as long as no two elements that touch both hold pinned vertices that are moved against each other. What
-// is not: the thickness itself, where iterations are few; that a start with intersections is undone (each
-// pair stays on its side); that a triangle does not turn over within its own plane, through a line.
+// and iterations, as long as pins do not push through each other. Not guaranteed: the thickness itself, where
+// iterations are few; that a start with intersections is undone (each pair stays on its side); what other
+// constraints wanted, obstacles included, where the last look moves a vertex; that a triangle does not turn over
+// within its own plane, through a line.
 //
-// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is given time
-// to come apart, as it would shoot apart else.
+// Cost grows about as the number of vertices while layers move less than a few edges against each other in a
+// substep; beyond that the boxes around the ways overlap and it grows faster. Substeps are the remedy.
+//
+// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is given
+// time to come apart, as it would shoot apart else.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -51,14 +55,14 @@ constexpr std::array parameters = {
 
 // s: a pair that is nearer than its target comes apart by the target in this time.
 constexpr double recovery_time = 0.02;
-// A pair has met where it is this part of its target apart, or this part of its distance at the start if that is
-// less: what is near already may come nearer by a little only, or it would be lost to rounding after a few substeps.
+// A pair has met where it is this part of its target apart, or this part of its distance at the start if that
+// is less: what is near already may come nearer by a little only, or rounding would have it after a few substeps.
 constexpr double meeting = 0.05, meeting_of_start = 0.8;
 // A pair that met is moved back to this part of its target, or to its distance at the start.
 constexpr double moved_back = 0.5;
 constexpr int rounds_before_zones = 8;
-// What a vertex may move before pairs are looked for again: this part of the thickness, and this of the mean edge
-// at most, so that neighbours at rest are no pairs.
+// What a vertex may move before pairs are looked for again: this part of the thickness, and this of the mean
+// edge at most, so that neighbours at rest are no pairs.
 constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 
 // Sets of vertices that move as one.
@@ -219,8 +223,8 @@ class SelfCollision {
     return true;
   }
 
-  // Rigid motion with the momenta of the members' own (the angular one to first order in the angle); pinned members
-  // take the others with them.
+  // Rigid motion with the momenta of the members' own (the angular one to first order in the angle); pinned
+  // members take the others with them.
   template <class Move>
   static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
     double mass = 0;
