@@ -16,8 +16,8 @@ using Catch::Matchers::WithinRel;
 }  // namespace
 
 TEST_CASE("on a flat convex sheet the geodesic is the straight line", "[mesh]") {
-  for (const TriangleMesh& mesh : {grid(2, 1, 20, 10), grid(1, 1, 9, 9, Diagonal::both),
-                                   delaunay(1, 1, 20, 3), disc(0.5, 8)}) {
+  for (const TriangleMesh& mesh :
+       {grid(2, 1, 20, 10), grid(1, 1, 9, 9, Diagonal::both), delaunay(1, 1, 20, 3), disc(0.5, 8)}) {
     const RestMesh rest(mesh);
     for (const int source : {0, rest.vertex_count() / 2}) {
       const GeodesicDistances geodesic = geodesic_distances(rest, std::array{source});
