@@ -66,7 +66,7 @@ TEMPLATE_TEST_CASE("a sliding sheet accelerates by g (sin θ - μ cos θ)", "[ef
     const auto simulation =
         on_incline<TestType>(rest, angle, {{"static", 1.2 * mu}, {"kinetic", mu}}, iterations, substeps);
     for (int s = 0; s < 60; ++s) REQUIRE(simulation->step());
-    // Symplectic Euler's velocity is exact under a constant force; 2 % as the issue asks, float rounds the
+    // Symplectic Euler's velocity is exact under a constant force; 2 % leaves room for float, which rounds the
     // depth of 3e-4 m by 1e-7.
     CHECK_THAT(mean(simulation->velocities()).dot(downhill(angle)),
                WithinRel(expected * simulation->time(), 0.02));

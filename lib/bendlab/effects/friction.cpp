@@ -5,10 +5,11 @@
 // μ_s D; where it does not, |F| becomes μ_k D. Sums over the iterations, not each iteration by itself: the first
 // one pushes most, and what strain and bending move afterwards has to stick too (the same as accumulated
 // impulses, Catto 2005, §4.3).
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <limits>
-#include <memory>
 
 #include "bendlab/effects/effect.hpp"
 

@@ -101,7 +101,7 @@ class Step {
   Real sine_, versine_;
 };
 
-/// Moves a vertex by `depth` along the unit `normal`, at `point`; a contact where those are used.
+/// Moves a vertex by `depth` along the unit `normal`, and records the contact where those are used.
 template <class Real>
 void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex,
           const Vector3Of<Real>& normal, Real depth, bool contacts_used) {
