@@ -13,12 +13,13 @@ import fig_6
 import fig_7
 import fig_ablations
 import fig_models
+import fig_scenes
 import fig_structure
 import style
 from load import CONFIGS, at, group, load_experiment, statuses, summary_spread
 from report import rounded
 
-FIGURES = [fig_1, fig_structure, fig_5, fig_6, fig_7, fig_ablations, fig_models]
+FIGURES = [fig_1, fig_structure, fig_5, fig_6, fig_7, fig_ablations, fig_models, fig_scenes]
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
              "mean_strain": 0, "drop": 0}  # summary entry → what is taken off it

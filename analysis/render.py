@@ -1,4 +1,4 @@
-"""Draws a cloth as a lit, two-sided, shadowed surface coloured by stretch: triangles in, an RGB image out.
+"""Draws a cloth as a lit, two-sided, shadowed surface, with grey obstacles where there are any: triangles in, an RGB image out.
 
 A z-buffer in numpy: every triangle is cut into pixel rows, every row into pixels, the nearest one wins; light, shadow and
 colour are then computed once per visible pixel. Exact coverage, so there are no seams; 32 768 triangles take about a second.
@@ -10,6 +10,7 @@ import numpy as np
 LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  # towards the light
 SUPERSAMPLE = 2
 CHUNK = 4_000_000  # pixels rasterised at once, bounds the memory
+OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
 
 
 @dataclass(frozen=True)
@@ -189,12 +190,16 @@ class _ShadowMap:
         return total / taps**2
 
 
-def render(positions, triangles, colours, camera, width, mesh_lines=True):
-    """(h, w, 3) image in [0, 1] of a cloth whose triangles have `colours` (T, 3), sRGB."""
+def render(positions, triangles, colours, camera, width, mesh_lines=True, obstacles=None):
+    """(h, w, 3) image in [0, 1] of a cloth whose triangles have `colours` (T, 3), sRGB, and of `obstacles`: (points, triangles)."""
     shape = (round(width / camera.aspect) * SUPERSAMPLE, width * SUPERSAMPLE)
     usable = np.isfinite(positions[triangles]).all(axis=(1, 2))
     triangles, colours = triangles[usable], colours[usable]
-    positions = np.nan_to_num(positions)
+    positions, cloth = np.nan_to_num(positions), len(triangles)
+    if obstacles is not None:
+        triangles = np.concatenate([triangles, obstacles[1] + len(positions)])
+        positions = np.concatenate([positions, obstacles[0]])
+        colours = np.concatenate([colours, np.tile(OBSTACLE, (len(obstacles[1]), 1))])
     xy, nearness = camera.project(positions, shape)
     owner, _ = rasterise(xy, nearness, triangles, shape)
 
@@ -204,7 +209,7 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True):
     image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
     seen = owner >= 0
     if seen.any():
-        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines)
+        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth)
     image = np.clip(image, 0, 1) ** (1 / 2.2)
     return image.reshape(shape[0] // SUPERSAMPLE, SUPERSAMPLE, width, SUPERSAMPLE, 3).mean(axis=(1, 3))
 
@@ -224,8 +229,8 @@ def _background(camera, shape, shadows):
     return image
 
 
-def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines):
-    """(n, 3) linear colours of the pixels that see the cloth."""
+def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth):
+    """(n, 3) linear colours of the pixels that see a triangle; the first `cloth` ones are the cloth's."""
     rows, columns = np.nonzero(owner >= 0)
     t = owner[rows, columns]
     corners = triangles[t]
@@ -237,13 +242,15 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     normal /= np.maximum(np.linalg.norm(normal, axis=1, keepdims=True), 1e-12)
     towards_eye = camera.eye - point
     towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
-    normal *= np.where((normal * towards_eye).sum(1) < 0, -1.0, 1.0)[:, None]
+    a, b, c = (positions[corners[:, i]] for i in range(3))
+    face = np.cross(b - a, c - a)  # which side is seen; near an outline the smooth normal may already point away
+    normal *= np.where((face * towards_eye).sum(1) < 0, -1.0, 1.0)[:, None]
 
     offset = point + 0.006 * camera.size * normal
     shadow = shadows.light(offset, bias=0.004, radius=1.5, taps=4)
     facing = normal @ LIGHT
     direct = np.clip((facing + 0.12) / 1.12, 0, 1) * (0.25 + 0.75 * shadow)
-    through = 0.22 * np.clip(-facing, 0, 1)  # thin cloth lets some light through
+    through = 0.22 * np.clip(-facing, 0, 1) * (t < cloth)  # thin cloth lets some light through
     ambient = 0.34 + 0.10 * normal[:, 2] + 0.12 * (normal * towards_eye).sum(1)
     halfway = LIGHT + towards_eye
     halfway /= np.linalg.norm(halfway, axis=1, keepdims=True)
@@ -251,7 +258,7 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
 
     base = np.asarray(colours)[t] ** 2.2
     if mesh_lines:
-        base = base * (1 - _mesh_lines(xy, triangles, t, flat))[:, None]
+        base = base * (1 - _mesh_lines(xy, triangles, t, flat) * (t < cloth))[:, None]
     return base * (ambient + 0.78 * direct + through)[:, None] + gloss[:, None]
 
 

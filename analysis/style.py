@@ -160,13 +160,14 @@ def number(value, digits=3):
     return f"{value:.{places}f}"
 
 
-def save(figure, folder, name):
-    """Writes folder/name.png, with a palette of 256 colours where that keeps it small; returns its name."""
+def save(figure, folder, name, palette=True):
+    """Writes folder/name.png and returns its name; with a palette of 256 colours where that keeps it small, unless `palette` is
+    false: smooth shading shows its steps."""
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
     figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", pil_kwargs={"optimize": True})
     plt.close(figure)
-    if path.stat().st_size > LARGE:
+    if palette and path.stat().st_size > LARGE:
         with Image.open(path) as image:
             image = image.convert("RGB")
         small = image.quantize(palette=_palette(image), dither=Image.Dither.NONE)

@@ -177,7 +177,7 @@ int reproduce_command(CampaignOptions options, const fs::path& out, bool full) {
   const fs::path source = BENDLAB_SOURCE_DIR, script = source / "analysis" / "page.py";
   options.out = out.empty() ? source / "results" : out;
   ConfigArguments configs;
-  for (const char* folder : {"paper", "ablations", "models"})
+  for (const char* folder : {"paper", "ablations", "models", "scenes"})
     std::ranges::copy(configs_in(source / "configs" / folder, full), std::back_inserter(configs.files));
 
   const int runs_code = run_and_report(load_experiments(configs), options, Report::lines);

@@ -12,8 +12,10 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import fig_5  # noqa: E402
 import fig_models  # noqa: E402
+import fig_scenes  # noqa: E402
 import fig_structure  # noqa: E402
 import load  # noqa: E402
+import obstacles  # noqa: E402
 import page  # noqa: E402
 import render  # noqa: E402
 import style  # noqa: E402
@@ -189,6 +191,74 @@ class RasterTest(unittest.TestCase):
         self.assertEqual(style.share_outside(SQUARE, both, (100, 80)), 0)
         self.assertEqual(style.share_outside(blown, both, (100, 80)), 0.25)
 
+    def test_an_obstacle_hides_the_cloth_behind_it_and_is_grey(self):
+        camera = render.Camera(np.array([0.5, 0.5, 5.0]), np.eye(3), (-0.2, 0.2, -0.2, 0.2), -9.0, 1.0)
+        red = np.array([[1.0, 0, 0]] * 2)
+        is_red = lambda image: image[..., 0] > image[..., 1] + 0.2
+        for height, share in ((-0.5, 1), (0.5, 0.5)):  # below the cloth it is not seen, above it hides half of it
+            solid = SQUARE * [0.5, 1, 0] + [0, 0, height], TRIANGLES
+            alone, both = (is_red(render.render(SQUARE, TRIANGLES, red, camera, 100, False, with_it)) for with_it in (None, solid))
+            self.assertAlmostEqual(both.sum() / alone.sum(), share, delta=0.05)  # perspective: 5 against 4.5
+
+
+class ObstacleTest(unittest.TestCase):
+    COMMON = {"velocity": [0, 0, 0], "thickness": 0.005}
+
+    def surface(self, time=0.0, **effect):
+        return obstacles.surfaces({"effects": [{"type": "gravity"}, {**self.COMMON, **effect}]}, time, 2.0)
+
+    @staticmethod
+    def volume(points, triangles):
+        a, b, c = (points[triangles[:, i]] for i in range(3))
+        return (a * np.cross(b, c)).sum() / 6  # positive where normals point outward
+
+    def test_surfaces_lie_where_the_obstacles_are(self):
+        points, triangles = self.surface(time=2.0, type="sphere", centre=[1, 2, 3], radius=0.5, velocity=[0, 0, -1])
+        np.testing.assert_allclose(np.linalg.norm(points - [1, 2, 1], axis=1), 0.5, atol=1e-12)
+        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi / 6), 1, delta=0.01)  # facets lie within by (2°)²
+
+        points, triangles = self.surface(type="capsule", a=[0, 0, 0], b=[0, 3, 0], radius=0.2)
+        nearest = np.clip(points, [0, 0, 0], [0, 3, 0])
+        np.testing.assert_allclose(np.linalg.norm(points - nearest, axis=1), 0.2, atol=1e-12)
+        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.04 * 3 + np.pi * 0.8 * 0.04 / 3), 1, delta=0.01)
+
+        points, triangles = self.surface(type="disc", centre=[0, 0, 1], axis=[0, 0, 2], radius=0.5, height=0.1)
+        inward = np.hypot(points[:, 0], points[:, 1]) - 0.45
+        depth = np.hypot(np.maximum(inward, 0), points[:, 2] - 1)
+        np.testing.assert_allclose(depth, 0.05, atol=1e-12)
+        rim = 2 * np.pi * (0.45 + 4 * 0.05 / (3 * np.pi)) * np.pi * 0.05**2 / 2  # half a circle about the axis: Pappus
+        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.45**2 * 0.1 + rim), 1, delta=0.01)
+
+    def test_the_clearance_is_the_distance_from_the_surface(self):
+        common = {"centre": [0, 0, 1], "axis": [0, 0, 1], "normal": [0, 0, 3], "point": [0, 0, 1], "a": [0, 0, 0], "b": [0, 0, 2],
+                  "radius": 0.5, "height": 0.1, "velocity": [0, 0, 1]}
+        at = lambda kind, point, time=0: obstacles.clearance({"effects": [{"type": kind, **common}]}, time, np.array([point], float))
+        for kind, point, expected in (("plane", [5, 0, 0.8], -0.2), ("sphere", [0, 0.7, 1], 0.2), ("sphere", [0, 0.4, 1], -0.1),
+                                      ("capsule", [0.7, 0, 1.4], 0.2), ("capsule", [0, 0, 2.6], 0.1), ("disc", [0.1, 0, 1.2], 0.15),
+                                      ("disc", [0.6, 0, 1], 0.1), ("disc", [0.2, 0.1, 1.03], -0.02), ("gravity", [0, 0, 0], np.inf)):
+            self.assertAlmostEqual(at(kind, point), expected, places=12)
+        self.assertAlmostEqual(at("sphere", [0, 0.7, 3], time=2), 0.2, places=12)
+        self.assertAlmostEqual(at("disc", [0.53, 0, 1.04]), np.hypot(0.08, 0.04) - 0.05, places=12)
+
+    def test_a_level_plane_is_the_floor_and_a_slope_a_patch(self):
+        level = {"type": "plane", "point": [0, 0, -0.3], "normal": [0, 0, 2], **self.COMMON}
+        self.assertEqual(obstacles.floor_of({"effects": [level]}), -0.3)
+        self.assertEqual(len(obstacles.surfaces({"effects": [level]}, 0, 1.0)[0]), 0)
+        self.assertIsNone(obstacles.floor_of({"effects": [{**level, "normal": [1, 0, 1]}]}))
+        points, _ = self.surface(type="plane", point=[0, 0, -0.3], normal=[1, 0, 1])
+        np.testing.assert_allclose((points - [0, 0, -0.3]) @ [1, 0, 1], 0, atol=1e-12)
+        self.assertAlmostEqual(np.linalg.norm(points[0] - points[1]), 2.0)
+
+    def test_a_mesh_is_read_scaled_and_moved(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "roof.obj").write_text("# a quad\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 3/3 -1\n")
+            mesh = {"type": "mesh_obstacle", "file": "roof.obj", "scale": 2.0, "offset": [0, 0, 5], **self.COMMON}
+            points, triangles = obstacles.surfaces({"effects": [mesh]}, 0, 1.0, folder)
+        np.testing.assert_array_equal(points, 2 * SQUARE + [0, 0, 5])
+        np.testing.assert_array_equal(triangles, TRIANGLES)
+        with self.assertRaisesRegex(ValueError, "convert the mesh to OBJ"):
+            obstacles.read_obj(Path("roof.stl"))
+
 
 class FigureTest(unittest.TestCase):
     def test_the_factors_add_up_to_the_whole(self):
@@ -236,6 +306,27 @@ class FigureTest(unittest.TestCase):
             sweep = json.loads((load.CONFIGS / f"models/{name}.json").read_text())["sweep"]
             models = sweep.get("/bending/model") or [value["model"] for value in sweep["/bending"]]
             self.assertLessEqual(set(models), set(style.MODEL_COLOURS) & set(style.MODEL_NAMES))
+
+    def test_every_scene_has_a_view_and_its_models_a_name(self):
+        configs = {path.stem: json.loads(path.read_text()) for path in load.CONFIGS.glob("scenes/*.json")}
+        self.assertEqual(set(configs), set(fig_scenes.SCENES))
+        for name, config in configs.items():
+            self.assertEqual(config["name"], name)
+            self.assertLessEqual(set(config["sweep"]["/bending/model"]), set(style.MODEL_NAMES))
+            self.assertLessEqual(fig_scenes.SCENES[name].time, config["duration"])
+
+    def test_the_title_of_the_scenes_counts_what_went_wrong(self):
+        def run(model, status, stretch, needles):
+            summary = {"max_stretch": stretch, "degenerate_triangles": needles}
+            floor = {"type": "plane", "point": [0, 0, 0.5 if model == "adaptive" else -1], "normal": [0, 0, 1], "velocity": [0, 0, 0]}
+            config = {"bending": {"model": model}, "effects": [floor]}
+            return SimpleNamespace(model=model, complete=status == "complete", config=config, summary=summary, frames=1,
+                                   metrics={"time": [0.0]}, positions=lambda frame: SQUARE, triangles=TRIANGLES)
+        runs = [run("adaptive", "complete", 1.1, 0), run("crossover", "complete", 1.5, 2), run("lod", "diverged", 9, 50)]
+        title = fig_scenes.title({"flag": SimpleNamespace(runs=runs)})
+        self.assertIn("2 of 3 runs complete", title)
+        self.assertIn("At the end 1 have a degenerate triangle, 1 reach into an obstacle", title)
+        self.assertIn("1.50 (flag, crossover)", title)
 
     def test_the_titles_say_what_the_runs_say(self):
         def run(model, strain):

@@ -1,0 +1,146 @@
+"""Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself, lit and shaded."""
+from dataclasses import dataclass, replace
+
+import matplotlib.pyplot as plt
+import numpy as np
+
+import obstacles
+import render
+import style
+from load import CONFIGS, group, load_experiment
+from report import Section, Table, figure_main
+
+
+@dataclass(frozen=True)
+class View:
+    """How a scene is shown."""
+
+    time: float  # s
+    colour: tuple  # sRGB of the fabric
+    azimuth: float = -62.0  # degrees, of the eye
+    elevation: float = 14.0
+
+
+SCENES = {
+    "flag": View(2.0, (0.74, 0.22, 0.20), azimuth=-70, elevation=8),
+    "tablecloth": View(4.0, (0.90, 0.87, 0.80), azimuth=-60, elevation=22),
+    "sphere_drape": View(4.0, (0.28, 0.45, 0.62), azimuth=-60, elevation=20),
+    "curtain": View(3.0, (0.42, 0.55, 0.45), azimuth=-75, elevation=8),
+    "skirt": View(2.9, (0.62, 0.34, 0.48), azimuth=-60, elevation=16),
+    "folded_stack": View(1.2, (0.86, 0.66, 0.32), azimuth=-72, elevation=16),
+}
+ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
+
+
+def main(results, out):
+    """Draws a picture of every scene with every swept model."""
+    section = Section("One cloth, six scenes, any bending model", "scenes")
+    experiments = {name: load_experiment(results, f"scenes/{name}") for name in SCENES}
+    section.text = "The scenes of configs/scenes, each with four bending models: nothing but /bending/model differs."
+    shown = {name: experiment for name, experiment in experiments.items() if section.uses(experiment)}
+    if shown:
+        section.pictures.append((_sheet(shown, out), " ".join(f"{name}: {experiment.settings['description']}"
+                                                              for name, experiment in shown.items())))
+        section.tables.append(_table(shown))
+    return section
+
+
+def frame_at(run, time):
+    """The recorded frame nearest to a time, the last one where the run ended before."""
+    return int(np.argmin(np.abs(run.metrics["time"] - time)))
+
+
+def clearance(run, frame):
+    """Smallest distance of the cloth from the obstacles, negative where it is within: at the vertices, the middles of edges
+    and of triangles."""
+    positions, triangles = run.positions(frame), run.triangles
+    corners = positions[triangles]
+    sides = (corners + np.roll(corners, 1, axis=1)).reshape(-1, 3) / 2
+    return obstacles.clearance(run.config, run.metrics["time"][frame], np.concatenate([positions, sides, corners.mean(axis=1)]))
+
+
+def view_of(samples, view, folder):
+    """The camera of a scene's (run, frame): it frames cloths and obstacles; a level plane is the floor."""
+    run, frame = samples[0]
+    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, folder)[0]
+    cloths = [run.positions(frame) for run, frame in samples]
+    middle = np.concatenate([np.median(cloths, axis=0), solid]).mean(axis=0)
+    camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth, elevation=view.elevation, aspect=ASPECT)
+    floor = obstacles.floor_of(run.config)
+    if floor is None and len(solid) and solid[:, 2].min() <= min(cloth[:, 2].min() for cloth in cloths):
+        floor = solid[:, 2].min()  # what reaches lowest stands on it
+    return camera if floor is None else replace(camera, floor=floor)
+
+
+def picture(run, frame, camera, view, folder, width=WIDTH):
+    """(h, w, 3) image of a frame with the obstacles where they then are."""
+    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, folder)
+    colours = np.tile(view.colour, (len(run.triangles), 1))
+    return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False, obstacles=solid)
+
+
+def _sheet(experiments, out):
+    models = list(dict.fromkeys(model for e in experiments.values() for model in e.sweep["/bending/model"]))
+    figure, axes = plt.subplots(len(experiments), len(models), squeeze=False, layout="constrained",
+                                figsize=(3.0 * len(models), 3.0 / ASPECT * len(experiments) + 0.6))
+    for row, (name, experiment) in enumerate(experiments.items()):
+        view, folder = SCENES[name], (CONFIGS / experiment.config).parent
+        runs = {model: some[0] for model, some in group(experiment.runs, lambda run: run.model).items()}
+        samples = {model: (run, frame_at(run, view.time)) for model, run in runs.items()}
+        camera = view_of(list(samples.values()), view, folder)
+        axes[row, 0].text(-0.03, 0.5, name.replace("_", " "), transform=axes[row, 0].transAxes, rotation=90, ha="right", va="center",
+                          fontsize=10.5, fontweight="bold")
+        for panel, model in zip(axes[row], models):
+            panel.set_axis_off()
+            if model not in samples:
+                panel.text(0.5, 0.5, "no run", ha="center", va="center", color=style.GREY, transform=panel.transAxes)
+                continue
+            run, frame = samples[model]
+            panel.imshow(picture(run, frame, camera, view, folder), interpolation="lanczos")
+            style.caption(panel, caption(run, frame))
+    for panel, model in zip(axes[0], models):
+        panel.set_title(style.MODEL_NAMES[model], fontweight="bold")
+    figure.suptitle(title(experiments), x=0.01, ha="left", fontsize=12.5)
+    return style.save(figure, out, "fig_scenes", palette=False)
+
+
+def caption(run, frame):
+    """Time and stretch of a frame."""
+    time, stretch = run.metrics["time"][frame], run.metrics["max_stretch"][frame]
+    text = f"{time:.1f} s, σ₁ up to {style.number(stretch)}"
+    return text if run.complete else f"{run.status} at {run.metrics['time'][-1]:.1f} s"
+
+
+def title(experiments):
+    """What holds for all runs, and the worst of them."""
+    runs = [(name, run) for name, experiment in experiments.items() for run in experiment.runs]
+    complete = [(name, run) for name, run in runs if run.complete]
+    if not complete:
+        return f"None of {len(runs)} runs is complete"
+    needles = sum(run.summary.get("degenerate_triangles", 0) > 0 for _, run in complete)
+    entered = sum(clearance(run, run.frames - 1) < 0 for _, run in complete)
+    name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
+    return (f"{len(experiments)} scenes, nothing changed but the bending model: {len(complete)} of {len(runs)} runs complete\n"
+            f"At the end {needles} have a degenerate triangle, {entered} reach into an obstacle; the largest stretch, median of the last second, is "
+            f"{style.number(worst.summary['max_stretch'])} ({name.replace('_', ' ')}, {style.MODEL_NAMES[worst.model]})")
+
+
+def _table(experiments):
+    rows = []
+    for name, experiment in experiments.items():
+        for run in experiment.runs:
+            at = lambda key: style.number(run.summary.get(key, np.nan))
+            rows.append([name, run.model, run.status, at("mean_strain"), at("max_stretch"), at("worst_stretch"),
+                         f"{run.summary.get('degenerate_triangles', 0):.0f}", _off(run), f"{run.cpu_s:.1f}"])
+    return Table("Every run", ["scene", "model", "status", "mean strain", "max σ₁", "worst σ₁ of all frames", "degenerate triangles",
+                               "nearest to an obstacle, all frames (mm)", "processor time (s)"], rows)
+
+
+def _off(run):
+    """The smallest clearance of all frames, mm."""
+    least = min(clearance(run, frame) for frame in range(run.frames))
+    return "–" if np.isinf(least) else f"{1e3 * least:.1f}"
+
+
+if __name__ == "__main__":
+    figure_main(main)
