@@ -121,7 +121,8 @@ def title(experiments):
     entered = sum(clearance(run, run.frames - 1) < 0 for _, run in complete)
     name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
     return (f"{len(experiments)} scenes, nothing changed but the bending model: {len(complete)} of {len(runs)} runs complete\n"
-            f"At the end {needles} have a degenerate triangle, {entered} reach into an obstacle; the largest stretch, median of the last second, is "
+            f"At the end {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
+            "Largest stretch, median of the last second: "
             f"{style.number(worst.summary['max_stretch'])} ({name.replace('_', ' ')}, {style.MODEL_NAMES[worst.model]})")
 
 
