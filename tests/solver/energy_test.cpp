@@ -52,8 +52,9 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
         last = now, highest = std::max(highest, now);
       }
       INFO(model->name << (damped ? ", damped" : ""));
-      // Gravity acts before the step and heights after it: m g² h²/2 per step at most, a few 1e-6 of the scale.
-      CHECK(highest <= start + 1e-4 * scale);
+      // v += h g, then x += h v loses ½ m g² h² a step to the exact fall, and solving constraints dissipates: nothing
+      // above the start but rounding.
+      CHECK(highest <= start + 1e-9 * scale);
       counts += std::string(model->name) + (damped ? " (damped) " : " ") + std::to_string(rises) + ", ";
     }
   WARN("steps of 240 in which energy rose: " << counts);
