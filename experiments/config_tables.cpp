@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpend
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
 constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
-constexpr std::array<std::string_view, 2> methods = {"pbd", "kang_cho"};
+constexpr std::array<std::string_view, 3> methods = {"pbd", "kang_cho", "equilibrium"};
 constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropic"};
 constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
 constexpr std::array<std::string_view, 2> orders = {"colour", "mesh"};
@@ -178,7 +178,10 @@ constexpr std::array solver = {
               .meaning = "pbd: position-based dynamics; kang_cho: an approximate implicit step of masses and "
                          "springs. There the membrane is a spring along every edge, the bending model one of "
                          "springs, both stiffnesses a compliance above 0, and what only projections need is not "
-                         "used: iterations, sweep, order, first, form, warp, weft, shear, area and k",
+                         "used: iterations, sweep, order, first, form, warp, weft, shear, area and k. equilibrium: the static "
+                         "equilibrium of the loads and the energies whose compliances are above 0, by Newton's method; a "
+                         "step of it takes dt, the run ends when the forces balance, and substeps, iterations, sweep, "
+                         "order, first, precision (double) and k are not used",
               .choices = methods},
     Parameter{.name = "tangent", .type = text, .unit = "", .default_value = "along",
               .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as in the "

@@ -158,6 +158,7 @@ std::map<std::string, double> Recorder::summary(const Simulation& simulation) co
       {"pinned_vertices", static_cast<double>(scene_.pins.all.size())},
       {"projections", static_cast<double>(simulation.projections())},
   };
+  if (const std::optional<double> unbalanced = simulation.unbalanced()) summary["unbalanced"] = *unbalanced;
   for (const BendingFact& fact : scene_.bending_facts) summary["model_" + fact.name] = fact.value;
   if (rows_.empty()) return summary;
   for (const Metric metric :

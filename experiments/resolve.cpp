@@ -234,46 +234,81 @@ void keep_chosen_model(Json& bending) {
     if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
 }
 
-// The mass-spring step takes springs of a known stiffness. What a method does not use is not part of the result.
-void settle_method(Json& canonical, ConfigProblems& problems) {
-  if (canonical["solver"]["method"] != "kang_cho") {
-    canonical["solver"].erase("tangent");
-    return;
+// What a method needs and what it does not use, which is not part of the result.
+class MethodRules {
+ public:
+  MethodRules(Json& canonical, ConfigProblems& problems)
+      : canonical_(canonical),
+        problems_(problems),
+        method_(canonical["solver"]["method"]),
+        model_(*find_bending_model(canonical["bending"]["model"].get<std::string>())) {}
+
+  void settle() {
+    if (method_ != "kang_cho") drop("/solver", {"tangent"});
+    if (method_ == "kang_cho") settle_kang_cho();
+    if (method_ == "equilibrium") settle_equilibrium();
   }
-  const auto report = [&](const std::string& pointer, const std::string& message) {
-    problems.push_back({pointer, message + " (as /solver/method is kang_cho)"});
-  };
-  const auto check_stiffness = [&](const std::string& pointer, const Json& section) {
+
+ private:
+  void report(const std::string& pointer, const std::string& message) {
+    problems_.push_back({pointer, fmt::format("{} (as /solver/method is {})", message, method_)});
+  }
+
+  void drop(const char* section, std::initializer_list<const char*> unused) {
+    for (const char* name : unused) canonical_.at(Json::json_pointer(section)).erase(name);
+  }
+
+  void check_compliance(const std::string& pointer, const char* why) {
+    const Json& section = canonical_.at(Json::json_pointer(pointer));
     if (section["stiffness"] != "compliance")
       report(pointer + "/stiffness",
-             fmt::format("must be \"compliance\", with {}/compliance above 0: springs have "
-                         "a stiffness of 1 / compliance in N/m",
-                         pointer));
+             fmt::format("must be \"compliance\", with {}/compliance above 0: {}", pointer, why));
     else if (!(section["compliance"].get<double>() > 0))
-      report(pointer + "/compliance", "must be above 0: springs have a stiffness of 1 / compliance in N/m");
-  };
-  const BendingModel* model = find_bending_model(canonical["bending"]["model"].get<std::string>());
-  check_stiffness("/material/strain", canonical["material"]["strain"]);
-  if (!model->springs_only) {
-    std::vector<std::string_view> allowed;
-    for (const BendingModel* each : bending_models())
-      if (each->springs_only) allowed.push_back(each->name);
-    report("/bending/model",
-           fmt::format("{} is not made of springs; these are: {}", model->name, fmt::join(allowed, ", ")));
-  } else if (model->name != "none") {
-    check_stiffness("/bending", canonical["bending"]);
+      report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }
-  for (std::size_t i = 0; i < canonical["effects"].size(); ++i)
-    if (const std::string type = canonical["effects"][i]["type"]; find_effect(type)->needs_projection)
-      report(fmt::format("/effects/{}", i),
-             fmt::format("{} works with the projection of constraints, which this step has "
-                         "not: remove it",
-                         type));
-  for (const char* unused : {"iterations", "sweep", "order", "first"}) canonical["solver"].erase(unused);
-  for (const char* unused : {"form", "warp", "weft", "shear", "area"})
-    canonical["material"]["strain"].erase(unused);
-  canonical["bending"].erase("k");
-}
+
+  void refuse_projection_effects() {
+    for (std::size_t i = 0; i < canonical_["effects"].size(); ++i)
+      if (const std::string type = canonical_["effects"][i]["type"]; find_effect(type)->needs_projection)
+        report(
+            fmt::format("/effects/{}", i),
+            fmt::format("{} works with the projection of constraints, which this method has not: remove it",
+                        type));
+  }
+
+  // The mass-spring step takes springs of a known stiffness.
+  void settle_kang_cho() {
+    constexpr const char* why = "springs have a stiffness of 1 / compliance in N/m";
+    check_compliance("/material/strain", why);
+    if (!model_.springs_only) {
+      std::vector<std::string_view> allowed;
+      for (const BendingModel* each : bending_models())
+        if (each->springs_only) allowed.push_back(each->name);
+      report("/bending/model",
+             fmt::format("{} is not made of springs; these are: {}", model_.name, fmt::join(allowed, ", ")));
+    } else if (model_.name != "none") {
+      check_compliance("/bending", why);
+    }
+    refuse_projection_effects();
+    drop("/solver", {"iterations", "sweep", "order", "first"});
+    drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
+    drop("/bending", {"k"});
+  }
+
+  void settle_equilibrium() {
+    constexpr const char* why = "k has no energy and so no equilibrium";
+    check_compliance("/material/strain", why);
+    if (model_.name != "none") check_compliance("/bending", why);
+    refuse_projection_effects();
+    drop("/solver", {"substeps", "iterations", "sweep", "order", "first", "precision"});
+    drop("/bending", {"k"});
+  }
+
+  Json& canonical_;
+  ConfigProblems& problems_;
+  std::string method_;
+  const BendingModel& model_;
+};
 
 }  // namespace
 
@@ -338,7 +373,7 @@ Json resolve(const Json& settings, ConfigProblems& problems) {
   keep_chosen_model(canonical["bending"]);
   canonical["effects"] =
       read_effects(settings.contains("effects") ? settings["effects"] : default_effects(), problems);
-  settle_method(canonical, problems);
+  MethodRules(canonical, problems).settle();
   canonical.erase("name");
   canonical.erase("description");
   return canonical;

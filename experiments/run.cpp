@@ -137,10 +137,12 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
     if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    if (time < next_frame - rounding * dt && step < steps && !stop) continue;
+    const bool settled = simulation.settled();
+    if (time < next_frame - rounding * dt && step < steps && !stop && !settled) continue;
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));
     if (control.progress) control.progress(time, duration);
+    if (settled) return {};
     if (stop && step < steps)
       return {
           RunStatus::interrupted,
@@ -149,6 +151,12 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
               "what is not complete",
               time, duration)};
   }
+  if (const std::optional<double> unbalanced = simulation.unbalanced())
+    return {RunStatus::complete,
+            fmt::format(
+                "no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; a longer /duration "
+                "allows more steps",
+                steps, *unbalanced)};
   return {};
 }
 

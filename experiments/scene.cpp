@@ -108,7 +108,10 @@ BendingStiffness bending_stiffness(const ParameterValues& values) {
 }
 
 SolverSettings solver_settings(const ParameterValues& values) {
-  return {.method = values.text("method") == "kang_cho" ? Method::kang_cho : Method::pbd,
+  const std::string& method = values.text("method");
+  return {.method = method == "kang_cho"      ? Method::kang_cho
+                    : method == "equilibrium" ? Method::equilibrium
+                                              : Method::pbd,
           .tangent = values.text("tangent") == "taut"        ? Tangent::taut
                      : values.text("tangent") == "isotropic" ? Tangent::isotropic
                                                              : Tangent::along,
@@ -252,8 +255,8 @@ Scene build_scene(const RunConfig& config) {
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
   scene.thresholds = quality_thresholds(config.section("/quality"));
-  scene.precision =
-      solver.text("precision") == "double" ? Precision::double_precision : Precision::single_precision;
+  const bool in_double = solver.text("precision") == "double" || solver.text("method") == "equilibrium";
+  scene.precision = in_double ? Precision::double_precision : Precision::single_precision;
 
   SimulationInput& input = scene.input;
   input.positions = initial_positions(config.section("/initial"), rest, scene.pins);

@@ -361,6 +361,21 @@ TEST_CASE("config: what the solver's method does not use makes no other run") {
   CHECK(identity_text(single_run(R"({"name": "t"})", {"/solver/tangent=taut"})) == pbd);
 }
 
+TEST_CASE("config: an equilibrium asks for energies and loads") {
+  const std::string equilibrium =
+      R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
+         "bending": {"model": "dihedral", "stiffness": "compliance", "compliance": 1},
+         "solver": {"method": "equilibrium"})";
+  const std::string text = identity_text(single_run(with(equilibrium)));
+  for (const char* unused :
+       {"/solver/iterations=3", "/solver/substeps=5", "/solver/precision=double", "/bending/k=0.1"})
+    CHECK(identity_text(single_run(with(equilibrium), {unused})) == text);
+  CHECK(identity_text(single_run(with(equilibrium), {"/material/strain/shear=0.5"})) != text);
+  CHECK(problems_of(with(R"("solver": {"method": "equilibrium"})")).size() == 2);  // strain and bending by k
+  CHECK_THAT(only_problem(with(equilibrium + R"(, "effects": [{"type": "sphere"}])"), "/effects/0"),
+             Catch::Matchers::ContainsSubstring("works with the projection"));
+}
+
 TEST_CASE("config: the resolved config reads back as itself") {
   for (const BendingModel* model : bending_models()) {
     const std::string text =

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/equilibrium.hpp"
 #include "bendlab/solver/kang_cho.hpp"
 #include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -235,6 +237,12 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes) {
   if (input.settings.method == Method::kang_cho)
     return make_kang_cho_step<Real>(input, std::move(effect_passes));
+  if (input.settings.method == Method::equilibrium) {
+    if constexpr (std::is_same_v<Real, double>)
+      return make_equilibrium(input, std::move(effect_passes));
+    else
+      throw std::invalid_argument("equilibrium: is found in double precision only");
+  }
   return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
 }
 

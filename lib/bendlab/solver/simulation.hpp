@@ -33,6 +33,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -44,8 +45,9 @@
 namespace bendlab {
 
 enum class Method {
-  pbd,       ///< position-based dynamics, as above
-  kang_cho,  ///< an approximate implicit mass-spring step, see kang_cho.hpp
+  pbd,          ///< position-based dynamics, as above
+  kang_cho,     ///< an approximate implicit mass-spring step, see kang_cho.hpp
+  equilibrium,  ///< Newton's method on the way to a static equilibrium, see equilibrium.hpp
 };
 
 /// What of a spring's tangent kang_cho takes into its implicit step.
@@ -133,6 +135,11 @@ class Simulation {
 
   /// One time step dt. Returns false when the cloth diverged (see divergence()); the state is then of no use.
   virtual bool step() = 0;
+
+  /// Whether a further step would change nothing. A method that moves on in time never says so.
+  virtual bool settled() const { return false; }
+  /// Of a method that looks for an equilibrium: forces that are left over, relative to the loads.
+  virtual std::optional<double> unbalanced() const { return std::nullopt; }
 
   virtual double time() const = 0;           ///< s
   virtual Positions positions() const = 0;   ///< #V by 3, m

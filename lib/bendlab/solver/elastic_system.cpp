@@ -1,0 +1,296 @@
+#include "bendlab/solver/elastic_system.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "bendlab/constraints/reference.hpp"
+
+namespace bendlab {
+namespace {
+
+template <std::size_t N>
+using Corners = std::array<Vector3, N>;
+
+/// ψ and its derivatives at C.
+struct Potential {
+  double value, slope, curvature;
+};
+
+Potential quadratic(double c, double alpha) {
+  return {0.5 * c * c / alpha, c / alpha, 1 / alpha};
+}
+
+// Of a one-sided kind, over α: its own energy where C < 0, and beyond that a force that falls to 0.
+template <class Kind>
+Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest, typename Kind::Law law,
+                    double alpha) {
+  const double length = rest[0], width = ElasticSystem::ramp * length;
+  const double step = 1e-6 * length;
+  const auto slope = [&](double at) {
+    return (Kind::energy(at + step, rest, law) - Kind::energy(at - step, rest, law)) / (2 * step);
+  };
+  if (c > -2 * step) {  // the force of the straight segment, falling
+    const double straight = slope(-2 * step), left = std::max(0.0, 1 - (c + 2 * step) / width);
+    const double start = Kind::energy(-2 * step, rest, law), whole = 0.5 * straight * width;
+    return {(start + whole * (1 - left * left)) / alpha, straight * left / alpha,
+            left > 0 ? -straight / width / alpha : 0};
+  }
+  return {Kind::energy(c, rest, law) / alpha, slope(c) / alpha,
+          (slope(c + step / 2) - slope(c - step / 2)) / step / alpha};
+}
+
+template <std::size_t N>
+Corners<N> corners(const Positions& positions, const std::array<int, N>& vertices) {
+  Corners<N> p;
+  for (std::size_t i = 0; i < N; ++i) p[i] = positions.row(vertices[i]).transpose();
+  return p;
+}
+
+// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding.
+template <std::size_t N, class Evaluate>
+Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
+  Eigen::Matrix<double, 3 * N, 3 * N> result;
+  const double step = 1e-6 * (p[1] - p[0]).norm();
+  for (std::size_t i = 0; i < N; ++i)
+    for (int axis = 0; axis < 3; ++axis) {
+      const double at = p[i](axis);
+      p[i](axis) = at + step;
+      const auto ahead = evaluate(p);
+      p[i](axis) = at - step;
+      const auto behind = evaluate(p);
+      p[i](axis) = at;
+      for (std::size_t j = 0; j < N; ++j)
+        result.template block<3, 1>(static_cast<Eigen::Index>(3 * j),
+                                    static_cast<Eigen::Index>(3 * i) + axis) =
+            (ahead.gradient[j] - behind.gradient[j]) / (2 * step);
+    }
+  return 0.5 * (result + result.transpose());
+}
+
+void require_compliance(StiffnessKind kind, double compliance, const char* what) {
+  if (kind != StiffnessKind::compliance || !(compliance > 0))
+    throw std::invalid_argument(std::string("equilibrium: ") + what +
+                                " needs its stiffness as a compliance above 0: only that has an energy");
+}
+
+}  // namespace
+
+ElasticSystem::ElasticSystem(const SimulationInput& input)
+    : strain_(input.strain),
+      strain_stiffness_(input.strain_stiffness),
+      distance_(input.distance),
+      elements_(input.elements),
+      bending_compliance_(input.bending_stiffness.compliance) {
+  if (strain_.size() > 0) require_compliance(strain_stiffness_.kind, strain_stiffness_.compliance, "strain");
+  if (distance_.size() > 0 || element_count(elements_) > 0)
+    require_compliance(input.bending_stiffness.kind, bending_compliance_, "bending");
+  for (std::size_t v = 0; v < input.is_pinned.size(); ++v)
+    free_index_.push_back(!input.is_pinned[v] && input.mass[v] > 0 ? free_count_++ : -1);
+  for_terms([&](Eigen::Index, const auto&, const auto&, const auto&) { ++energy_terms_; });
+  find_pattern();
+}
+
+// Calls visit(term, vertices, evaluate(corners) → C and ∇C, potential(C) → ψ, ψ', ψ'') for every energy term.
+template <class Visit>
+void ElasticSystem::for_terms(const Visit& visit) const {
+  const StrainStiffness& s = strain_stiffness_;
+  Eigen::Index next = 0;
+  const double stretch_scale = s.form == StrainForm::green ? 4 : 1;  // S - 1 is twice the Green strain
+  for (std::size_t t = 0; t < strain_.size(); ++t) {
+    const std::array<double, 4>& q = strain_.inverse_rest[t];
+    const double alpha = s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
+    const auto term = [&](double part, double scale, const auto& evaluate) {
+      if (part != 0)
+        visit(next++, strain_.vertices[t], evaluate, [&](double c) { return quadratic(c, scale * alpha); });
+    };
+    term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
+    term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
+    term(s.shear, 1, [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
+    term(s.area, 1, [&](const Corners<3>& p) { return area_constraint(p, q); });
+  }
+  for (std::size_t c = 0; c < distance_.size(); ++c) {
+    const double alpha = bending_compliance_ * (distance_.softness.empty() ? 1 : distance_.softness[c]);
+    visit(
+        next++, distance_.vertices[c],
+        [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest_length[c]); },
+        [&](double value) { return quadratic(value, alpha); });
+  }
+  for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
+    for (std::size_t c = 0; c < list.size(); ++c) {
+      const double alpha = bending_compliance_ * list.softness[c];
+      visit(
+          next++, list.vertices[c],
+          [&](const Corners<Kind::arity>& p) {
+            return Kind::template value<double>(p, list.rest[c], list.law);
+          },
+          [&](double value) {
+            if constexpr (OneSided<Kind>)
+              return one_sided<Kind>(value, list.rest[c], list.law, alpha);
+            else
+              return quadratic(value, alpha);
+          });
+    }
+  });
+}
+
+std::size_t ElasticSystem::term_count() const {
+  return strain_.size() + distance_.size() + element_count(elements_);
+}
+
+double ElasticSystem::energy(const Positions& positions) const {
+  double sum = 0;
+  for_terms([&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
+    const auto c = evaluate(corners(positions, vertices));
+    if (c.defined) sum += potential(c.value).value;
+  });
+  return sum;
+}
+
+Eigen::VectorXd ElasticSystem::gradient(const Positions& positions) const {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(unknowns());
+  for_terms([&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
+    const auto c = evaluate(corners(positions, vertices));
+    if (!c.defined) return;
+    const double slope = potential(c.value).slope;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (const int at = free_index_[static_cast<std::size_t>(vertices[i])]; at >= 0)
+        sum.segment<3>(3 * at) += slope * c.gradient[i];
+  });
+  return sum;
+}
+
+Eigen::VectorXd ElasticSystem::multipliers(const Positions& positions) const {
+  return predicted_multipliers(positions, {});
+}
+
+Eigen::VectorXd ElasticSystem::predicted_multipliers(const Positions& positions,
+                                                     const Eigen::VectorXd& step) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(energy_terms_);
+  for_terms([&](Eigen::Index term, const auto& vertices, const auto& evaluate, const auto& potential) {
+    const auto c = evaluate(corners(positions, vertices));
+    if (!c.defined) return;
+    const Potential psi = potential(c.value);
+    result(term) = psi.slope;
+    if (step.size() > 0) result(term) += psi.curvature * change_of(c, vertices, step);
+  });
+  return result;
+}
+
+double ElasticSystem::strain_beyond_first_order(const Positions& positions,
+                                                const Eigen::VectorXd& step) const {
+  const Positions there = moved(positions, step);
+  double largest = 0;
+  for_terms([&]<std::size_t N>(Eigen::Index, const std::array<int, N>& vertices, const auto& evaluate,
+                               const auto&) {
+    if constexpr (N == 3) {
+      const auto before = evaluate(corners(positions, vertices)), after = evaluate(corners(there, vertices));
+      if (before.defined && after.defined)
+        largest = std::max(largest, std::abs(after.value - before.value - change_of(before, vertices, step)));
+    }
+  });
+  return largest;
+}
+
+Eigen::VectorXd ElasticSystem::convex(Eigen::VectorXd multipliers) const {
+  const StrainStiffness& s = strain_stiffness_;
+  Eigen::Index term = 0;
+  for (std::size_t t = 0; t < strain_.size(); ++t) {
+    for (const double stretch : {s.warp, s.weft})
+      if (stretch != 0) multipliers(term) = std::max(0.0, multipliers(term)), ++term;
+    for (const double other : {s.shear, s.area})
+      if (other != 0) multipliers(term++) = 0;
+  }
+  for (std::size_t c = 0; c < distance_.size(); ++c, ++term)
+    multipliers(term) = std::max(0.0, multipliers(term));
+  multipliers.tail(energy_terms_ - term).setZero();
+  return multipliers;
+}
+
+template <class Value, std::size_t N>
+double ElasticSystem::change_of(const Value& c, const std::array<int, N>& vertices,
+                                const Eigen::VectorXd& step) const {
+  double change = 0;
+  for (std::size_t i = 0; i < N; ++i)
+    if (const int at = free_index_[static_cast<std::size_t>(vertices[i])]; at >= 0)
+      change += c.gradient[i].dot(step.segment<3>(3 * at));
+  return change;
+}
+
+Positions ElasticSystem::moved(const Positions& positions, const Eigen::VectorXd& step) const {
+  Positions result = positions;
+  for (std::size_t v = 0; v < free_index_.size(); ++v)
+    if (const int at = free_index_[v]; at >= 0)
+      result.row(static_cast<Eigen::Index>(v)) += step.segment<3>(3 * at).transpose();
+  return result;
+}
+
+const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& positions,
+                                                          const Eigen::VectorXd& multipliers) {
+  std::fill_n(hessian_.valuePtr(), hessian_.nonZeros(), 0.0);
+  for_terms([&]<std::size_t N>(Eigen::Index term, const std::array<int, N>& vertices, const auto& evaluate,
+                               const auto& potential) {
+    const Corners<N> p = corners(positions, vertices);
+    const auto c = evaluate(p);
+    if (!c.defined) return;
+    const double slope = multipliers(term), curvature = potential(c.value).curvature;
+    if (slope == 0 && curvature == 0) return;
+    const Eigen::Matrix<double, 3 * N, 3 * N> second = slope * second_derivative<N>(p, evaluate);
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t j = 0; j < N; ++j) {
+        const int row = free_index_[static_cast<std::size_t>(vertices[i])],
+                  column = free_index_[static_cast<std::size_t>(vertices[j])];
+        if (column < 0 || row < column) continue;
+        add_block(row, column,
+                  curvature * c.gradient[i] * c.gradient[j].transpose() +
+                      second.template block<3, 3>(static_cast<Eigen::Index>(3 * i),
+                                                  static_cast<Eigen::Index>(3 * j)));
+      }
+  });
+  return hessian_;
+}
+
+// Of a column's first block, on the diagonal, the lower triangle; of the others all.
+void ElasticSystem::add_block(int row, int column, const Eigen::Matrix3d& block) {
+  const std::vector<int>& rows = blocks_[static_cast<std::size_t>(column)];
+  const auto rank = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();
+  for (int c = 0; c < 3; ++c) {
+    double* const values = hessian_.valuePtr() + hessian_.outerIndexPtr()[3 * column + c];
+    if (rank == 0)
+      for (int r = c; r < 3; ++r) values[r - c] += block(r, c);
+    else
+      for (int r = 0; r < 3; ++r) values[3 * rank - c + r] += block(r, c);
+  }
+}
+
+void ElasticSystem::find_pattern() {
+  blocks_.assign(static_cast<std::size_t>(free_count_), {});
+  for (std::size_t v = 0; v < blocks_.size(); ++v) blocks_[v].push_back(static_cast<int>(v));
+  const auto add = [&](const auto& list) {
+    for (const auto& vertices : list.vertices)
+      for (const int a : vertices)
+        for (const int b : vertices) {
+          const int row = free_index_[static_cast<std::size_t>(a)],
+                    column = free_index_[static_cast<std::size_t>(b)];
+          if (column >= 0 && row > column) blocks_[static_cast<std::size_t>(column)].push_back(row);
+        }
+  };
+  add(strain_), add(distance_);
+  for_each_kind(elements_, add);
+  Eigen::Index count = 0;
+  for (std::vector<int>& rows : blocks_) {
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    count += 9 * static_cast<Eigen::Index>(rows.size()) - 3;
+  }
+  hessian_.resize(unknowns(), unknowns());
+  hessian_.reserve(count);
+  for (int column = 0; column < unknowns(); ++column) {
+    hessian_.startVec(column);
+    for (const int row : blocks_[static_cast<std::size_t>(column / 3)])
+      for (int r = std::max(column, 3 * row); r < 3 * row + 3; ++r) hessian_.insertBack(r, column) = 0;
+  }
+  hessian_.finalize();
+}
+
+}  // namespace bendlab

@@ -1,0 +1,183 @@
+#include "bendlab/solver/equilibrium.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/CholmodSupport>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/time_step.hpp"
+
+namespace bendlab {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double stretch_per_step = 0.05;  // 1
+constexpr double longest_move = 0.2;       // of the cloth's size, per step
+constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
+
+class Equilibrium final : public TimeStep<double> {
+ public:
+  Equilibrium(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
+      : TimeStep<double>(input, {}),
+        system_(input),
+        positions_(input.positions),
+        masses_(system_.unknowns()),
+        whole_(system_.unknowns() == 0),
+        size_(input.size),
+        last_move_(whole_ ? 0 : size_),
+        distance_order_(list_order(input.distance.size())),
+        no_order_(list_order(0)) {
+    for (std::size_t v = 0; v < input.mass.size(); ++v)
+      if (const int at = system_.free_index()[v]; at >= 0)
+        masses_.segment<3>(3 * at).setConstant(input.mass[v]);
+    factor_.cholmod().print = 0;  // "not positive definite" is an answer here
+    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
+    compile_plan(std::move(effect_passes));
+  }
+
+  bool settled() const override { return balanced() && whole_; }
+  std::optional<double> unbalanced() const override { return unbalanced_; }
+
+  const BatchOrder& strain_order() const override { return no_order_; }
+  const BatchOrder& distance_order() const override { return distance_order_; }
+  const BatchOrder& element_order(std::string_view) const override { return no_order_; }
+
+ private:
+  bool balanced() const {
+    return unbalanced_ <= std::max(equilibrium_tolerance, rounding_) && last_move_ <= still * size_;
+  }
+  void substep(PassContext<double>& context) override { run(plan_, context); }
+  std::uint64_t projections_per_substep() const override { return system_.term_count(); }
+
+  void compile_plan(std::vector<Pass<double>> effect_passes) {
+    for (const Pass<double>& pass : effect_passes)
+      if (pass.stage != Stage::force && pass.stage != Stage::damp && pass.stage != Stage::velocity)
+        throw std::invalid_argument(fmt::format(
+            "equilibrium: the pass {} needs a time step; only loads have an equilibrium", pass.name));
+    append_effects(plan_, effect_passes, Stage::force);
+    const auto add = [&](const char* name, auto action) {
+      plan_.push_back(
+          {[this, action](PassContext<double>& c) { (this->*action)(c.substep); }, add_statistics(name)});
+    };
+    add("gradient", &Equilibrium::find_gradient);
+    add("Hessian", &Equilibrium::assemble);
+    add("factorise", &Equilibrium::factorise);
+    add("move", &Equilibrium::move);
+  }
+
+  void find_gradient(double h) {
+    loads_.resize(system_.unknowns());
+    for (std::size_t v = 0; v < system_.free_index().size(); ++v)
+      if (const int at = system_.free_index()[v]; at >= 0)
+        loads_.segment<3>(3 * at) = state_.mass[v] / h * state_.velocity[v].vector();
+    std::fill(state_.velocity.begin(), state_.velocity.end(), Point<double>{});
+    residual_ = loads_ - system_.gradient(positions_);
+    unbalanced_ = relative(residual_);
+    if (inverse_tau_squared_ >= 0) return;
+    multipliers_ = system_.multipliers(positions_);
+    start_creeping();
+  }
+
+  // What positions that are off by a rounding do to the forces, against the loads.
+  double rounding() const {
+    constexpr double of_position = std::numeric_limits<double>::epsilon();
+    return scale_ > 0 ? of_position * size_ * hessian_->diagonal().norm() / scale_ : 0;
+  }
+
+  // Against the loads; without any, against what was there at first.
+  double relative(const VectorXd& residual) {
+    const double norm = residual.norm();
+    if (!(scale_ > 0)) scale_ = loads_.norm() > 0 ? loads_.norm() : norm;
+    return scale_ > 0 ? norm / scale_ : 0;
+  }
+
+  // So that the first step moves the cloth by a twentieth of its size under its loads.
+  void start_creeping() {
+    const double acceleration = residual_.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
+    inverse_tau_squared_ = acceleration / (0.05 * size_);
+  }
+
+  void assemble(double) {
+    if (settled()) return;
+    convex_ = far_ && !balanced();
+    hessian_ = &system_.hessian(positions_, convex_ ? system_.convex(multipliers_) : multipliers_);
+    rounding_ = rounding();
+  }
+
+  // Not positive definite: first without what makes it so, then with shorter τ. At a saddle at once with the longest τ
+  // that makes it definite: that leads away from it fastest.
+  void factorise(double) {
+    if (settled()) return;
+    constexpr int attempts = 100;  // of what is not finite no τ makes anything
+    for (int attempt = 0; !factorised(); ++attempt) {
+      if (attempt == attempts) throw std::runtime_error("equilibrium: the stiffness matrix is not finite");
+      if (convex_ || balanced())
+        inverse_tau_squared_ = std::max(4 * inverse_tau_squared_, smallest());
+      else
+        hessian_ = &system_.hessian(positions_, system_.convex(multipliers_)), convex_ = true;
+    }
+    whole_ = !convex_ && inverse_tau_squared_ == 0;
+    direction_ = factor_.solve(residual_);
+  }
+
+  bool factorised() {
+    Eigen::SparseMatrix<double> matrix = *hessian_;
+    matrix.diagonal() += inverse_tau_squared_ * masses_;
+    if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
+    factor_.factorize(matrix);
+    return factor_.info() == Eigen::Success;
+  }
+
+  // Where M / τ² is lost in the rounding of the Hessian's diagonal.
+  double smallest() const {
+    return 1e-14 * hessian_->diagonal().cwiseQuotient(masses_).cwiseAbs().maxCoeff();
+  }
+
+  void move(double) {
+    if (settled()) return;
+    double share = std::min(1.0, longest_move * size_ / direction_.cwiseAbs().maxCoeff());
+    while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step) share *= 0.5;
+    const VectorXd step = share * direction_;
+    // Of a shortened step the share of what the whole one aimed at.
+    multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction_);
+    positions_ = system_.moved(positions_, step);
+    if (share == 1)
+      inverse_tau_squared_ /= 10;
+    else if (share < 0.3)
+      inverse_tau_squared_ *= 4;
+    if (inverse_tau_squared_ < smallest()) inverse_tau_squared_ = 0;
+    last_move_ = step.cwiseAbs().maxCoeff();
+    far_ = convex_ && last_move_ > 5e-3 * size_;
+    for (std::size_t v = 0; v < state_.mass.size(); ++v)
+      state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
+    find_divergence();
+  }
+
+  ElasticSystem system_;
+  Positions positions_;  // #V by 3, m: without the rounding of coordinates about the origin
+  VectorXd masses_, loads_, residual_, direction_, multipliers_;
+  const Eigen::SparseMatrix<double>* hessian_ = nullptr;
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
+  bool analysed_ = false;
+  bool convex_ = false;  // the Hessian's kind
+  bool far_ = false;     // the convex one is likely to be needed again
+  bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
+  double size_, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0, inverse_tau_squared_ = -1;
+  BatchOrder distance_order_, no_order_;
+  Passes plan_;
+};
+
+}  // namespace
+
+std::unique_ptr<Simulation> make_equilibrium(const SimulationInput& input,
+                                             std::vector<Pass<double>> effect_passes) {
+  return std::make_unique<Equilibrium>(input, std::move(effect_passes));
+}
+
+}  // namespace bendlab
