@@ -136,16 +136,40 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
+MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
+  MomentCurvatureFit result;
+  double sum_k = 0, sum_m = 0, sum_kk = 0, sum_km = 0, sum_mm = 0;
+  for (const ProfileRow& each : profile)
+    if (each.fitted) {
+      ++result.samples;
+      sum_k += std::log(each.curvature);
+      sum_m += std::log(each.moment);
+    }
+  if (result.samples < 3) return result;
+  const double k = sum_k / result.samples, m = sum_m / result.samples;
+  for (const ProfileRow& each : profile)
+    if (each.fitted) {
+      const double dk = std::log(each.curvature) - k, dm = std::log(each.moment) - m;
+      sum_kk += dk * dk;
+      sum_km += dk * dm;
+      sum_mm += dm * dm;
+    }
+  result.exponent = sum_km / sum_kk;
+  result.coefficient = std::exp(m - result.exponent * k);
+  result.residual = std::sqrt(std::max(0.0, sum_mm - result.exponent * sum_km) / result.samples);
+  result.rigidity = std::exp(m - k);
+  result.quartic = std::exp(m - 3 * k);
+  return result;
+}
+
 }  // namespace
 
-StiffnessMeter::StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load,
-                               const StripOptions& options)
+StiffnessMeter::StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load)
     : rest_positions_(rest.positions()),
       triangles_(rest.triangles()),
       areas_(rest.areas()),
       size_(rest.size()),
-      load_(load),
-      options_(options) {
+      load_(load) {
   if (!(load.density > 0)) no_strip("its density is not above 0, so nothing bends it");
   if (!(load.gravity.norm() > 0)) no_strip("there is no gravity to bend it; list the effect gravity");
   down_ = load.gravity.normalized();
@@ -174,6 +198,7 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
   if (across.norm() < 0.5 * edge_length)
     no_strip("its pins hold more than one side, or a place in its middle; pin one whole side");
   along_ = aligned(rest.positions(), across.cross(down_).normalized(), down_);
+  across_ = down_.cross(along_);
 
   double origin = 0, low = std::numeric_limits<double>::infinity(), high = -low;
   for (const ClampEdge& edge : edges) {
@@ -196,7 +221,7 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
                            pinned ? "beyond" : "behind", pinned ? "pinned" : "free"));
     s_.push_back(s - origin);
   }
-  length_ = mean_end(s_, rest, along_.cross(down_));
+  length_ = mean_end(s_, rest, across_);
 }
 
 void StiffnessMeter::find_slices(const RestMesh& rest) {
@@ -207,15 +232,25 @@ void StiffnessMeter::find_slices(const RestMesh& rest) {
     area += beyond({s(0), s(1), s(2)}, {}, areas_[t], 0).area;
   }
   width_ = area / length_;
-  for (const double s : stations(s_, length_, rest.mean_edge_length())) slices_.push_back(slice(s));
+  constexpr double all = std::numeric_limits<double>::infinity();
+  for (const double s : stations(s_, length_, rest.mean_edge_length()))
+    slices_.push_back(slice(s, -all, all));
   if (slices_.size() < 5)
     no_strip(fmt::format("its free part is {} edges long; four are the least that show a curvature",
                          slices_.size() - 1));
+  if (slices_[0].width < 0.6 * width_)
+    no_strip(
+        fmt::format("its pins hold {:.3g} m of its width, which is {:.3g} m on average; pin one whole side",
+                    slices_[0].width, width_));
   for (std::size_t i = 0; i + 1 < slices_.size(); ++i)       // the free end may zigzag
     if (std::abs(slices_[i].width - width_) > 0.4 * width_)  // rows of a lattice two edges wide: a third
       no_strip(
           fmt::format("at s = {:.3g} m it is {:.3g} m wide, {:.3g} m on average; a strip is equally wide",
                       slices_[i].s, slices_[i].width, width_));
+  const auto last = slices_.end() - 1;
+  const double low = std::ranges::max_element(slices_.begin(), last, {}, &Slice::low)->low,
+               high = std::ranges::min_element(slices_.begin(), last, {}, &Slice::high)->high;
+  for (Slice& each : slices_) each = slice(each.s, low, high);
 }
 
 Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
@@ -224,11 +259,12 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Through the triangles, at a hair's breadth from s so that no vertex lies on it.
-StiffnessMeter::Slice StiffnessMeter::slice(double s) const {
+// Through the triangles, at a hair's breadth from s so that no vertex lies on it; what lies between `low` and `high`.
+StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
   const double line = s + hair * (length_ - 2 * s);
-  Slice result{.s = s};
+  constexpr double all = std::numeric_limits<double>::infinity();
+  Slice result{.s = s, .low = all, .high = -all};
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t) {
     std::array<std::array<std::pair<int, double>, 2>, 2>
         ends;  // each between two vertices, with their weights
@@ -241,14 +277,21 @@ StiffnessMeter::Slice StiffnessMeter::slice(double s) const {
       ends[crossed++] = {{{a, 1 - part}, {b, part}}};
     }
     if (crossed < 2) continue;
-    const auto point = [&](const auto& end) -> Vector3 {
-      return end[0].second * row(rest_positions_, end[0].first) +
-             end[1].second * row(rest_positions_, end[1].first);
+    const auto y = [&](std::size_t end) {
+      return ends[end][0].second * row(rest_positions_, ends[end][0].first).dot(across_) +
+             ends[end][1].second * row(rest_positions_, ends[end][1].first).dot(across_);
     };
-    const double length = (point(ends[1]) - point(ends[0])).norm();
-    result.width += length;
-    for (const auto& end : ends)
-      for (const auto& [vertex, weight] : end) result.weights.emplace_back(vertex, 0.5 * length * weight);
+    if (y(0) > y(1)) std::swap(ends[0], ends[1]);
+    const double from = std::max(y(0), low), to = std::min(y(1), high);
+    if (!(from < to)) continue;
+    result.low = std::min(result.low, from);
+    result.high = std::max(result.high, to);
+    result.width += to - from;
+    const double middle = (0.5 * (from + to) - y(0)) / (y(1) - y(0));
+    for (const auto& [vertex, weight] : ends[0])
+      result.weights.emplace_back(vertex, (to - from) * (1 - middle) * weight);
+    for (const auto& [vertex, weight] : ends[1])
+      result.weights.emplace_back(vertex, (to - from) * middle * weight);
   }
   if (!(result.width > 0)) no_strip(fmt::format("at s = {:.3g} m there is no cloth", s));
   for (auto& [vertex, weight] : result.weights) weight /= result.width;
@@ -269,20 +312,20 @@ std::vector<Vector3> StiffnessMeter::middle_line(const Positions& positions) con
   return line;
 }
 
-double StiffnessMeter::height_over_width(const Positions& positions) const {
+double StiffnessMeter::height_over_width(const Positions& positions, double clamp_offset) const {
   const std::vector<Vector3> line = middle_line(positions);
   const Vector3 tip = line.back() - line.front();
-  return tip.dot(down_) / (tip.dot(along_) + options_.clamp_offset);
+  return tip.dot(down_) / (tip.dot(along_) + clamp_offset);
 }
 
-StripStiffness StiffnessMeter::measure(const Positions& positions) const {
+StripStiffness StiffnessMeter::measure(const Positions& positions, const StripOptions& options) const {
   const std::vector<Vector3> line = middle_line(positions);
   const Vector3 tip = line.back() - line.front();
   StripStiffness result{.length = length_,
                         .width = width_,
-                        .effective_length = length_ + options_.clamp_offset,
+                        .effective_length = length_ + options.clamp_offset,
                         .drop = tip.dot(down_),
-                        .reach = tip.dot(along_) + options_.clamp_offset};
+                        .reach = tip.dot(along_) + options.clamp_offset};
   result.height_over_width = result.drop / result.reach;
   for (std::size_t i = 1; i < line.size(); ++i) result.stretch += (line[i] - line[i - 1]).norm() / length_;
   result.stretch -= 1;
@@ -299,7 +342,7 @@ StripStiffness StiffnessMeter::measure(const Positions& positions) const {
   from_curve(BendingLaw::linear, 3, result.gamma, result.amplification, result.flexural_rigidity);
   from_curve(BendingLaw::cubic, 5, result.quartic_gamma, result.quartic_amplification, result.quartic);
   result.bending_length = std::cbrt(result.flexural_rigidity / weight);
-  fill_profile(positions, line, result);
+  result.profile = profile(positions, line, options);
   result.fit = fit(result.profile);
   return result;
 }
@@ -318,55 +361,31 @@ double StiffnessMeter::moment(const Positions& positions, double s, double reach
   return load_.density * load_.gravity.norm() * sum.of_f / width_;
 }
 
-void StiffnessMeter::fill_profile(const Positions& positions, const std::vector<Vector3>& line,
-                                  StripStiffness& result) const {
+std::vector<ProfileRow> StiffnessMeter::profile(const Positions& positions, const std::vector<Vector3>& line,
+                                                const StripOptions& options) const {
   const auto angle = [&](std::size_t i) {  // of the chord from slice i to the next
     const Vector3 chord = line[i + 1] - line[i];
     return std::atan2(chord.dot(down_), chord.dot(along_));
   };
+  std::vector<ProfileRow> rows;
   double largest = 0;
   for (std::size_t i = 1; i + 1 < line.size(); ++i) {
     const double turn = std::remainder(angle(i) - angle(i - 1), 2 * std::numbers::pi);
     const double curvature = turn / (0.5 * (slices_[i + 1].s - slices_[i - 1].s));
-    result.profile.push_back({.s = slices_[i].s,
-                              .angle = angle(i - 1) + 0.5 * turn,
-                              .curvature = curvature,
-                              .moment = moment(positions, slices_[i].s, line[i].dot(along_))});
+    rows.push_back({.s = slices_[i].s,
+                    .angle = angle(i - 1) + 0.5 * turn,
+                    .curvature = curvature,
+                    .moment = moment(positions, slices_[i].s, line[i].dot(along_))});
     largest = std::max(largest, curvature);
   }
   // Below a hundredth of the largest curvature, and where rounding makes a twentieth of it, κ says nothing.
-  for (std::size_t i = 0; i < result.profile.size(); ++i) {
-    ProfileRow& each = result.profile[i];
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    ProfileRow& each = rows[i];
     const double step = 0.5 * (slices_[i + 2].s - slices_[i].s);
-    each.fitted = each.s > options_.exclude && each.s < length_ - options_.exclude && each.moment > 0 &&
-                  each.curvature > std::max(0.01 * largest, 20 * 4 * options_.rounding / (step * step));
+    each.fitted = each.s > options.exclude && each.s < length_ - options.exclude && each.moment > 0 &&
+                  each.curvature > std::max(0.01 * largest, 20 * 4 * options.rounding / (step * step));
   }
-}
-
-MomentCurvatureFit StiffnessMeter::fit(const std::vector<ProfileRow>& profile) const {
-  MomentCurvatureFit result;
-  double sum_k = 0, sum_m = 0, sum_kk = 0, sum_km = 0, sum_mm = 0;
-  for (const ProfileRow& each : profile)
-    if (each.fitted) {
-      ++result.samples;
-      sum_k += std::log(each.curvature);
-      sum_m += std::log(each.moment);
-    }
-  if (result.samples < 3) return result;
-  const double k = sum_k / result.samples, m = sum_m / result.samples;
-  for (const ProfileRow& each : profile)
-    if (each.fitted) {
-      const double dk = std::log(each.curvature) - k, dm = std::log(each.moment) - m;
-      sum_kk += dk * dk;
-      sum_km += dk * dm;
-      sum_mm += dm * dm;
-    }
-  result.exponent = sum_km / sum_kk;
-  result.coefficient = std::exp(m - result.exponent * k);
-  result.residual = std::sqrt(std::max(0.0, sum_mm - result.exponent * sum_km) / result.samples);
-  result.rigidity = std::exp(m - k);
-  result.quartic = std::exp(m - 3 * k);
-  return result;
+  return rows;
 }
 
 }  // namespace bendlab

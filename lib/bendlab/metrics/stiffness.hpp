@@ -10,7 +10,8 @@
 // so that m against the curvature κ(s) says what law that is.
 //
 // The middle line is the mean over the width on slices s = const through the triangles, about one per edge and on
-// the rows of vertices where the mesh has rows.
+// the rows of vertices where the mesh has rows. All slices take the same band of the width: rows of a lattice take turns
+// at being an edge wider, and a sheet that is bent one way bends a little the other way too, most at its sides.
 #pragma once
 
 #include <limits>
@@ -80,32 +81,34 @@ class StiffnessMeter {
  public:
   /// `is_pinned` #V. Throws std::invalid_argument, with what is missing, where this is no clamped strip: it has to lie
   /// flat across gravity, its pins to hold one whole side, and nothing else.
-  StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load,
-                 const StripOptions& options);
+  StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
+
+  /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
+  std::span<const double> along() const { return s_; }
 
   /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument where they are not finite or the clamp is
   /// not where it is at rest.
-  StripStiffness measure(const Positions& positions) const;
+  StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
   /// H/W alone, of a strip that may still move. Throws as measure().
-  double height_over_width(const Positions& positions) const;
+  double height_over_width(const Positions& positions, double clamp_offset) const;
 
  private:
   struct Slice {
     double s = 0;                                 // m from the clamp's edge
-    double width = 0;                             // m
+    double width = 0;                             // m, of what counts
+    double low = 0, high = 0;                     // y across the strip from where to where it goes, m
     std::vector<std::pair<int, double>> weights;  // of vertices: their mean is the middle of the slice
     Vector3 middle(const Positions& positions) const;
   };
 
   void find_clamp(const RestMesh& rest, std::span<const char> is_pinned);
   void find_slices(const RestMesh& rest);
-  Slice slice(double s) const;
+  Slice slice(double s, double low, double high) const;
   std::vector<Vector3> middle_line(const Positions& positions) const;
   double moment(const Positions& positions, double s, double reach) const;
-  void fill_profile(const Positions& positions, const std::vector<Vector3>& line,
-                    StripStiffness& result) const;
-  MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) const;
+  std::vector<ProfileRow> profile(const Positions& positions, const std::vector<Vector3>& line,
+                                  const StripOptions& options) const;
 
   Positions rest_positions_;
   Triangles triangles_;
@@ -113,8 +116,7 @@ class StiffnessMeter {
   std::vector<int> pinned_;
   double size_ = 0;
   StripLoad load_;
-  StripOptions options_;
-  Vector3 down_, along_;
+  Vector3 down_, along_, across_;
   std::vector<double> s_;  // #V, m from the clamp's edge
   double length_ = 0, width_ = 0;
   std::vector<Slice> slices_;
