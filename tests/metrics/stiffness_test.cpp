@@ -261,7 +261,7 @@ TEST_CASE("a chain of rigid links in balance gives back its hinges", "[stiffness
       CHECK_THAT(stiffness.fit.exponent, WithinAbs(p, 1e-5));
       CHECK_THAT(stiffness.fit.coefficient * gamma, WithinRel(1, 1e-5));
       CHECK(stiffness.fit.residual < 1e-5);
-      // Half a row behind the clamp's edge leaves an error of second order in h = 1/25; without it B and C are 6 and 10 %
+      // Half a row behind the clamp's edge leaves an error of second order in h = 1/25; without it B and C are 8 and 15 %
       // off.
       CHECK_THAT((p == 1 ? stiffness.flexural_rigidity : stiffness.quartic) * gamma, WithinRel(1, 0.005));
     }
