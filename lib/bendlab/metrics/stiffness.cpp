@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "bendlab/metrics/elastica.hpp"
@@ -136,24 +137,29 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
+// Of three slices in a row, a mean with the weights 1/4, 1/2, 1/4 of the logarithms: it takes out what goes up and down
+// from row to row, and leaves every power law as it is.
 MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
   MomentCurvatureFit result;
-  double sum_k = 0, sum_m = 0, sum_kk = 0, sum_km = 0, sum_mm = 0;
-  for (const ProfileRow& each : profile)
-    if (each.fitted) {
-      ++result.samples;
-      sum_k += std::log(each.curvature);
-      sum_m += std::log(each.moment);
-    }
+  std::vector<double> log_k, log_m;
+  for (std::size_t i = 1; i + 1 < profile.size(); ++i) {
+    const ProfileRow &before = profile[i - 1], &here = profile[i], &after = profile[i + 1];
+    if (!before.fitted || !here.fitted || !after.fitted) continue;
+    log_k.push_back(0.25 * std::log(before.curvature * here.curvature * here.curvature * after.curvature));
+    log_m.push_back(0.25 * std::log(before.moment * here.moment * here.moment * after.moment));
+  }
+  result.samples = static_cast<int>(log_k.size());
   if (result.samples < 3) return result;
-  const double k = sum_k / result.samples, m = sum_m / result.samples;
-  for (const ProfileRow& each : profile)
-    if (each.fitted) {
-      const double dk = std::log(each.curvature) - k, dm = std::log(each.moment) - m;
-      sum_kk += dk * dk;
-      sum_km += dk * dm;
-      sum_mm += dm * dm;
-    }
+  const auto mean = [&](const std::vector<double>& values) {
+    return std::accumulate(values.begin(), values.end(), 0.0) / result.samples;
+  };
+  const double k = mean(log_k), m = mean(log_m);
+  double sum_kk = 0, sum_km = 0, sum_mm = 0;
+  for (std::size_t i = 0; i < log_k.size(); ++i) {
+    sum_kk += (log_k[i] - k) * (log_k[i] - k);
+    sum_km += (log_k[i] - k) * (log_m[i] - m);
+    sum_mm += (log_m[i] - m) * (log_m[i] - m);
+  }
   result.exponent = sum_km / sum_kk;
   result.coefficient = std::exp(m - result.exponent * k);
   result.residual = std::sqrt(std::max(0.0, sum_mm - result.exponent * sum_km) / result.samples);

@@ -42,17 +42,18 @@ struct ProfileRow {
   double angle = 0;      ///< θ, rad below horizontal
   double curvature = 0;  ///< κ = dθ/ds, 1/m
   double moment = 0;     ///< m = ρ g ∫ (x(σ) - x(s)) dA / width over what lies beyond s, N
-  bool fitted = false;
+  bool fitted = false;   ///< whether κ and m enter the fit
 };
 
-/// ln m = ln c + p ln κ by least squares over the fitted rows. NaN where they are fewer than three.
+/// ln m = ln c + p ln κ by least squares over the fitted rows, each the mean of the logarithms of three neighbours with
+/// weights 1/4, 1/2, 1/4: a lattice's rows take turns at being stiffer. NaN where they are fewer than three.
 struct MomentCurvatureFit {
   double exponent = std::numeric_limits<double>::quiet_NaN();     ///< p: 1 linear, 3 springs
   double coefficient = std::numeric_limits<double>::quiet_NaN();  ///< c, N m^p
   double residual = std::numeric_limits<double>::quiet_NaN();     ///< root mean square, of ln m
   double rigidity = std::numeric_limits<double>::quiet_NaN();     ///< B, N m: geometric mean of m / κ
   double quartic = std::numeric_limits<double>::quiet_NaN();      ///< C, N m³: geometric mean of m / κ³
-  int samples = 0;
+  int samples = 0;                                                ///< triples of neighbours
 };
 
 /// Numbers from H/W are NaN where the strip has not dropped, or hangs straight down (H/W outside 10⁻⁶ to 500).
