@@ -52,6 +52,10 @@ constexpr std::array top_level = {
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
               .meaning = "Simulated time of each run",
               .minimum = 0, .above = true},
+    Parameter{.name = "settled_speed", .type = number, .unit = "m/s", .default_value = 0.0,
+              .meaning = "The run ends early once no vertex has been faster for half a simulated second; its summary "
+                         "then has settled_at. Looked at 60 times a simulated second; 0: it never ends early",
+              .minimum = 0},
 };
 
 constexpr std::array mesh = {
@@ -243,6 +247,9 @@ constexpr std::array output = {
               .minimum = 0, .above = true},
     Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether the run file lists every constraint (else their counts and hash)"},
+    Parameter{.name = "stiffness", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether the summary says how stiff the cloth, a cantilever strip, is at the end of the run: "
+                         "stiffness_flexural_rigidity and others, see 'bendlab stiffness'"},
 };
 
 constexpr std::array quality = {

@@ -17,6 +17,7 @@
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
+#include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
 namespace bendlab {
@@ -119,10 +120,31 @@ std::string divergence_message(const Divergence& divergence) {
       divergence.position.z());
 }
 
-// Steps to the end, a stop or divergence, and records frames on the way.
+// Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
+class Calm {
+ public:
+  explicit Calm(double speed) : speed_(speed) {}
+
+  // Whether no look in the last half second found a vertex faster than `speed`.
+  bool settled(const Simulation& simulation) {
+    constexpr double looks_per_second = 60, calm_s = 0.5, rounding = 1e-9;
+    if (speed_ == 0 || simulation.time() < next_look_ - rounding) return false;
+    next_look_ = simulation.time() + 1 / looks_per_second;
+    if (!(simulation.velocities().rowwise().squaredNorm().maxCoeff() <= speed_ * speed_))
+      since_ = simulation.time();
+    return simulation.time() - since_ >= calm_s - rounding;
+  }
+  double since() const { return since_; }  // s
+
+ private:
+  double speed_, next_look_ = 0, since_ = 0;
+};
+
+// Steps to the end, rest, a stop or divergence, and records frames on the way.
 struct Stepping {
   RunStatus status = RunStatus::complete;
   std::string message;
+  std::optional<double> settled_at = std::nullopt;  // s
 };
 
 Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWriter& writer,
@@ -133,16 +155,17 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
   const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
   writer.push(recorder.capture(simulation));
   double next_frame = frame_interval;
+  Calm calm(config.section("").number("settled_speed"));
   for (std::int64_t step = 1; step <= steps; ++step) {
     if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    const bool settled = simulation.settled();
+    const bool balanced = simulation.settled(), settled = balanced || calm.settled(simulation);
     if (time < next_frame - rounding * dt && step < steps && !stop && !settled) continue;
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));
     if (control.progress) control.progress(time, duration);
-    if (settled) return {};
+    if (settled) return {.settled_at = balanced ? time : calm.since()};
     if (stop && step < steps)
       return {
           RunStatus::interrupted,
@@ -158,6 +181,26 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
                 "allows more steps",
                 steps, *unbalanced)};
   return {};
+}
+
+// The strip whose stiffness the config asks for. Throws ConfigError before the run where it is none.
+std::optional<RunStrip> strip_asked_for(const RunConfig& config, const Scene& scene) {
+  if (!config.section("/output").boolean("stiffness")) return std::nullopt;
+  try {
+    RunStrip strip = strip_of(config, scene.rest, scene.pins);
+    strip.meter.height_over_width(scene.input.positions,
+                                  0);  // throws where the clamp starts out turned or folded
+    return strip;
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError("stiffness", {{"/output/stiffness", error.what()}});
+  }
+}
+
+// Adds the strip's stiffness to the summary, or to the message why there is none (its pins may have moved).
+void add_stiffness(const RunStrip& strip, const Simulation& simulation, RunOutcome& outcome) try {
+  outcome.summary.merge(stiffness_summary(strip.meter.measure(simulation.positions(), strip.options)));
+} catch (const std::invalid_argument& error) {
+  outcome.message += fmt::format("{}no stiffness: {}", outcome.message.empty() ? "" : "; ", error.what());
 }
 
 // Leaves out the effects that cannot act. Returns the scene as it was.
@@ -260,6 +303,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   Scene scene = build_scene(config);
   std::optional<Scene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
+  const std::optional<RunStrip> strip = strip_asked_for(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder(scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
@@ -281,6 +325,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
+  if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
+  if (strip && outcome.status != RunStatus::diverged) add_stiffness(*strip, *simulation, outcome);
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())
     outcome.passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});

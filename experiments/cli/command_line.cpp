@@ -31,6 +31,7 @@ struct Arguments {
   std::string run = "", folder = "results";
   std::filesystem::path mesh_file, reproduce_out;
   QualityThresholds thresholds;
+  StiffnessArguments stiffness;
   BenchOptions bench;
   std::function<int()> command;
 };
@@ -113,6 +114,28 @@ void add_read_commands(CLI::App& app, Arguments& a) {
   add_json(show, a, "As one JSON object");
 }
 
+void add_stiffness_command(CLI::App& app, Arguments& a) {
+  CLI::App* stiffness = add_command(app, a, "stiffness", "Measure how stiff the cantilever strip of a run is",
+                                    [&a] { return stiffness_command(a.run, a.folder, a.stiffness, a.json); });
+  stiffness->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
+  stiffness->add_option("--results", a.folder, "Where a run's id is looked for")->capture_default_str();
+  stiffness
+      ->add_option(
+          "--clamp-offset", a.stiffness.clamp_offset,
+          "How far behind the clamp's edge the strip begins to bend, in m (default: a quarter of the bending "
+          "constraints' reach: h/2 for hinges on rows h apart, t h/4 for springs of ring t)")
+      ->check(CLI::NonNegativeNumber);
+  stiffness
+      ->add_option(
+          "--exclude", a.stiffness.exclude,
+          "Length at clamp and free end where m(κ) is not fitted, in m (default: the constraints' reach)")
+      ->check(CLI::NonNegativeNumber);
+  stiffness->add_option("--frame", a.stiffness.frame, "Which frame; negative counts from the end")
+      ->capture_default_str();
+  stiffness->add_flag("--profile", a.stiffness.profile, "With angle, curvature and moment along the strip");
+  add_json(stiffness, a, "As one JSON object");
+}
+
 void add_mesh_command(CLI::App& app, Arguments& a) {
   CLI::App* mesh = add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
                                [&a] { return mesh_command(a.mesh_file, a.thresholds, a.json); });
@@ -185,6 +208,7 @@ int dispatch(int argc, char** argv) {
   Arguments arguments;
   add_run_commands(app, arguments);
   add_read_commands(app, arguments);
+  add_stiffness_command(app, arguments);
   add_mesh_command(app, arguments);
   add_bench_command(app, arguments);
   add_reference(app, arguments, "models", "List the bending models: parameters, defaults, sources",

@@ -1,7 +1,9 @@
 // The commands behind the command line. Each returns its exit code, or throws (see errors.hpp).
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,16 @@ int list_command(const std::filesystem::path& folder, bool json);
 
 /// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`.
 int show_command(const std::string& run, const std::filesystem::path& folder, bool json);
+
+struct StiffnessArguments {
+  std::optional<double> clamp_offset, exclude;  ///< m, see StripSettings
+  std::int64_t frame = -1;                      ///< negative: from the end
+  bool profile = false;                         ///< with the slices of the strip
+};
+
+/// How stiff the cantilever strip of a run is; `run` as above. Throws std::invalid_argument where it is none.
+int stiffness_command(const std::string& run, const std::filesystem::path& folder,
+                      const StiffnessArguments& arguments, bool json);
 
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
 int bench_command(const BenchOptions& options, bool list, bool json);

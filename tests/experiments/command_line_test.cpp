@@ -46,8 +46,8 @@ TEST_CASE("Usage errors exit with 2 and say what was meant", "[command line]") {
 TEST_CASE("Help and version go to stdout", "[command line]") {
   Workplace here;
   REQUIRE(here.run("--help") == 0);
-  for (const char* command : {"run", "plan", "validate", "list", "show", "mesh", "models", "effects",
-                              "schema", "reproduce", "test"})
+  for (const char* command : {"run", "plan", "validate", "list", "show", "stiffness", "mesh", "models",
+                              "effects", "schema", "reproduce", "test"})
     CHECK_THAT(here.out(), ContainsSubstring("\n  " + std::string(command) + " "));
   CHECK(here.err().empty());
   REQUIRE(here.run("--version") == 0);

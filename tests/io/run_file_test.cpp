@@ -72,6 +72,17 @@ TEST_CASE("run file: positions keep the digits that were asked for", "[io]") {
   CHECK((stored == 0.1) == wide);
 }
 
+TEST_CASE("run file: the rest state is read back", "[io]") {
+  const TemporaryFolder folder;
+  const RunHeader header = square_header();
+  RunFileWriter(folder / "run.vtkhdf", header).finish({});
+  const RestRecord rest = read_rest(folder / "run.vtkhdf");
+  CHECK(rest.positions == header.rest_positions);
+  CHECK(rest.triangles == header.triangles);
+  CHECK(rest.pinned == header.pinned);
+  CHECK(rest.pin_seeds == header.pin_seeds);
+}
+
 TEST_CASE("run file: every status is read back, and a run may be empty", "[io]") {
   const TemporaryFolder folder;
   for (const auto status : {RunStatus::complete, RunStatus::diverged, RunStatus::interrupted}) {

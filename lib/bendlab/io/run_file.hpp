@@ -118,6 +118,16 @@ struct RunRecord {
 
 RunRecord read_run(const std::filesystem::path& file);
 
+/// The rest state of a run, as in RunHeader.
+struct RestRecord {
+  std::vector<double> positions;     ///< 3V, m
+  std::vector<int> triangles;        ///< 3T
+  std::vector<std::uint8_t> pinned;  ///< V
+  std::vector<int> pin_seeds;
+};
+
+RestRecord read_rest(const std::filesystem::path& file);
+
 /// One column of /metrics, of the committed frames.
 std::vector<double> read_metric(const std::filesystem::path& file, const std::string& name);
 

@@ -43,6 +43,16 @@ RunRecord read_run(const fs::path& path) {
   });
 }
 
+RestRecord read_rest(const fs::path& path) {
+  return with_run(path, [&](hid_t file) {
+    const Handle rest = hdf5::open_group(file, "rest");
+    return RestRecord{.positions = hdf5::read_all<double>(rest, "positions"),
+                      .triangles = hdf5::read_all<int>(rest, "triangles"),
+                      .pinned = hdf5::read_all<std::uint8_t>(rest, "pinned"),
+                      .pin_seeds = hdf5::read_all<int>(rest, "pin_seeds")};
+  });
+}
+
 std::vector<double> read_metric(const fs::path& path, const std::string& name) {
   return with_run(path, [&](hid_t file) {
     const Handle metrics = hdf5::open_group(file, "metrics");

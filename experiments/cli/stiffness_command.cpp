@@ -1,0 +1,155 @@
+// `bendlab stiffness`: how stiff the cantilever strip of a run is.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/errors.hpp"
+#include "experiments/cli/find_run.hpp"
+#include "experiments/cli/table.hpp"
+#include "experiments/strip.hpp"
+
+namespace bendlab {
+namespace {
+
+struct Row {
+  const char* name;
+  double value;
+  const char *unit, *meaning;
+};
+
+std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, double settling) {
+  return {
+      {"length", s.length, "m", "L, from the clamp's edge to the free end, at rest"},
+      {"width", s.width, "m", "mean over the length"},
+      {"clamp_offset", options.clamp_offset, "m", "how far behind the clamp's edge the strip begins to bend"},
+      {"effective_length", s.effective_length, "m", "length + clamp_offset"},
+      {"drop", s.drop, "m", "H of the free end"},
+      {"reach", s.reach, "m", "W of the free end, + clamp_offset"},
+      {"height_over_width", s.height_over_width, "1", "H / W"},
+      {"settling", settling, "1", "range of H/W in the last tenth of the frames, relative"},
+      {"stretch", s.stretch, "1", "of the middle line"},
+      {"gamma", s.gamma, "1", "ρ g L³ / B, from H/W on the curve of m = B κ"},
+      {"amplification", s.amplification, "1", "d ln gamma / d ln H/W"},
+      {"flexural_rigidity", s.flexural_rigidity, "N m", "B, if m = B κ"},
+      {"bending_length", s.bending_length, "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
+      {"quartic_gamma", s.quartic_gamma, "1", "ρ g L⁵ / C, from H/W on the curve of m = C κ³"},
+      {"quartic_amplification", s.quartic_amplification, "1", "d ln quartic_gamma / d ln H/W"},
+      {"quartic", s.quartic, "N m³", "C, if m = C κ³ (springs)"},
+      {"exclude", options.exclude, "m", "from clamp and free end, not fitted"},
+      {"fit_samples", static_cast<double>(s.fit.samples), "1",
+       "triples of neighbouring slices to which m(κ) was fitted"},
+      {"fit_exponent", s.fit.exponent, "1", "p of m = c κ^p: 1 linear, 3 springs"},
+      {"fit_coefficient", s.fit.coefficient, "N m^p", "c"},
+      {"fit_residual", s.fit.residual, "1", "root mean square of ln m - ln(c κ^p)"},
+      {"fit_B", s.fit.rigidity, "N m", "geometric mean of m / κ"},
+      {"fit_C", s.fit.quartic, "N m³", "geometric mean of m / κ³"}};
+}
+
+// Negative counts from the end.
+std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
+  const auto frames = static_cast<std::int64_t>(record.frames);
+  const std::int64_t frame = asked < 0 ? frames + asked : asked;
+  if (frame < 0 || frame >= frames)
+    throw UsageError(
+        fmt::format("{}: there is no frame {}; it holds {} frames, the first is 0 and the last -1",
+                    record.file.string(), asked, frames));
+  return frame;
+}
+
+RunConfig config_of(const RunRecord& record) {
+  RunConfig config{.resolved = Json::parse(record.config, nullptr, false)};
+  if (config.resolved.is_discarded())
+    throw RunFileError(fmt::format("{}: its config is not JSON", record.file.string()));
+  return config;
+}
+
+Positions as_positions(const std::vector<double>& values) {
+  return Eigen::Map<const Positions>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
+}
+
+RunStrip strip_of_run(const RunRecord& record, const StripSettings& settings) {
+  const RestRecord stored = read_rest(record.file);
+  const RestMesh rest({as_positions(stored.positions),
+                       Eigen::Map<const Triangles>(stored.triangles.data(),
+                                                   static_cast<Eigen::Index>(stored.triangles.size() / 3), 3),
+                       {}});
+  Pins pins{.seeds = stored.pin_seeds, .all = {}, .is_pinned = {stored.pinned.begin(), stored.pinned.end()}};
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (pins.pinned(v)) pins.all.push_back(v);
+  return strip_of(config_of(record), rest, pins, settings);
+}
+
+// (largest - smallest) / last of H/W over the last tenth of the frames up to `last`, at least two.
+double settling_of(const RunRecord& record, std::int64_t last, const RunStrip& strip) {
+  if (last == 0) return std::numeric_limits<double>::quiet_NaN();
+  double low = std::numeric_limits<double>::infinity(), high = -low, value = 0;
+  for (std::int64_t frame = last - std::max<std::int64_t>(1, last / 10); frame <= last; ++frame) {
+    value = strip.meter.height_over_width(as_positions(read_positions(record.file, frame)),
+                                          strip.options.clamp_offset);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  return (high - low) / std::abs(value);
+}
+
+// What is not a number is null.
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json profile_json(const std::vector<ProfileRow>& profile) {
+  Json rows = Json::array();
+  for (const ProfileRow& row : profile)
+    rows.push_back({{"s", row.s},
+                    {"angle", row.angle},
+                    {"curvature", row.curvature},
+                    {"moment", row.moment},
+                    {"fitted", row.fitted}});
+  return rows;
+}
+
+std::string profile_text(const std::vector<ProfileRow>& profile) {
+  Table table({"s (m)", "angle (degrees)", "curvature (1/m)", "moment (N)", "fitted"});
+  for (const ProfileRow& row : profile)
+    table.add_row({format_number(row.s), format_number(row.angle * 180 / std::numbers::pi),
+                   format_number(row.curvature), format_number(row.moment), row.fitted ? "yes" : "no"});
+  return table.text();
+}
+
+}  // namespace
+
+int stiffness_command(const std::string& run, const std::filesystem::path& folder,
+                      const StiffnessArguments& arguments, bool json) {
+  const RunRecord record = find_run(run, folder);
+  const std::int64_t frame = frame_of(record, arguments.frame);
+  const Positions positions = as_positions(read_positions(record.file, frame));
+  const double time = read_metric(record.file, "time").at(static_cast<std::size_t>(frame));
+  const RunStrip strip = strip_of_run(record, {arguments.clamp_offset, arguments.exclude});
+  const StripStiffness stiffness = strip.meter.measure(positions, strip.options);
+  const std::vector<Row> rows = rows_of(stiffness, strip.options, settling_of(record, frame, strip));
+  if (json) {
+    Json result = {{"id", record.id},
+                   {"name", record.name},
+                   {"file", record.file.string()},
+                   {"frame", frame},
+                   {"time", time}};
+    for (const Row& row : rows) result[row.name] = number(row.value);
+    result["fit_samples"] = stiffness.fit.samples;
+    if (arguments.profile) result["profile"] = profile_json(stiffness.profile);
+    fmt::print("{}\n", result.dump());
+    return exit_ok;
+  }
+  fmt::print("{}\n{}  {}  frame {} at {:.6g} s\n\n", record.file.string(), record.id, record.name, frame,
+             time);
+  Table table({"", "value", "unit", "what it is"});
+  for (const Row& row : rows) table.add_row({row.name, format_number(row.value), row.unit, row.meaning});
+  fmt::print("{}", table.text());
+  if (arguments.profile) fmt::print("\n{}", profile_text(stiffness.profile));
+  return exit_ok;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,126 @@
+// How stiff a cantilever strip is, read off its shape: a flat strip, clamped horizontally along one side, that hangs
+// under its own weight.
+//
+//     pinned   s = 0                         s = L        s along the strip at rest, θ downward
+//   |////////|-----------------------------------|
+//            ^ clamp's edge                  free end
+//
+// Two ways that need each other's control. The free end alone: H/W on the curve of a strip with m = B κ or m = C κ³
+// (elastica.hpp). And the whole shape: its weight gives the moment m(s) at every s by statics, whatever resists it,
+// so that m against the curvature κ(s) says what law that is.
+//
+// The middle line is the mean over the width on slices s = const through the triangles, about one per edge and on
+// the rows of vertices where the mesh has rows. All slices take the same band of the width: rows of a lattice take turns
+// at being an edge wider, and a sheet that is bent one way bends a little the other way too, most at its sides.
+#pragma once
+
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "bendlab/mesh/rest_mesh.hpp"
+
+namespace bendlab {
+
+struct StripLoad {
+  double density = 0;                 ///< kg/m²
+  Vector3 gravity = Vector3::Zero();  ///< m/s²
+};
+
+struct StripOptions {
+  /// How far behind the clamp's edge the strip begins to bend, m. A bending constraint that spans the edge gives way
+  /// on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
+  double clamp_offset = 0;
+  double exclude = 0;  ///< m from clamp and free end where m(κ) is not fitted: as far as a constraint reaches
+  double rounding = 0;  ///< m, error of a coordinate; curvatures that it could make are not fitted
+};
+
+/// A slice of the settled strip.
+struct ProfileRow {
+  double s = 0;          ///< m from the clamp's edge, at rest
+  double angle = 0;      ///< θ, rad below horizontal
+  double curvature = 0;  ///< κ = dθ/ds, 1/m
+  double moment = 0;     ///< m = ρ g ∫ (x(σ) - x(s)) dA / width over what lies beyond s, N
+  bool fitted = false;   ///< whether κ and m enter the fit
+};
+
+/// ln m = ln c + p ln κ by least squares over the fitted rows, each the mean of the logarithms of three neighbours with
+/// weights 1/4, 1/2, 1/4: a lattice's rows take turns at being stiffer. NaN where they are fewer than three.
+struct MomentCurvatureFit {
+  double exponent = std::numeric_limits<double>::quiet_NaN();     ///< p: 1 linear, 3 springs
+  double coefficient = std::numeric_limits<double>::quiet_NaN();  ///< c, N m^p
+  double residual = std::numeric_limits<double>::quiet_NaN();     ///< root mean square, of ln m
+  double rigidity = std::numeric_limits<double>::quiet_NaN();     ///< B, N m: geometric mean of m / κ
+  double quartic = std::numeric_limits<double>::quiet_NaN();      ///< C, N m³: geometric mean of m / κ³
+  int samples = 0;                                                ///< triples of neighbours
+};
+
+/// Numbers from H/W are NaN where the strip has not dropped, or hangs straight down (H/W outside 10⁻⁶ to 500).
+struct StripStiffness {
+  double length = 0;             ///< L, m, of the free part at rest
+  double width = 0;              ///< m, mean of the free part
+  double effective_length = 0;   ///< L + clamp_offset, m
+  double drop = 0;               ///< H of the free end, m
+  double reach = 0;              ///< W of the free end, clamp_offset included, m
+  double height_over_width = 0;  ///< H / W
+  double stretch = 0;            ///< of the middle line: its length over L, minus 1
+
+  double gamma = 0;                  ///< Γ = ρ g L³ / B
+  double amplification = 0;          ///< d ln Γ / d ln(H/W)
+  double flexural_rigidity = 0;      ///< B, N m, if m = B κ
+  double bending_length = 0;         ///< (B / ρ g)^(1/3), m (ASTM D1388)
+  double quartic_gamma = 0;          ///< Γ_c = ρ g L⁵ / C
+  double quartic_amplification = 0;  ///< d ln Γ_c / d ln(H/W)
+  double quartic = 0;                ///< C, N m³, if m = C κ³
+
+  MomentCurvatureFit fit;
+  std::vector<ProfileRow> profile;  ///< slices between the first and the last
+};
+
+class StiffnessMeter {
+ public:
+  /// `is_pinned` #V. Throws std::invalid_argument, with what is missing, where this is no clamped strip: it has to lie
+  /// flat across gravity, its pins to hold one whole side, and nothing else.
+  StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
+
+  /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
+  std::span<const double> along() const { return s_; }
+
+  /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument where they are not finite or the clamp is
+  /// not where it is at rest.
+  StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
+
+  /// H/W alone, of a strip that may still move. Throws as measure().
+  double height_over_width(const Positions& positions, double clamp_offset) const;
+
+ private:
+  struct Slice {
+    double s = 0;                                 // m from the clamp's edge
+    double width = 0;                             // m, of what counts
+    double low = 0, high = 0;                     // y across the strip from where to where it goes, m
+    std::vector<std::pair<int, double>> weights;  // of vertices: their mean is the middle of the slice
+    Vector3 middle(const Positions& positions) const;
+  };
+
+  void find_clamp(const RestMesh& rest, std::span<const char> is_pinned);
+  void find_slices(const RestMesh& rest);
+  Slice slice(double s, double low, double high) const;
+  std::vector<Vector3> middle_line(const Positions& positions) const;
+  double moment(const Positions& positions, double s, double reach) const;
+  std::vector<ProfileRow> profile(const Positions& positions, const std::vector<Vector3>& line,
+                                  const StripOptions& options) const;
+
+  Positions rest_positions_;
+  Triangles triangles_;
+  std::vector<double> areas_;  // #T, m²
+  std::vector<int> pinned_;
+  double size_ = 0;
+  StripLoad load_;
+  Vector3 down_, along_, across_;
+  std::vector<double> s_;  // #V, m from the clamp's edge
+  double length_ = 0, width_ = 0;
+  std::vector<Slice> slices_;
+};
+
+}  // namespace bendlab

@@ -1,0 +1,125 @@
+// A cantilever from its config to `bendlab stiffness`, and runs that end when the cloth has come to rest.
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "experiments/strip.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+using nlohmann::json;
+using test::Workplace;
+
+// A lattice strip of 12 rows h = 0.021650635 m apart, two of vertices pinned: 11 h free.
+constexpr const char* cantilever = R"({"name": "tiny", "duration": 10, "settled_speed": 0.005,
+  "mesh": {"generator": "equilateral", "width": 0.25, "height": 0.14, "cells": 10, "rows": "perpendicular"},
+  "pins": {"vertices": ["left"], "ring": 1},
+  "effects": [{"type": "gravity", "acceleration": [0, 0, -9.81]}, {"type": "rigid_damping", "rate": 5}],
+  "solver": {"iterations": 400, "sweep": "symmetric"},
+  "output": {"frames_per_second": 10, "stiffness": true},
+  "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 1000}})";
+constexpr double row = 0.021650635;
+
+RunConfig strip_config(const std::string& bending) {
+  return parse_experiment(
+             R"({"name": "strip", "pins": {"vertices": ["left"], "ring": 4}, "bending": )" + bending + "}",
+             "strip")
+      .runs.at(0);
+}
+
+}  // namespace
+
+TEST_CASE("A cantilever says how stiff it is", "[command line]") {
+  Workplace here;
+  here.write("tiny.json", cantilever);
+  REQUIRE(here.run("run tiny.json --json") == 0);
+  const json run = here.out_lines().at(0), summary = run.at("summary");
+
+  REQUIRE(here.run("stiffness results/tiny --json --profile") == 0);
+  const json strip = here.out_lines().at(0);
+  CHECK(strip.at("id") == run.at("id"));
+  CHECK_THAT(strip.at("length").get<double>(), WithinRel(11 * row, 1e-6));
+  // A hinge on the last pinned row spans a row on either side: half a row more.
+  CHECK_THAT(strip.at("effective_length").get<double>(), WithinRel(11.5 * row, 1e-6));
+  CHECK_THAT(strip.at("exclude").get<double>(), WithinRel(2 * row, 1e-6));
+  // D = 1 / compliance. Eleven rows, 800 projections a step and free sides that bend the other way too leave some per
+  // cent, in the fit more.
+  CHECK_THAT(strip.at("flexural_rigidity").get<double>(), WithinRel(1e-3, 0.05));
+  CHECK_THAT(strip.at("fit_exponent").get<double>(), WithinAbs(1, 0.15));
+  CHECK_THAT(strip.at("fit_B").get<double>(), WithinRel(1e-3, 0.15));
+  CHECK(strip.at("settling").get<double>() < 0.05);
+  CHECK(strip.at("profile").size() == 10);
+  // The file keeps single precision, the summary was made before: 10⁻⁷ of a coordinate is 10⁻⁵ of a curvature.
+  for (const auto& [name, column] : {std::pair{"stiffness_flexural_rigidity", "flexural_rigidity"},
+                                     {"stiffness_quartic", "quartic"},
+                                     {"stiffness_fit_exponent", "fit_exponent"},
+                                     {"stiffness_fit_B", "fit_B"},
+                                     {"stiffness_fit_C", "fit_C"},
+                                     {"stiffness_height_over_width", "height_over_width"},
+                                     {"stiffness_gamma", "gamma"},
+                                     {"stiffness_bending_length", "bending_length"}})
+    CHECK_THAT(summary.at(name).get<double>(), WithinRel(strip.at(column).get<double>(), 1e-3));
+
+  // It came to rest: the last half second was calm, and is the end of the file.
+  const double settled_at = summary.at("settled_at").get<double>();
+  CHECK(settled_at > 1);
+  CHECK_THAT(strip.at("time").get<double>(), WithinAbs(settled_at + 0.5, 0.02));  // a look every 1/60 s
+  CHECK(strip.at("time").get<double>() < 10);
+
+  SECTION("as a table, of another frame, with another clamp") {
+    REQUIRE(here.run("stiffness " + run.at("id").get<std::string>()) == 0);
+    CHECK_THAT(here.out(), ContainsSubstring("flexural_rigidity") && ContainsSubstring("N m"));
+    REQUIRE(here.run("stiffness results/tiny --json --frame 1 --clamp-offset 0 --exclude 0.01") == 0);
+    const json early = here.out_lines().at(0);
+    CHECK(early.at("effective_length") == early.at("length"));
+    CHECK(early.at("exclude") == 0.01);
+    CHECK(early.at("drop").get<double>() < strip.at("drop").get<double>());
+    CHECK(here.run("stiffness results/tiny --frame 1000") == 2);
+    CHECK(here.run("stiffness results/tiny --clamp-offset -1") == 2);
+    CHECK(here.run("stiffness nothing") == 2);
+  }
+}
+
+TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
+  Workplace here;
+  here.write("cloth.json", R"({"name": "cloth", "duration": 0.1, "mesh": {"cells": 8}})");
+  REQUIRE(here.run("run cloth.json --json") == 0);
+  CHECK_FALSE(here.out_lines().at(0).at("summary").contains("settled_at"));
+  CHECK(here.run("stiffness results/cloth") == 1);
+  CHECK_THAT(here.err(), ContainsSubstring("pin one whole side"));
+  CHECK(here.run("run cloth.json --set /output/stiffness=true") == 3);  // said before it is computed
+  CHECK_THAT(here.err(), ContainsSubstring("/output/stiffness") && ContainsSubstring("pin one whole side"));
+  CHECK(here.run("run cloth.json --set /output/stiffness=true --set '/pins/vertices=[\"left\"]' --set "
+                 "/initial/tilt=30") == 3);
+  CHECK_THAT(here.err(), ContainsSubstring("moved or turned"));
+}
+
+TEST_CASE("The clamp's offset follows from the reach of the bending model", "[stiffness]") {
+  // Rows h apart: springs of ring t span t rows, hinges two.
+  const RestMesh rest(equilateral(0.25, 0.14, 10, Rows::perpendicular));
+  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 4);
+  const auto options = [&](const std::string& bending) {
+    return strip_of(strip_config(bending), rest, pins).options;
+  };
+  CHECK_THAT(options(R"({"model": "crossover"})").clamp_offset, WithinRel(2 * row / 4, 1e-6));
+  CHECK_THAT(options(R"({"model": "dihedral"})").clamp_offset, WithinRel(2 * row / 4, 1e-6));
+  CHECK_THAT(options(R"({"model": "k_ring", "k_ring": {"k": 3}})").clamp_offset,
+             WithinRel(3 * row / 4, 1e-6));
+  CHECK_THAT(options(R"({"model": "k_ring", "k_ring": {"k": 4}})").exclude, WithinRel(4 * row, 1e-6));
+  CHECK(options(R"({"model": "none"})").clamp_offset == 0);
+  const StripOptions set =
+      strip_of(strip_config(R"({"model": "crossover"})"), rest, pins, {.clamp_offset = 0.5, .exclude = 0.25})
+          .options;
+  CHECK(set.clamp_offset == 0.5);
+  CHECK(set.exclude == 0.25);
+}
+
+}  // namespace bendlab
