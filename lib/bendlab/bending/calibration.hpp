@@ -1,0 +1,32 @@
+// Physical stiffness: from what the sheet is to resist to the softness of each constraint, on the mesh at hand.
+//
+// Bent to a cylinder of curvature κ along a direction d, a sheet has the energy per area
+//
+//     ½ B κ²    where hinges or arcs resist (moment B κ per width), B in N m,
+//     ¼ C κ⁴    where distances do (moment C κ³), C in N m³.
+//
+// Each constraint's energy is known in advance (unit_bend.hpp), spread evenly along its line. calibrate() finds
+// stiffnesses with which every free vertex has its area's share of the energy, in all directions: as far as springs
+// that end at free edges, denser springs around pins and the mesh's own directions allow.
+#pragma once
+
+#include <optional>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+
+struct CalibrationTarget {
+  std::optional<double> flexural_rigidity = {};    ///< B, N m
+  std::optional<double> quartic_coefficient = {};  ///< C, N m³
+  std::optional<double> at_curvature = {};  ///< κ0, 1/m: gives C = B/κ0², so that the moment at κ0 is B κ0
+};
+
+/// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts: what the
+/// model's own stiffnesses were multiplied by, how evenly the energy is spread, what the membrane resists by itself.
+/// Throws std::invalid_argument where the target is not of the kind that the constraints need, and for springs in a
+/// rest shape that is not flat or in which they are not at rest.
+void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
+               const CalibrationTarget& target);
+
+}  // namespace bendlab
