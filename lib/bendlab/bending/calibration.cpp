@@ -9,7 +9,6 @@
 
 #include "bendlab/bending/triangle_finder.hpp"
 #include "bendlab/bending/unit_bend.hpp"
-#include "bendlab/constraints/build.hpp"
 
 namespace bendlab {
 namespace {
@@ -189,29 +188,102 @@ std::vector<BendingFact> Resistance::meet(const std::vector<double>& wanted, dou
   return facts(wanted, name);
 }
 
-// Where a constraint's energy is, for each kind.
-class Spread {
+// Triangles with all corners pinned stay as they are; the sheet bends beyond them.
+std::vector<char> held_triangles(const RestMesh& rest, const Pins& pins) {
+  std::vector<char> held;
+  for (int t = 0; t < rest.triangle_count(); ++t) {
+    const auto corner = rest.triangles().row(t);
+    held.push_back(pins.pinned(corner(0)) && pins.pinned(corner(1)) && pins.pinned(corner(2)));
+  }
+  return held;
+}
+
+// #V: a third of the area of each triangle that may bend.
+std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>& held) {
+  std::vector<double> area(static_cast<std::size_t>(rest.vertex_count()), 0);
+  for (int t = 0; t < rest.triangle_count(); ++t)
+    for (int c = 0; c < 3 && !held[static_cast<std::size_t>(t)]; ++c)
+      area[static_cast<std::size_t>(rest.triangles()(t, c))] += rest.areas()[static_cast<std::size_t>(t)] / 3;
+  return area;
+}
+
+// Whose a constraint's energy is, and by how much a held part of it lessens what it sees of a curvature.
+struct Span {
+  Shares shares;
+  double seen = 1;
+};
+
+// Of pairs, by the theory of a line from 0 to 1 that bends by κ(s) and shortens by δ:
+//
+//     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
+//
+// A place's share is that of the moment there, s (1 - s) on a line that bends evenly; a held part does not bend.
+class PairSpans {
  public:
-  Spread(const RestMesh& rest, std::span<const Vector2> plane)
+  PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<char>& held,
+            std::span<const Vector2> plane)
       : mean_edge_(rest.mean_edge_length()),
+        pins_(pins),
+        held_(held),
         plane_(plane),
         find_(rest.triangles(), plane, rest.mean_edge_length()) {}
 
-  // Evenly along the straight line, at a few places of it.
-  Shares between(int a, int b) const {
-    constexpr int most = 6;
+  Span operator()(int a, int b) const {
     const Vector2 from = plane_[static_cast<std::size_t>(a)], to = plane_[static_cast<std::size_t>(b)];
-    const int samples = std::clamp(static_cast<int>(std::ceil((to - from).norm() / mean_edge_)), 2, most);
-    Shares shares;
-    for (int s = 0; s < samples; ++s) {
-      const auto place = find_(from + (s + 0.5) / samples * (to - from));
-      for (std::size_t i = 0; place && i < 3; ++i) add(shares, place->corner[i], place->weight[i] / samples);
-      if (!place) add(shares, a, 0.5 / samples), add(shares, b, 0.5 / samples);  // across a gap
+    const std::size_t samples = sample_count(a, b, (to - from).norm());
+    Span span{{}, 0};
+    std::array<std::optional<TriangleFinder::Place>, fine> place;
+    std::array<bool, fine> bends{};
+    for (std::size_t s = 0; s < samples; ++s) {
+      place[s] = find_(from + middle(s, samples) * (to - from));
+      bends[s] = !(place[s] && held_[static_cast<std::size_t>(place[s]->triangle)]);
     }
-    return shares;
+    for (std::size_t s = 0; s < samples; ++s) {
+      if (!bends[s]) continue;
+      const double moment = moment_at(s, samples, bends);
+      span.seen += moment;
+      for (std::size_t i = 0; place[s] && i < 3; ++i)
+        add(span.shares, place[s]->corner[i], moment * place[s]->weight[i]);
+      if (!place[s]) add(span.shares, a, moment / 2), add(span.shares, b, moment / 2);  // across a gap
+    }
+    for (Share& share : span.shares) share.part /= static_cast<float>(span.seen);
+    double all = 0;
+    for (std::size_t s = 0; s < samples; ++s) all += moment_at(s, samples, every_place());
+    span.seen /= all;
+    return span;
   }
 
  private:
+  static constexpr std::size_t most = 6, fine = 24;
+
+  static const std::array<bool, fine>& every_place() {
+    static const auto all = [] {
+      std::array<bool, fine> list;
+      list.fill(true);
+      return list;
+    }();
+    return all;
+  }
+
+  std::size_t sample_count(int a, int b, double length) const {
+    if (pins_.pinned(a) || pins_.pinned(b)) return fine;
+    return std::clamp(static_cast<std::size_t>(std::ceil(length / mean_edge_)), std::size_t{2}, most);
+  }
+
+  static double middle(std::size_t sample, std::size_t samples) {
+    return (static_cast<double>(sample) + 0.5) / static_cast<double>(samples);
+  }
+
+  static double moment_at(std::size_t sample, std::size_t samples, const std::array<bool, fine>& bends) {
+    const double at = middle(sample, samples);
+    double sum = 0;
+    for (std::size_t other = 0; other < samples; ++other) {
+      const double s = middle(other, samples);
+      if (bends[other]) sum += std::min(at, s) * (1 - std::max(at, s));
+    }
+    return sum;
+  }
+
   static void add(Shares& shares, int vertex, double part) {
     if (!(part > 1e-6)) return;
     const auto same = std::ranges::find(shares, vertex, &Share::vertex);
@@ -222,20 +294,33 @@ class Spread {
   }
 
   double mean_edge_;
+  const Pins& pins_;
+  const std::vector<char>& held_;
   std::span<const Vector2> plane_;
   TriangleFinder find_;
 };
 
-// The third of each triangle that is nearest to the edge.
-Shares around(const std::array<int, 4>& hinge) {
-  constexpr float edge = 4.0f / 9, opposite = 1.0f / 18;
-  return {{hinge[0], edge}, {hinge[1], edge}, {hinge[2], opposite}, {hinge[3], opposite}};
+// Of a hinge: the thirds of its triangles that are nearest to the edge. A held one leaves half the angle.
+Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins) {
+  constexpr float edge = 4.0f / 9, opposite = 1.0f / 9;
+  const bool edge_held = pins.pinned(hinge[0]) && pins.pinned(hinge[1]);
+  std::vector<int> free;
+  for (const std::size_t i : {2u, 3u})
+    if (!(edge_held && pins.pinned(hinge[i]))) free.push_back(hinge[i]);
+  Span span{{{hinge[0], edge}, {hinge[1], edge}}, 0.5 * static_cast<double>(free.size())};
+  for (const int vertex : free) span.shares.push_back({vertex, opposite / static_cast<float>(free.size())});
+  return span;
 }
 
 class Calibration {
  public:
-  Calibration(BendingConstraints& constraints, const RestMesh& rest)
-      : constraints_(constraints), rest_(rest), linear_(rest.vertex_count()), quartic_(rest.vertex_count()) {
+  Calibration(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins)
+      : constraints_(constraints),
+        rest_(rest),
+        pins_(pins),
+        held_(held_triangles(rest, pins)),
+        linear_(rest.vertex_count()),
+        quartic_(rest.vertex_count()) {
     auto& hinges = std::get<ElementList<HingeAngle>>(constraints.elements);
     auto& bends = std::get<ElementList<QuadraticBend>>(constraints.elements);
     auto& arcs = std::get<ElementList<ArcSpring>>(constraints.elements);
@@ -243,14 +328,13 @@ class Calibration {
     add(hinges), add(bends);
     if (arcs.size() + constraints.distance.size() == 0) return;
     const UnitBend bend(rest);
-    const Spread spread(rest, bend.plane());
-    add(arcs, bend, spread), add(constraints.distance, bend, spread);
+    const PairSpans spans(rest, pins, held_, bend.plane());
+    add(arcs, bend, spans), add(constraints.distance, bend, spans);
     membrane_ = bend.membrane_quartic();
   }
 
-  void meet(const Pins& pins, const CalibrationTarget& target) {
-    std::vector<double> area = lumped_masses(rest_, 1);
-    for (const int vertex : pins.all) area[static_cast<std::size_t>(vertex)] = 0;
+  void meet(const CalibrationTarget& target) {
+    const std::vector<double> area = bending_areas(rest_, held_);
     if (!linear_.empty()) meet(linear_, area, rigidity(target) / 2, 1, "linear");
     if (!quartic_.empty()) meet(quartic_, area, quartic(target) / 4, 4, "quartic");
     if (membrane_)
@@ -285,7 +369,8 @@ class Calibration {
   // In the sheet's plane; on a rest shape that is not flat each in its own, averaged over directions because their axes
   // have nothing in common.
   template <class Energy>
-  ByDirection by_direction(const std::array<int, 4>& vertices, const Energy& energy) const {
+  void add_hinge(Resistance& resistance, double& softness, const std::array<int, 4>& vertices,
+                 const Energy& energy) {
     std::array<Vector2, 4> flat;
     std::array<Vector3, 4> p;
     for (std::size_t i = 0; i < 4; ++i) {
@@ -293,17 +378,19 @@ class Calibration {
       if (!plane_.empty()) flat[i] = plane_[static_cast<std::size_t>(vertices[i])];
     }
     const QuadraticForm angle = fold(plane_.empty() ? unfolded(p) : flat);
-    ByDirection values = in_all_directions([&](const Vector2& d) { return energy(value_in(angle, d)); });
+    const Span span = hinge_span(vertices, pins_);
+    ByDirection values =
+        in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(angle, d)); });
     if (plane_.empty()) values.fill(mean(values));
-    return values;
+    resistance.add(softness, values, span.shares);
   }
 
   void add(ElementList<HingeAngle>& list) {
     for (std::size_t c = 0; c < list.size(); ++c) {
       // ½ C² = V ≈ ¼ cos(θ0/2) (θ - θ0)² for the half sine.
       const double weight = list.law == HingeAngle::Law::angle ? 0.5 : 0.25 * list.rest[c][3];
-      const auto energy = [&](double angle) { return weight * square(angle) / list.softness[c]; };
-      linear_.add(list.softness[c], by_direction(list.vertices[c], energy), around(list.vertices[c]));
+      add_hinge(linear_, list.softness[c], list.vertices[c],
+                [&](double angle) { return weight * square(angle) / list.softness[c]; });
     }
   }
 
@@ -315,30 +402,36 @@ class Calibration {
         throw std::invalid_argument(
             "the energy of Bergou as a constraint is quartic in a flat rest shape only");
       // |Kx| = 2 edge sin(θ/2).
-      const auto energy = [&](double angle) {
-        const double change =
-            norm ? edge * std::sqrt(std::max(0.0, 1 - sine * sine)) * angle : 0.5 * square(edge * angle);
-        return 0.5 * square(change) / list.softness[c];
-      };
-      (norm ? linear_ : quartic_)
-          .add(list.softness[c], by_direction(list.vertices[c], energy), around(list.vertices[c]));
+      const double per_angle = edge * std::sqrt(std::max(0.0, 1 - sine * sine));
+      add_hinge(norm ? linear_ : quartic_, list.softness[c], list.vertices[c], [&](double angle) {
+        return 0.5 * square(norm ? per_angle * angle : 0.5 * square(edge * angle)) / list.softness[c];
+      });
     }
   }
 
-  void add(ElementList<ArcSpring>& list, const UnitBend& bend, const Spread& spread) {
-    const double push = ArcSpring::push(1, list.law);
+  // `energy` of its shortening. A spring along an edge belongs to the membrane, and one between pins to nothing.
+  template <class Energy>
+  void add_pair(Resistance& resistance, double& softness, const std::array<int, 2>& pair,
+                const UnitBend& bend, const PairSpans& spans, const Energy& energy) {
+    const Span span = spans(pair[0], pair[1]);
+    if (span.shares.empty() || std::ranges::binary_search(rest_.one_ring()[pair[0]], pair[1]))
+      return resistance.add_idle(softness);
+    const QuarticForm shorter = bend.shortening(pair[0], pair[1]);
+    resistance.add(softness, in_all_directions([&](const Vector2& d) {
+                     return energy(span.seen * value_in(shorter, d));
+                   }),
+                   span.shares);
+  }
+
+  void add(ElementList<ArcSpring>& list, const UnitBend& bend, const PairSpans& spans) {
     for (std::size_t c = 0; c < list.size(); ++c) {
-      const auto [a, b] = list.vertices[c];
-      const QuarticForm shorter = bend.shortening(a, b);
-      const double factor = push / square(list.rest[c][0]) / list.softness[c];
-      linear_.add(list.softness[c], in_all_directions([&](const Vector2& d) {
-                    return factor * std::max(0.0, value_in(shorter, d));
-                  }),
-                  spread.between(a, b));
+      const double push = ArcSpring::push(1, list.law) / square(list.rest[c][0]) / list.softness[c];
+      add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
+               [&](double shorter) { return push * std::max(0.0, shorter); });
     }
   }
 
-  void add(DistanceConstraints& list, const UnitBend& bend, const Spread& spread) {
+  void add(DistanceConstraints& list, const UnitBend& bend, const PairSpans& spans) {
     list.softness.resize(list.size(), 1);
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
@@ -348,23 +441,15 @@ class Calibration {
             "the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m apart, rest "
             "length {:.6g} m): use straight rest lengths",
             a, b, length, list.rest_length[c]));
-      if (along_edge(a, b)) {
-        quartic_.add_idle(list.softness[c]);
-        continue;
-      }
-      const QuarticForm shorter = bend.shortening(a, b);
-      quartic_.add(list.softness[c], in_all_directions([&](const Vector2& d) {
-                     return 0.5 * square(value_in(shorter, d)) / list.softness[c];
-                   }),
-                   spread.between(a, b));
+      add_pair(quartic_, list.softness[c], list.vertices[c], bend, spans,
+               [&](double shorter) { return 0.5 * square(shorter) / list.softness[c]; });
     }
   }
 
-  // A spring along an edge belongs to the membrane.
-  bool along_edge(int a, int b) const { return std::ranges::binary_search(rest_.one_ring()[a], b); }
-
   BendingConstraints& constraints_;
   const RestMesh& rest_;
+  const Pins& pins_;
+  std::vector<char> held_;
   std::vector<Vector2> plane_;
   Resistance linear_, quartic_;
   std::optional<double> membrane_;
@@ -374,7 +459,7 @@ class Calibration {
 
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target) {
-  Calibration(constraints, rest).meet(pins, target);
+  Calibration(constraints, rest, pins).meet(target);
 }
 
 }  // namespace bendlab

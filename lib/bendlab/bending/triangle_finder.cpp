@@ -46,7 +46,7 @@ std::optional<TriangleFinder::Place> TriangleFinder::operator()(const Vector2& p
   double deepest = -outside;
   const auto [x, y] = cell_of(point);
   for (const int t : triangles_in_[index(x, y)]) {
-    Place place;
+    Place place{.triangle = t};
     std::array<Vector2, 3> q;
     for (int c = 0; c < 3; ++c) {
       const auto i = static_cast<std::size_t>(c);

@@ -16,6 +16,7 @@ class TriangleFinder {
   TriangleFinder(const Triangles& triangles, std::span<const Vector2> plane, double cell);
 
   struct Place {
+    int triangle;
     std::array<int, 3> corner;
     std::array<double, 3> weight;  ///< barycentric coordinates
   };
