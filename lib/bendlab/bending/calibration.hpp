@@ -5,9 +5,13 @@
 //     ½ B κ²    where hinges or arcs resist (moment B κ per width), B in N m,
 //     ¼ C κ⁴    where distances do (moment C κ³), C in N m³.
 //
-// Each constraint's energy is known in advance (unit_bend.hpp), spread evenly along its line. calibrate() finds
-// stiffnesses with which every free vertex has its area's share of the energy, in all directions: as far as springs
-// that end at free edges, denser springs around pins and the mesh's own directions allow.
+// Each constraint's energy is known in advance (unit_bend.hpp), and with which moment it resists at each place of its
+// line. calibrate() finds stiffnesses with which every vertex has its area's share, in all directions: as far as springs
+// that end at free edges, denser springs around pins and the mesh's own directions allow. Triangles with all corners
+// pinned do not bend, and a constraint that reaches among them sees as much less of the curvature.
+//
+// What it does not know: that a sheet may bend otherwise than to a cylinder between its vertices. On irregular meshes
+// hinges let it, and are about a tenth softer than asked; a spring averages the curvature over its length.
 #pragma once
 
 #include <optional>
