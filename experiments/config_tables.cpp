@@ -23,6 +23,8 @@ constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpend
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
 constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
+constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per_step", "compliance",
+                                                                     "physical"};
 constexpr std::array<std::string_view, 3> methods = {"pbd", "kang_cho", "equilibrium"};
 constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropic"};
 constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
@@ -40,6 +42,11 @@ constexpr std::string_view stiffness_meaning =
     "How stiff: k is the share of the error a projection removes; k_per_step uses k' = 1 - (1 - k)^(1/n) for "
     "n projections per substep, so that an isolated constraint loses the share k in all; compliance is "
     "XPBD's";
+
+constexpr std::string_view bending_stiffness_meaning =
+    "How stiff: k, k_per_step and compliance as for strain; physical is XPBD's with a compliance of each "
+    "constraint's own, found from the mesh so that the sheet has the flexural_rigidity or "
+    "quartic_coefficient below";
 
 // One setting, few lines: these are to be read as tables.
 // clang-format off
@@ -154,18 +161,18 @@ constexpr std::array strain = {
               .minimum = 0},
 };
 
-const std::array<Parameter, 4>& bending() {
+const std::array<Parameter, 7>& bending() {
   static const std::vector<std::string_view> models = [] {
     std::vector<std::string_view> names;
     for (const BendingModel* model : bending_models()) names.push_back(model->name);
     return names;
   }();
-  static const std::array<Parameter, 4> table = {
+  static const std::array<Parameter, 7> table = {
       Parameter{.name = "model", .type = text, .unit = "", .default_value = "adaptive",
                 .meaning = "Bending model; its own settings are in the object of its name",
                 .choices = models},
       Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
-                .meaning = stiffness_meaning, .choices = stiffness_kinds},
+                .meaning = bending_stiffness_meaning, .choices = bending_stiffness_kinds},
       Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
                 .meaning = "Stiffness of every bending constraint",
                 .minimum = 0, .maximum = 1},
@@ -173,6 +180,16 @@ const std::array<Parameter, 4>& bending() {
                 .meaning = "Inverse stiffness where stiffness is compliance; 0 is rigid. Of what, `bendlab models` "
                            "says for each model",
                 .minimum = 0},
+      Parameter{.name = "flexural_rigidity", .type = number, .unit = "N m", .default_value = {},
+                .meaning = "physical: B of the moment B κ per width, for models on hinges and arcs; for springs "
+                           "together with at_curvature",
+                .minimum = 0, .above = true},
+      Parameter{.name = "quartic_coefficient", .type = number, .unit = "N m³", .default_value = {},
+                .meaning = "physical: C of the moment C κ³ per width, for models made of springs",
+                .minimum = 0, .above = true},
+      Parameter{.name = "at_curvature", .type = number, .unit = "1/m", .default_value = {},
+                .meaning = "physical: curvature κ0 at which springs have the moment of flexural_rigidity, C = B/κ0²",
+                .minimum = 0, .above = true},
   };
   return table;
 }

@@ -234,6 +234,39 @@ void keep_chosen_model(Json& bending) {
     if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
 }
 
+// What each model can turn into its own softness, and only where it is asked to.
+void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
+  if (bending["stiffness"] != "physical") {
+    for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature"})
+      bending.erase(unused);
+    return;
+  }
+  for (const char* unused : {"k", "compliance"}) bending.erase(unused);
+  const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
+  const bool rigidity = bending.contains("flexural_rigidity"),
+             quartic = bending.contains("quartic_coefficient"), curvature = bending.contains("at_curvature");
+  const auto report = [&](const char* key, const char* message) {
+    problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model->name)});
+  };
+  if (model->name == "none") return;
+  if (!model->springs_only) {
+    if (quartic)
+      report(
+          "quartic_coefficient",
+          "is the stiffness of distance springs, which {} is not made of: give flexural_rigidity (in N m)");
+    else if (!rigidity)
+      report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
+  } else if (quartic && rigidity) {
+    report(
+        "quartic_coefficient",
+        "and flexural_rigidity are both there: the springs of {} have one stiffness, remove one of the two");
+  } else if (!quartic && !(rigidity && curvature)) {
+    report(rigidity ? "at_curvature" : "quartic_coefficient",
+           "is missing: with physical stiffness the springs of {} need quartic_coefficient (in N m³), or "
+           "flexural_rigidity (in N m) together with at_curvature (in 1/m)");
+  }
+}
+
 // What a method needs and what it does not use, which is not part of the result.
 class MethodRules {
  public:
@@ -260,6 +293,7 @@ class MethodRules {
 
   void check_compliance(const std::string& pointer, const char* why) {
     const Json& section = canonical_.at(Json::json_pointer(pointer));
+    if (section["stiffness"] == "physical") return;
     if (section["stiffness"] != "compliance")
       report(pointer + "/stiffness",
              fmt::format("must be \"compliance\", with {}/compliance above 0: {}", pointer, why));
@@ -371,6 +405,7 @@ Json resolve(const Json& settings, ConfigProblems& problems) {
   check_indices(canonical["pins"], problems);
   check_warp_direction(canonical["material"], problems);
   keep_chosen_model(canonical["bending"]);
+  settle_bending_stiffness(canonical["bending"], problems);
   canonical["effects"] =
       read_effects(settings.contains("effects") ? settings["effects"] : default_effects(), problems);
   MethodRules(canonical, problems).settle();

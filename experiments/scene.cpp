@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "bendlab/bending/calibration.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
@@ -102,9 +103,28 @@ StrainStiffness strain_stiffness(const ParameterValues& values) {
 }
 
 BendingStiffness bending_stiffness(const ParameterValues& values) {
-  return {.kind = stiffness_kind(values.text("stiffness")),
+  const std::string& stiffness = values.text("stiffness");
+  return {.kind = stiffness_kind(stiffness),
           .k = values.number("k"),
-          .compliance = values.number("compliance")};
+          .compliance = stiffness == "physical" ? 1 : values.number("compliance")};
+}
+
+// The model's constraints, as soft as the config's physical stiffness asks for.
+BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& rest, const Pins& pins) {
+  const ParameterValues parameters = config.bending_parameters(), values = config.section("/bending");
+  BendingConstraints constraints =
+      find_bending_model(config.bending_model())->build({rest, pins, parameters});
+  if (values.text("stiffness") != "physical") return constraints;
+  const auto given = [&](std::string_view name) {
+    return values.has(name) ? std::optional(values.number(name)) : std::nullopt;
+  };
+  try {
+    calibrate(constraints, rest, pins,
+              {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature")});
+  } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
+    throw ConfigError("physical stiffness", {{"/bending", error.what()}});
+  }
+  return constraints;
 }
 
 SolverSettings solver_settings(const ParameterValues& values) {
@@ -272,9 +292,7 @@ Scene build_scene(const RunConfig& config) {
     input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
-  const ParameterValues parameters = config.bending_parameters();
-  BendingConstraints bending =
-      find_bending_model(config.bending_model())->build({rest, scene.pins, parameters});
+  BendingConstraints bending = bending_constraints(config, rest, scene.pins);
   scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
   scene.bending_facts = std::move(bending.facts);
   input.distance = std::move(bending.distance);

@@ -1,6 +1,7 @@
 #include "experiments/config.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -394,4 +395,64 @@ TEST_CASE("config: threads do not make another run") {
   CHECK(one.resolved != two.resolved);
   CHECK(identity_text(one) != identity_text(single_run(with(R"("solver": {"iterations": 11})"))));
   CHECK_THAT(identity_text(one), !Catch::Matchers::ContainsSubstring("threads"));
+}
+
+TEST_CASE("config: physical stiffness goes with what the model is made of") {
+  using Catch::Matchers::ContainsSubstring;
+  const auto bending = [](const std::string& settings) {
+    return with(R"("bending": {"stiffness": "physical", )" + settings + "}");
+  };
+  const auto problem = [&](const std::string& settings, const std::string& key) {
+    return only_problem(bending(settings), "/bending/" + key);
+  };
+  CHECK_THAT(problem(R"("model": "lod")", "quartic_coefficient"), ContainsSubstring("N m³"));
+  CHECK_THAT(problem(R"("model": "lod", "flexural_rigidity": 1e-5)", "at_curvature"),
+             ContainsSubstring("together with at_curvature"));
+  CHECK_THAT(problem(R"("model": "lod", "flexural_rigidity": 1e-5, "quartic_coefficient": 1e-9)",
+                     "quartic_coefficient"),
+             ContainsSubstring("remove one of the two"));
+  CHECK_THAT(problem(R"("model": "bridson")", "flexural_rigidity"), ContainsSubstring("bridson needs it"));
+  CHECK_THAT(problem(R"("model": "bridson", "quartic_coefficient": 1e-9)", "quartic_coefficient"),
+             ContainsSubstring("give flexural_rigidity"));
+  CHECK_THAT(problem(R"("model": "bridson", "flexural_rigidity": 0)", "flexural_rigidity"),
+             ContainsSubstring("above 0"));
+  CHECK(problems_of(bending(R"("model": "none")")).empty());
+  // Strain has no such thing.
+  CHECK_THAT(only_problem(with(R"("material": {"strain": {"stiffness": "physical"}})"),
+                          "/material/strain/stiffness"),
+             ContainsSubstring("one of k, k_per_step, compliance,"));
+}
+
+TEST_CASE("config: of a stiffness only what it uses is part of the result") {
+  const std::string settings = R"("k": 0.3, "compliance": 2, "flexural_rigidity": 1e-5, "at_curvature": 40)";
+  const auto kept = [&](const std::string& kind) {
+    return single_run(with(R"("bending": {"stiffness": ")" + kind + "\", " + settings + "}"))
+        .resolved["bending"];
+  };
+  CHECK_FALSE(kept("physical").contains("k"));
+  CHECK_FALSE(kept("physical").contains("compliance"));
+  CHECK(kept("physical")["flexural_rigidity"] == 1e-5);
+  CHECK_FALSE(kept("compliance").contains("flexural_rigidity"));
+  CHECK_FALSE(kept("compliance").contains("at_curvature"));
+}
+
+TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1") {
+  const std::string text =
+      R"({"name": "t", "mesh": {"generator": "equilateral", "width": 0.24, "height": 0.24, "cells": 12},
+    "pins": {"vertices": []}, "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 3e-5}})";
+  const Scene scene = build_scene(single_run(text));
+  CHECK(scene.input.bending_stiffness.kind == StiffnessKind::compliance);
+  CHECK(scene.input.bending_stiffness.compliance == 1);
+  CHECK(std::ranges::count(scene.bending_facts, "linear_factor", &BendingFact::name) == 1);
+  // Uniform hinges have √3/2 k away from free edges, where a few percent of what they lack is made up for.
+  const auto& hinges = std::get<ElementList<HingeAngle>>(scene.input.elements);
+  std::vector<double> stiffness;
+  for (const double softness : hinges.softness) stiffness.push_back(1 / softness);
+  std::ranges::nth_element(stiffness, stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2));
+  CHECK_THAT(stiffness[stiffness.size() / 2], WithinRel(2 / std::sqrt(3.0) * 3e-5, 0.03));
+  // What only the mesh can tell is an error of the config all the same.
+  const RunConfig sleeve =
+      single_run(R"({"name": "t", "mesh": {"generator": "tube"}, "pins": {"vertices": ["top_rim"]},
+    "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})");
+  CHECK_THROWS_AS(build_scene(sleeve), ConfigError);
 }

@@ -6,15 +6,17 @@
 namespace bendlab {
 
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
-  const double omega = rest.size() / 2 * 0.5;
+  const double omega = rest.size() / 2 * 0.5, radius = values.number("radius"),
+               edge = rest.mean_edge_length();
   Levels levels;
-  levels.m_unrounded = std::max(omega / rest.mean_edge_length() * 0.1 + 1, 1.0);
-  const std::string& rounding = values.text("m_rounding");
+  levels.m_unrounded = radius > 0 ? radius / edge : omega / edge * 0.1 + 1;
+  const std::string rounding = radius > 0 ? "round" : values.text("m_rounding");
   const double rounded = rounding == "floor"   ? std::floor(levels.m_unrounded)
                          : rounding == "round" ? std::round(levels.m_unrounded)
                                                : std::ceil(levels.m_unrounded);
   levels.m = std::max(static_cast<int>(rounded), static_cast<int>(values.integer("m_min")));
   levels.n = (2 * levels.m + 1) * static_cast<int>(values.integer("n_multiplier"));
+  if (!values.boolean("pin_zone")) levels.n = levels.m;
   return levels;
 }
 
@@ -27,7 +29,7 @@ std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const
 }
 
 std::vector<BendingFact> facts_of(const Levels& levels) {
-  return {{"m_unrounded", levels.m_unrounded, "Ω / e_avg · 0.1 + 1"},
+  return {{"m_unrounded", levels.m_unrounded, "Ω / e_avg · 0.1 + 1, or radius / e_avg"},
           {"m", static_cast<double>(levels.m), "level of free vertices"},
           {"n", static_cast<double>(levels.n), "level of pinned vertices"}};
 }

@@ -12,12 +12,13 @@ inline constexpr std::array<std::string_view, 3> roundings = {"floor", "round", 
 }  // namespace choices
 
 struct Levels {
-  double m_unrounded = 0;  ///< Ω / e_avg · 0.1 + 1
+  double m_unrounded = 0;  ///< Ω / e_avg · 0.1 + 1, or radius / e_avg
   int m = 1;               ///< of free vertices
   int n = 3;               ///< of pinned vertices
 };
 
-/// Ω = |AABB_max - AABB_min| / 2 · 0.5, m = max(Ω / e_avg · 0.1 + 1, 1), n = 2 m + 1, times the multiplier.
+/// Ω = |AABB_max - AABB_min| / 2 · 0.5, m = max(Ω / e_avg · 0.1 + 1, 1), n = 2 m + 1, times the multiplier. Given a radius,
+/// m is the nearest whole number of edges in it; without a denser zone at pins n = m.
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values);
 
 /// #V: `pinned_level` where the vertex counts as pinned, `free_level` elsewhere.
@@ -56,6 +57,20 @@ inline constexpr std::array level_parameters = {
               .type = ParameterType::boolean,
               .default_value = true,
               .meaning = "vertices pinned with a pin's rings count as pinned for n, or only the pin itself"},
+    Parameter{
+        .name = "radius",
+        .type = ParameterType::number,
+        .unit = "m",
+        .default_value = 0.0,
+        .meaning =
+            "physical length of the springs: m = radius / mean edge, rounded to the nearest, instead of "
+            "eq. 6; 0: eq. 6",
+        .minimum = 0},
+    Parameter{
+        .name = "pin_zone",
+        .type = ParameterType::boolean,
+        .default_value = true,
+        .meaning = "pinned vertices have the level n = 2 m + 1 (times n_multiplier), or m as all others"},
 };
 
 }  // namespace bendlab
