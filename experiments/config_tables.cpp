@@ -104,8 +104,8 @@ constexpr std::array mesh = {
 };
 
 // Not constexpr: the names come from the mesh room.
-const std::array<Parameter, 3>& pins() {
-  static const std::array<Parameter, 3> table = {
+const std::array<Parameter, 4>& pins() {
+  static const std::array<Parameter, 4> table = {
       Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
                 .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides and centre of its x-y "
                            "face; top_rim and bottom_rim are the ends of a tube",
@@ -118,6 +118,10 @@ const std::array<Parameter, 3>& pins() {
                 .meaning = "Rings around each pinned vertex that are pinned too (the paper: 1; 0: the "
                            "vertex alone)",
                 .minimum = 0, .maximum = 64},
+      Parameter{.name = "distance", .type = number, .unit = "m", .default_value = 0.0,
+                .meaning = "What lies within this distance of a pinned place is pinned too: a clamp that is as wide at "
+                           "every resolution",
+                .minimum = 0},
   };
   return table;
 }
@@ -267,6 +271,9 @@ constexpr std::array output = {
     Parameter{.name = "stiffness", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether the summary says how stiff the cloth, a cantilever strip, is at the end of the run: "
                          "stiffness_flexural_rigidity and others, see 'bendlab stiffness'"},
+    Parameter{.name = "drape", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether the summary has the drape_coefficient and drape_folds of the cloth at the end of the "
+                         "run: a specimen that hangs over a round table, which is its pinned triangles"},
 };
 
 constexpr std::array quality = {

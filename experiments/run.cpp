@@ -14,6 +14,7 @@
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/io/frame_writer.hpp"
+#include "bendlab/metrics/drape.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
@@ -196,6 +197,19 @@ std::optional<RunStrip> strip_asked_for(const RunConfig& config, const Scene& sc
   }
 }
 
+void check_drape(const RunConfig& config, const Scene& scene) try {
+  if (config.section("/output").boolean("drape"))
+    drape_of(scene.rest, scene.pins, scene.rest.positions(), scene.down);
+} catch (const std::invalid_argument& error) {
+  throw ConfigError("drape", {{"/output/drape", error.what()}});
+}
+
+void add_drape(const Scene& scene, const Simulation& simulation, RunOutcome& outcome) {
+  const Drape drape = drape_of(scene.rest, scene.pins, simulation.positions(), scene.down);
+  outcome.summary["drape_coefficient"] = drape.coefficient;
+  outcome.summary["drape_folds"] = drape.folds;
+}
+
 // Adds the strip's stiffness to the summary, or to the message why there is none (its pins may have moved).
 void add_stiffness(const RunStrip& strip, const Simulation& simulation, RunOutcome& outcome) try {
   outcome.summary.merge(stiffness_summary(strip.meter.measure(simulation.positions(), strip.options)));
@@ -304,6 +318,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   std::optional<Scene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
   const std::optional<RunStrip> strip = strip_asked_for(config, scene);
+  check_drape(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder(scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
@@ -326,7 +341,10 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   }
   outcome.summary = recorder.summary(*simulation);
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
-  if (strip && outcome.status != RunStatus::diverged) add_stiffness(*strip, *simulation, outcome);
+  if (outcome.status != RunStatus::diverged) {
+    if (strip) add_stiffness(*strip, *simulation, outcome);
+    if (config.section("/output").boolean("drape")) add_drape(scene, *simulation, outcome);
+  }
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())
     outcome.passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});

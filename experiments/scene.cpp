@@ -83,7 +83,8 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
                                                        index, rest.vertex_count() - 1)}});
     seeds.push_back(static_cast<int>(index));
   }
-  return make_pins(rest, std::move(seeds), static_cast<int>(values.integer("ring")));
+  return make_pins(rest, std::move(seeds), static_cast<int>(values.integer("ring")),
+                   values.number("distance"));
 }
 
 StiffnessKind stiffness_kind(const std::string& name) {

@@ -103,6 +103,19 @@ TEST_CASE("rings end where the mesh ends and hold every vertex once", "[mesh]") 
   CHECK(walker.ring(3).size() == 7);  // top and right side
 }
 
+TEST_CASE("a clamp is as wide at every resolution", "[mesh]") {
+  for (const int cells : {8, 16, 40}) {
+    const RestMesh rest(grid(1, 1, cells, cells));
+    // Columns at 0, 1/8, 1/4: whole, though most of their vertices are no nearer to a seed than to the side.
+    const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0, 0.25);
+    CHECK(pins.all.size() == static_cast<std::size_t>((cells / 4 + 1) * (cells + 1)));
+    CHECK(pins.seeds.size() == static_cast<std::size_t>(cells + 1));
+  }
+  const RestMesh rest(
+      equilateral(1, 1, 10));  // its left side zigzags: a seed alone, and six around it at 0.1
+  CHECK(make_pins(rest, select_vertices(rest, "centre"), 0, 0.1).all.size() == 7);
+}
+
 TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   const std::vector<int> corner = select_vertices(rest, "upper_right");

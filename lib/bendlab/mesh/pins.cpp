@@ -15,6 +15,8 @@ constexpr std::array<std::string_view, 11> selectors = {
     "upper_right", "upper_left", "lower_right", "lower_left", "top",       "bottom",
     "left",        "right",      "centre",      "top_rim",    "bottom_rim"};
 
+constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
+
 int nearest_vertex(const RestMesh& rest, const Vector2& target) {
   Eigen::Index nearest = 0;
   (rest.positions().leftCols<2>().rowwise() - target.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
@@ -23,7 +25,6 @@ int nearest_vertex(const RestMesh& rest, const Vector2& target) {
 
 // Vertices on the side of the rest box where coordinate `axis` has the value `level`.
 std::vector<int> side_vertices(const RestMesh& rest, int axis, double level) {
-  constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
   std::vector<int> side;
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (std::abs(rest.positions()(v, axis) - level) <= relative_tolerance * rest.size()) side.push_back(v);
@@ -40,9 +41,36 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   return rim;
 }
 
+// Squared distance of a point from the segment a b.
+double squared_distance(const Vector3& point, const Vector3& a, const Vector3& b) {
+  const Vector3 along = b - a;
+  const double length = along.squaredNorm(),
+               share = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0;
+  return (point - a - share * along).squaredNorm();
+}
+
+// Marks the vertices within `distance` of a seed, or of an edge between two.
+void pin_within(const RestMesh& rest, const std::vector<int>& seeds, double distance,
+                std::vector<char>& is_pinned) {
+  std::vector<std::array<int, 2>> segments;
+  for (const int seed : seeds) {
+    segments.push_back({seed, seed});
+    for (const int other : rest.one_ring()[seed])
+      if (other > seed && std::binary_search(seeds.begin(), seeds.end(), other))
+        segments.push_back({seed, other});
+  }
+  const double reach = distance + relative_tolerance * rest.size();
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (std::ranges::any_of(segments, [&](const auto& s) {
+          return squared_distance(rest.position(v), rest.position(s[0]), rest.position(s[1])) <=
+                 reach * reach;
+        }))
+      is_pinned[static_cast<std::size_t>(v)] = 1;
+}
+
 }  // namespace
 
-Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings) {
+Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance) {
   std::sort(seeds.begin(), seeds.end());
   seeds.erase(std::unique(seeds.begin(), seeds.end()), seeds.end());
   Pins pins;
@@ -56,6 +84,7 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings) {
     for (int r = 0; r <= rings; ++r)
       for (const int vertex : walker.ring(r)) pins.is_pinned[static_cast<std::size_t>(vertex)] = 1;
   }
+  if (distance > 0) pin_within(rest, seeds, distance, pins.is_pinned);
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (pins.pinned(v)) pins.all.push_back(v);
   pins.seeds = std::move(seeds);

@@ -17,9 +17,10 @@ struct Pins {
   bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
 };
 
-/// Pins `seeds` and their first `rings` rings (0: the seeds alone; the paper pins 1).
+/// Pins `seeds`, their first `rings` rings (0: the seeds alone; the paper pins 1) and what lies within `distance` (m,
+/// straight through the rest shape) of a seed or of an edge between two.
 /// Throws std::out_of_range for a seed that is not a vertex.
-Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings);
+Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
 
 /// Vertices by name: `upper_right`, `upper_left`, `lower_right`, `lower_left` (the vertex nearest to that
 /// corner of the rest box's x-y face), `top`, `bottom`, `left`, `right` (all vertices within 10⁻⁶ of the size
