@@ -417,6 +417,11 @@ TEST_CASE("config: physical stiffness goes with what the model is made of") {
   CHECK_THAT(problem(R"("model": "bridson", "flexural_rigidity": 0)", "flexural_rigidity"),
              ContainsSubstring("above 0"));
   CHECK(problems_of(bending(R"("model": "none")")).empty());
+  // To a mass-spring step it is a known stiffness as a compliance is.
+  CHECK(problems_of(R"({"name": "t", "solver": {"method": "kang_cho"},
+    "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
+    "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})")
+            .empty());
   // Strain has no such thing.
   CHECK_THAT(only_problem(with(R"("material": {"strain": {"stiffness": "physical"}})"),
                           "/material/strain/stiffness"),

@@ -59,12 +59,12 @@ class Resistance {
 
   void add(double& softness, const ByDirection& energy, const Shares& shares) {
     softness_.push_back(&softness);
-    for (const double e : energy) energy_.push_back(static_cast<float>(e));
+    energy_.insert(energy_.end(), energy.begin(), energy.end());
     shares_.insert(shares_.end(), shares.begin(), shares.end());
     first_share_.push_back(shares_.size());
   }
 
-  // A constraint that does not resist bending (a spring along an edge): as soft as half of the others become.
+  // A constraint that does not resist bending (a spring along an edge): then as soft as the median of the others.
   void add_idle(double& softness) { idle_.push_back(&softness); }
 
   bool empty() const { return softness_.empty() && idle_.empty(); }
@@ -76,8 +76,8 @@ class Resistance {
  private:
   using PerVertex = std::vector<ByDirection>;
 
-  std::span<const float, directions> energy(std::size_t c) const {
-    return std::span<const float, directions>(&energy_[c * directions], directions);
+  std::span<const double, directions> energy(std::size_t c) const {
+    return std::span<const double, directions>(&energy_[c * directions], directions);
   }
   std::span<const Share> shares(std::size_t c) const {
     return std::span(shares_).subspan(first_share_[c], first_share_[c + 1] - first_share_[c]);
@@ -90,7 +90,7 @@ class Resistance {
 
   std::size_t vertices_;
   std::vector<double*> softness_, idle_;
-  std::vector<float> energy_;  // by constraint and direction
+  std::vector<double> energy_;  // by constraint and direction
   std::vector<std::size_t> first_share_ = {0};
   std::vector<Share> shares_;
   std::vector<double> factor_;  // on each constraint's stiffness
@@ -102,7 +102,7 @@ Resistance::PerVertex Resistance::energies() const {
     for (const Share& share : shares(c)) {
       const double part = factor_[c] * static_cast<double>(share.part);
       ByDirection& of_vertex = sum[static_cast<std::size_t>(share.vertex)];
-      for (std::size_t d = 0; d < directions; ++d) of_vertex[d] += part * static_cast<double>(energy(c)[d]);
+      for (std::size_t d = 0; d < directions; ++d) of_vertex[d] += part * energy(c)[d];
     }
   return sum;
 }
@@ -120,8 +120,8 @@ void Resistance::scale_to(const std::vector<double>& wanted) {
 // vertex in a direction is multiplied by what is wanted there over what is there, and its new energy is the sum. Keeps
 // f positive and, of the many solutions, near the model's own proportions.
 void Resistance::improve(const std::vector<double>& wanted) {
-  constexpr double over_relaxation =
-      1.5;  // saves rounds: an error e in the logarithm becomes -e/2, where 1 ends at once
+  // Saves rounds: what alone would be right at once keeps half its error, what is slow becomes faster.
+  constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
   for (std::size_t v = 0; v < vertices_; ++v)
     for (double& value : ratio[v]) value = wanted[v] > 0 && value > 0 ? wanted[v] / value : 0;
@@ -131,7 +131,7 @@ void Resistance::improve(const std::vector<double>& wanted) {
       const auto v = static_cast<std::size_t>(share.vertex);
       if (!(wanted[v] > 0)) continue;
       for (std::size_t d = 0; d < directions; ++d) {
-        const double w = static_cast<double>(share.part) * static_cast<double>(energy(c)[d]);
+        const double w = static_cast<double>(share.part) * energy(c)[d];
         weight += w, sum += w * ratio[v][d];
       }
     }
@@ -155,8 +155,7 @@ std::vector<BendingFact> Resistance::facts(const std::vector<double>& wanted, co
     for (std::size_t d = 0; d < directions; ++d) total[d] += have[v][d];
   }
   for (std::size_t c = 0; c < softness_.size(); ++c)
-    for (const float e : energy(c))
-      own += static_cast<double>(e), calibrated += factor_[c] * static_cast<double>(e);
+    for (const double e : energy(c)) own += e, calibrated += factor_[c] * e;
   const auto [least, most] = std::minmax_element(total.begin(), total.end());
   const double reached = area - unreached;
   return {{name + "_factor", own > 0 ? calibrated / own : 0,
