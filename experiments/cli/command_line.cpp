@@ -27,9 +27,10 @@ constexpr std::string_view footer =
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
-  bool json = false, full = false, list = false, explain = false;
+  bool json = false, list = false, explain = false;
   std::string run = "", folder = "results";
-  std::filesystem::path mesh_file, reproduce_out;
+  std::filesystem::path mesh_file;
+  ReproduceArguments reproduce;
   QualityThresholds thresholds;
   StiffnessArguments stiffness;
   BenchOptions bench;
@@ -91,13 +92,22 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                                    [&a] { return validate_command(a.configs); });
   add_configs(validate, a);
 
-  CLI::App* reproduce = add_command(
-      app, a, "reproduce",
-      "Run the paper's experiments, ablations and the comparison of models, and draw the page of its claims",
-      [&a] { return reproduce_command(a.options, a.reproduce_out, a.full); });
+  CLI::App* reproduce =
+      add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",
+                  [&a] { return reproduce_command(a.options, a.reproduce); });
+  reproduce
+      ->add_option(
+          "WHAT", a.reproduce.what,
+          "paper: its figures, ablations, every model and the scenes; stiffness: how stiff every model is, "
+          "against theory")
+      ->check(CLI::IsMember(reproducible()))
+      ->capture_default_str();
   add_campaign(reproduce, a);
-  reproduce->add_flag("--full", a.full, "With resolution 256 too");
-  reproduce->add_option("--out", a.reproduce_out,
+  CLI::Option* full =
+      reproduce->add_flag("--full", a.reproduce.full, "With what takes longest, resolution 256 too");
+  reproduce->add_flag("--quick", a.reproduce.quick, "Without what is slow; the page says what is missing")
+      ->excludes(full);
+  reproduce->add_option("--out", a.reproduce.out,
                         "Folder for the results (default: results in the checkout)");
 }
 

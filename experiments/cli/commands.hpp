@@ -23,10 +23,18 @@ int run_command(const ConfigArguments& configs, const CampaignOptions& options, 
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
 int validate_command(const ConfigArguments& configs);
 
-/// Every experiment of the paper and every ablation, then the page of figures and claims.
-/// `full` adds the configs whose names end in _full. Results go to `out`, or to the checkout's results where
-/// that is empty (options.out is not used).
-int reproduce_command(CampaignOptions options, const std::filesystem::path& out, bool full);
+struct ReproduceArguments {
+  std::string what = "paper";  ///< one of reproducible()
+  std::filesystem::path out;   ///< empty: the checkout's results (CampaignOptions::out is not used)
+  bool full = false;           ///< with the configs whose names end in _full
+  bool quick = false;          ///< without those whose names end in _slow
+};
+
+/// What there is to reproduce, the default first.
+std::vector<std::string> reproducible();
+
+/// Its experiments, then the page of figures and checks, in a folder of its name.
+int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
 
 int list_command(const std::filesystem::path& folder, bool json);
 

@@ -83,17 +83,32 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   return code == exit_ok && !expectations_hold(runs) ? int{exit_failed} : code;
 }
 
-/// The JSON files of a folder, by name; those that end in `_full` only where asked for.
-std::vector<fs::path> configs_in(const fs::path& folder, bool full) {
+/// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow` unless it has to
+/// be quick.
+std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArguments& arguments) {
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path& file = entry.path();
-    if (file.extension() == ".json" && (full || !file.stem().string().ends_with("_full")))
+    const std::string name = file.stem().string();
+    if (file.extension() == ".json" && (arguments.full || !name.ends_with("_full")) &&
+        !(arguments.quick && name.ends_with("_slow")))
       files.push_back(file);
   }
   std::ranges::sort(files);
   return files;
 }
+
+/// Something to reproduce: folders of configs, and the script below analysis/ that makes a page of their runs.
+struct Reproducible {
+  std::string_view name;
+  std::array<std::string_view, 4> folders;
+  std::string_view script;
+};
+
+constexpr std::array reproducibles = {
+    Reproducible{"paper", {"paper", "ablations", "models", "scenes"}, "page.py"},
+    Reproducible{"stiffness", {"stiffness"}, "stiffness_page.py"},
+};
 
 /// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
 /// started.
@@ -173,17 +188,26 @@ int validate_command(const ConfigArguments& configs) {
   return exit_ok;
 }
 
-int reproduce_command(CampaignOptions options, const fs::path& out, bool full) {
-  const fs::path source = BENDLAB_SOURCE_DIR, script = source / "analysis" / "page.py";
-  options.out = out.empty() ? source / "results" : out;
+std::vector<std::string> reproducible() {
+  std::vector<std::string> names;
+  for (const Reproducible& each : reproducibles) names.emplace_back(each.name);
+  return names;
+}
+
+int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
+  const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
+  const fs::path source = BENDLAB_SOURCE_DIR, script = source / "analysis" / what.script;
+  options.out = arguments.out.empty() ? source / "results" : arguments.out;
   ConfigArguments configs;
-  for (const char* folder : {"paper", "ablations", "models", "scenes"})
-    std::ranges::copy(configs_in(source / "configs" / folder, full), std::back_inserter(configs.files));
+  for (const std::string_view folder : what.folders)
+    if (!folder.empty())
+      std::ranges::copy(configs_in(source / "configs" / folder, arguments),
+                        std::back_inserter(configs.files));
 
   const int runs_code = run_and_report(load_experiments(configs), options, Report::lines);
   if (stop_exit_code() != 0) return runs_code;
 
-  const fs::path page = options.out / "paper";
+  const fs::path page = options.out / what.name;
   fmt::print(stderr, "bendlab: drawing the figures\n");
   const int page_code = run_program(
       {BENDLAB_PYTHON, script.string(), "--results", options.out.string(), "--out", page.string()});
