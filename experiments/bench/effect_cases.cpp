@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -147,15 +148,14 @@ BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
                .vertices = cloth.vertices,
                .constraints = cloth.vertices,
                .repetitions = options.repetitions};
-  // Of a small cloth as many steps as take long enough, of a large one a few: most of a step is not the effect's.
-  const double least_s = cells > 100 ? 0 : options.quick ? 0.002 : 0.02;
-  const int together = cells > 100 ? 3 : 1;
+  // A number of steps, not a time of the pass: most of a step is not the effect's.
+  const int together = std::clamp((options.quick ? 20'000 : 200'000) / cloth.vertices, 3, 200);
   const auto step = [&] {
     double sum = 0;
     for (int i = 0; i < together; ++i) sum += cloth.step() / together;
     return sum;
   };
-  const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions, least_s, step);
+  const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions, 0, step);
   const double to_ns = 1e9 / cloth.vertices;  // per vertex and step
   row.ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
   row.more["acted_per_step"] = cloth.acted;
