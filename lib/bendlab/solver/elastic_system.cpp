@@ -99,7 +99,8 @@ void ElasticSystem::for_terms(const Visit& visit) const {
   const double stretch_scale = s.form == StrainForm::green ? 4 : 1;  // S - 1 is twice the Green strain
   for (std::size_t t = 0; t < strain_.size(); ++t) {
     const std::array<double, 4>& q = strain_.inverse_rest[t];
-    const double alpha = s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
+    const double alpha =
+        strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
     const auto term = [&](double part, double scale, const auto& evaluate) {
       if (part != 0)
         visit(next++, strain_.vertices[t], evaluate, [&](double c) { return quadratic(c, scale * alpha); });

@@ -24,6 +24,9 @@ class ElasticSystem {
   /// Throws std::invalid_argument unless strain and bending (where there are any) have a compliance above 0.
   explicit ElasticSystem(const SimulationInput& input);
 
+  /// The strain constraints' compliance times this, from now on.
+  void soften_strain(double factor) { strain_softness_ = factor; }
+
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
   /// Of each vertex, its number among the free ones, or -1. Unknowns 3 i to 3 i + 2 are the free vertex i's x, y, z.
@@ -58,7 +61,7 @@ class ElasticSystem {
   StrainStiffness strain_stiffness_;
   DistanceConstraints distance_;
   ElementLists elements_;
-  double bending_compliance_;
+  double bending_compliance_, strain_softness_ = 1;
   std::vector<int> free_index_;
   int free_count_ = 0;
   Eigen::Index energy_terms_ = 0;

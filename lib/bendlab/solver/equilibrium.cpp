@@ -30,6 +30,7 @@ class Equilibrium final : public TimeStep<double> {
         masses_(system_.unknowns()),
         whole_(system_.unknowns() == 0),
         size_(input.size),
+        strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
         last_move_(whole_ ? 0 : size_),
         distance_order_(list_order(input.distance.size())),
         no_order_(list_order(0)) {
@@ -41,7 +42,7 @@ class Equilibrium final : public TimeStep<double> {
     compile_plan(std::move(effect_passes));
   }
 
-  bool settled() const override { return balanced() && whole_; }
+  bool settled() const override { return softness_ == 1 && balanced() && whole_; }
   std::optional<double> unbalanced() const override { return unbalanced_; }
 
   const BatchOrder& strain_order() const override { return no_order_; }
@@ -79,9 +80,24 @@ class Equilibrium final : public TimeStep<double> {
     std::fill(state_.velocity.begin(), state_.velocity.end(), Point<double>{});
     residual_ = loads_ - system_.gradient(positions_);
     unbalanced_ = relative(residual_);
-    if (inverse_tau_squared_ >= 0) return;
+    if (inverse_tau_squared_ < 0) start();
+    while (softness_ > 1 && unbalanced_ < 1e-3 && last_move_ <= 1e-3 * size_)
+      soften(std::max(softness_ / 10, 1.0));
+  }
+
+  // Soft enough for the loads to stretch the membrane by about 1e-4.
+  void start() {
+    const double load = loads_.cwiseAbs().sum() / size_;  // N/m
+    if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, 1000.0));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
+  }
+
+  void soften(double softness) {
+    softness_ = softness;
+    system_.soften_strain(softness);
+    residual_ = loads_ - system_.gradient(positions_);
+    unbalanced_ = relative(residual_);
   }
 
   // What positions that are off by a rounding do to the forces, against the loads.
@@ -168,7 +184,8 @@ class Equilibrium final : public TimeStep<double> {
   bool convex_ = false;  // the Hessian's kind
   bool far_ = false;     // the convex one is likely to be needed again
   bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
-  double size_, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0, inverse_tau_squared_ = -1;
+  double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
+                                    inverse_tau_squared_ = -1;
   BatchOrder distance_order_, no_order_;
   Passes plan_;
 };

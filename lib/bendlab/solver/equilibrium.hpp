@@ -16,6 +16,9 @@
 // pulls, and where that does not help τ shrinks. The last steps are with the whole matrix and without M / τ²: what is
 // found is a minimum, never a saddle.
 //
+// A stiff membrane starts softer, and grows stiff in steps of ten once the cloth has found its shape: found at full
+// stiffness from the start, a strip that bends by springs keeps creases that the first steps made.
+//
 // A step counts as dt of the scene's time; the scene is settled when the last step moved no vertex by more than 1e-6
 // sizes and forces that are left over are at most `equilibrium_tolerance` of the loads, or what the rounding of
 // positions amounts to.
