@@ -51,7 +51,7 @@ constexpr std::array scenes = {
     EffectScene{"mesh_obstacle", R"("scale": 0.3, "offset": [0, 0, -0.25])", pinned_sides},
     EffectScene{"friction", R"("static": 0.5, "kinetic": 0.4)", no_pins,
                 R"({"type": "plane", "point": [0, 0, -0.1]}, )"},
-    EffectScene{"self_collision", R"("thickness": 0.001)", pinned_corner},
+    EffectScene{"self_collision", "", no_pins},  // folded, see config_of
 };
 
 /// A ball of 512 triangles around the origin, of radius 1, as a mesh file; removed at the end.
@@ -86,16 +86,27 @@ class BallFile {
       std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
+/// Five layers that lie nearer than their thickness, which is a cell: every vertex has its contacts at any resolution.
+std::string folded_settings(int cells) {
+  return fmt::format(R"("thickness": {})", 1.0 / cells);
+}
+std::string folded_pose(int cells) {
+  return fmt::format(R"("folds": 4, "fold_gap": {})", 0.95 / cells);
+}
+
 /// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.
 RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar, const BallFile& ball) {
   const std::string gravity = scene.effect == "gravity" ? "" : R"({"type": "gravity"}, )";
   const std::string file =
       scene.effect == "mesh_obstacle" ? fmt::format(R"("file": "{}", )", ball.path.string()) : "";
+  const bool folded = scene.effect == "self_collision";
+  const std::string settings = folded ? folded_settings(cells) : std::string(scene.settings);
+  const std::string pose = folded ? folded_pose(cells) : R"("perturbation": 1e-6)";
   const std::string text = fmt::format(
       R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
-          "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{"perturbation": 1e-6}},
+          "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{{}}},
           "solver": {{"precision": "{}"}}}})",
-      cells, scene.scene, gravity, scene.before, scene.effect, file, scene.settings,
+      cells, scene.scene, gravity, scene.before, scene.effect, file, settings, pose,
       scalar == "float" ? "single" : "double");
   return parse_experiment(text, "bench").runs.front();
 }
