@@ -51,7 +51,7 @@ constexpr std::array scenes = {
     EffectScene{"mesh_obstacle", R"("scale": 0.3, "offset": [0, 0, -0.25])", pinned_sides},
     EffectScene{"friction", R"("static": 0.5, "kinetic": 0.4)", no_pins,
                 R"({"type": "plane", "point": [0, 0, -0.1]}, )"},
-    EffectScene{"self_collision", "", no_pins},  // folded, see config_of
+    EffectScene{"self_collision", "", no_pins},  // see Stack
 };
 
 /// A ball of 512 triangles around the origin, of radius 1, as a mesh file; removed at the end.
@@ -86,27 +86,35 @@ class BallFile {
       std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
-/// Five layers that lie nearer than their thickness, which is a cell: every vertex has its contacts at any resolution.
-std::string folded_settings(int cells) {
-  return fmt::format(R"("thickness": {})", 1.0 / cells);
-}
-std::string folded_pose(int cells) {
-  return fmt::format(R"("folds": 4, "fold_gap": {})", 0.95 / cells);
-}
+/// Five layers on a floor, their thickness a cell, under a weight that moves them by the same part of it per step: each
+/// vertex has its contacts at any resolution.
+struct Stack {
+  double cell;  ///< m
+
+  std::string settings() const { return fmt::format(R"("thickness": {})", cell); }
+  std::string pose() const { return fmt::format(R"("folds": 4, "fold_gap": {})", 0.95 * cell); }
+  std::string before() const {
+    return fmt::format(R"({{"type": "gravity", "acceleration": [0, 0, {}]}},
+                          {{"type": "plane", "point": [0, 0, {}]}}, )",
+                       -100 * cell, -0.5 * cell);
+  }
+};
 
 /// The scene's cloth, cells by cells, crossover springs, 10 iterations; gravity and the effect.
 RunConfig config_of(const EffectScene& scene, int cells, const std::string& scalar, const BallFile& ball) {
-  const std::string gravity = scene.effect == "gravity" ? "" : R"({"type": "gravity"}, )";
+  const bool stacked = scene.effect == "self_collision";
+  const Stack stack{1.0 / cells};
+  const std::string gravity = scene.effect == "gravity" || stacked ? "" : R"({"type": "gravity"}, )";
   const std::string file =
       scene.effect == "mesh_obstacle" ? fmt::format(R"("file": "{}", )", ball.path.string()) : "";
-  const bool folded = scene.effect == "self_collision";
-  const std::string settings = folded ? folded_settings(cells) : std::string(scene.settings);
-  const std::string pose = folded ? folded_pose(cells) : R"("perturbation": 1e-6)";
+  const std::string before = stacked ? stack.before() : std::string(scene.before);
+  const std::string settings = stacked ? stack.settings() : std::string(scene.settings);
+  const std::string pose = stacked ? stack.pose() : R"("perturbation": 1e-6)";
   const std::string text = fmt::format(
       R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
           "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{{}}},
           "solver": {{"precision": "{}"}}}})",
-      cells, scene.scene, gravity, scene.before, scene.effect, file, settings, pose,
+      cells, scene.scene, gravity, before, scene.effect, file, settings, pose,
       scalar == "float" ? "single" : "double");
   return parse_experiment(text, "bench").runs.front();
 }
@@ -118,6 +126,7 @@ class CloseWatch {
     vertices = scene.rest.vertex_count();
     simulation_ = simulation_of(scene);
     for (int step = 0; step < warm_up_steps; ++step) this->step();
+    steps_ = 0, acted = 0;
   }
 
   /// Processor seconds of the effect's passes in a step.
@@ -129,14 +138,14 @@ class CloseWatch {
     const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     const double cpu = thread_cpu_s() - cpu_start;
     const PassStatistics after = effect();
-    acted = static_cast<double>(after.acted - before.acted);
+    acted += (static_cast<double>(after.acted - before.acted) - acted) / ++steps_;  // mean so far
     const double seconds = cpu * (after.seconds - before.seconds) / wall;
     share = seconds / cpu;
     return seconds;
   }
 
   int vertices = 0;
-  double acted = 0, share = 0;  // in the last step
+  double acted = 0, share = 0;  // in a step: the mean, and the last one
 
  private:
   PassStatistics effect() const {
@@ -146,6 +155,7 @@ class CloseWatch {
     return sum;
   }
 
+  int steps_ = 0;
   std::string effect_;
   std::unique_ptr<Simulation> simulation_;
 };
