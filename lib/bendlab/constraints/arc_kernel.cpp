@@ -6,7 +6,7 @@ namespace bendlab {
 template <>
 struct PackKernel<ArcSpring> {
   using Law = ArcSpring::Law;
-  using Laws = std::integer_sequence<Law, Law::exact, Law::polynomial>;
+  using Laws = LawList<Law::exact, Law::polynomial>;
 
   template <class Real, Law law>
   BENDLAB_INLINE static PackConstraint<Real, 2> evaluate(const std::array<PackPoints<Real>, 2>& p,

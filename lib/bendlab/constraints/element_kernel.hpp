@@ -20,7 +20,11 @@ struct PackConstraint {
   PackMask<Real> defined;
 };
 
-/// Of a kind: `Laws`, its laws as a std::integer_sequence, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
+/// The laws of a kind, as a type.
+template <auto... laws>
+struct LawList {};
+
+/// Of a kind: `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
 /// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
 /// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
 template <class Kind>
@@ -120,8 +124,8 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
 }
 
 // Calls action(std::integral_constant<Law, law>) for the batch's law.
-template <class Law, Law... laws, class Action>
-void with_law(Law chosen, std::integer_sequence<Law, laws...>, const Action& action) {
+template <class Law, auto... laws, class Action>
+void with_law(Law chosen, LawList<laws...>, const Action& action) {
   ((chosen == laws ? action(std::integral_constant<Law, laws>{}) : void()), ...);
 }
 

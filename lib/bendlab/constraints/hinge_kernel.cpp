@@ -5,7 +5,7 @@
 namespace bendlab {
 template <>
 struct PackKernel<HingeAngle> {
-  using Laws = std::integer_sequence<HingeAngle::Law, HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
+  using Laws = LawList<HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
 
   template <class Real, HingeAngle::Law law>
   BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,

@@ -4,8 +4,7 @@
 namespace bendlab {
 template <>
 struct PackKernel<QuadraticBend> {
-  using Laws =
-      std::integer_sequence<QuadraticBend::Law, QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
+  using Laws = LawList<QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
 
   template <class Real, QuadraticBend::Law law>
   BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
