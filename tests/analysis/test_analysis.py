@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -378,6 +379,20 @@ class FigureTest(unittest.TestCase):
     def test_rings_of_a_strip(self):
         triangles = np.array([[i, i + 1, i + 2] for i in range(6)])  # i touches i + 1 and i + 2
         np.testing.assert_array_equal(fig_structure.ring_of(triangles, 0, 8), [0, 1, 1, 2, 2, 3, 3, 4])
+
+    def test_rounded_shades_are_those_drawn_but_for_one(self):
+        image = np.random.default_rng(5).random((60, 60, 3))
+        shades = []
+        with tempfile.TemporaryDirectory() as folder:
+            for large in (np.inf, 0):
+                figure = style.plt.figure(figsize=(1, 1))
+                figure.figimage(image)
+                with mock.patch.object(style, "LARGE", large):
+                    name = style.save(figure, folder, "noise", palette=False)
+                shades.append(style.plt.imread(Path(folder) / name)[..., :3] * 255)
+        self.assertLessEqual(np.abs(shades[1] - shades[0]).max(), 1.001)  # half a step of 3, in single precision
+        self.assertEqual(shades[1].max(), 255)
+        np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
 
     def test_numbers_are_written_for_readers(self):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
