@@ -28,13 +28,16 @@ SCENES = {
     "curtain": View(3.0, (0.42, 0.55, 0.45), azimuth=-75, elevation=8),
     "skirt": View(2.9, (0.62, 0.34, 0.48), azimuth=-60, elevation=16),
     "folded_stack": View(1.2, (0.86, 0.66, 0.32), azimuth=-72, elevation=16),
+    "chair": View(4.0, (0.80, 0.50, 0.36), azimuth=-56, elevation=22),
 }
 ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
+DPI = 125  # keeps the sheet below 900 kB
+FOLDER = CONFIGS / "scenes"  # to which mesh files are relative
 
 
 def main(results, out):
     """Draws a picture of every scene with every swept model."""
-    section = Section("One cloth, six scenes, any bending model", "scenes")
+    section = Section(f"One cloth, {len(SCENES)} scenes, any bending model", "scenes")
     experiments = {name: load_experiment(results, f"scenes/{name}") for name in SCENES}
     section.text = "The scenes of configs/scenes, each with four bending models: nothing but /bending/model differs."
     shown = {name: experiment for name, experiment in experiments.items() if section.uses(experiment)}
@@ -54,15 +57,15 @@ def clearance(run, frame):
     """Smallest distance of the cloth from the obstacles, negative where it is within: at the vertices, the middles of edges
     and of triangles."""
     positions, triangles = run.positions(frame), run.triangles
-    corners = positions[triangles]
-    sides = (corners + np.roll(corners, 1, axis=1)).reshape(-1, 3) / 2
-    return obstacles.clearance(run.config, run.metrics["time"][frame], np.concatenate([positions, sides, corners.mean(axis=1)]))
+    sides = np.unique(np.sort(np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)), axis=0)
+    points = np.concatenate([positions, positions[sides].mean(axis=1), positions[triangles].mean(axis=1)])
+    return obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER)
 
 
-def view_of(samples, view, folder):
+def view_of(samples, view):
     """The camera of a scene's (run, frame): it frames cloths and obstacles; a level plane is the floor."""
     run, frame = samples[0]
-    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, folder)[0]
+    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)[0]
     cloths = [run.positions(frame) for run, frame in samples]
     middle = np.concatenate([np.median(cloths, axis=0), solid]).mean(axis=0)
     camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth, elevation=view.elevation, aspect=ASPECT)
@@ -72,9 +75,9 @@ def view_of(samples, view, folder):
     return camera if floor is None else replace(camera, floor=floor)
 
 
-def picture(run, frame, camera, view, folder, width=WIDTH):
+def picture(run, frame, camera, view, width=WIDTH):
     """(h, w, 3) image of a frame with the obstacles where they then are."""
-    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, folder)
+    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)
     colours = np.tile(view.colour, (len(run.triangles), 1))
     return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False, obstacles=solid)
 
@@ -84,10 +87,10 @@ def _sheet(experiments, out):
     figure, axes = plt.subplots(len(experiments), len(models), squeeze=False, layout="constrained",
                                 figsize=(3.0 * len(models), 3.0 / ASPECT * len(experiments) + 0.6))
     for row, (name, experiment) in enumerate(experiments.items()):
-        view, folder = SCENES[name], (CONFIGS / experiment.config).parent
+        view = SCENES[name]
         runs = {model: some[0] for model, some in group(experiment.runs, lambda run: run.model).items()}
         samples = {model: (run, frame_at(run, view.time)) for model, run in runs.items()}
-        camera = view_of(list(samples.values()), view, folder)
+        camera = view_of(list(samples.values()), view)
         axes[row, 0].text(-0.03, 0.5, name.replace("_", " "), transform=axes[row, 0].transAxes, rotation=90, ha="right", va="center",
                           fontsize=10.5, fontweight="bold")
         for panel, model in zip(axes[row], models):
@@ -96,12 +99,12 @@ def _sheet(experiments, out):
                 panel.text(0.5, 0.5, "no run", ha="center", va="center", color=style.GREY, transform=panel.transAxes)
                 continue
             run, frame = samples[model]
-            panel.imshow(picture(run, frame, camera, view, folder), interpolation="lanczos")
+            panel.imshow(picture(run, frame, camera, view), interpolation="lanczos")
             style.caption(panel, caption(run, frame))
     for panel, model in zip(axes[0], models):
         panel.set_title(style.MODEL_NAMES[model], fontweight="bold")
     figure.suptitle(title(experiments), x=0.01, ha="left", fontsize=12.5)
-    return style.save(figure, out, "fig_scenes", palette=False)
+    return style.save(figure, out, "fig_scenes", palette=False, dpi=DPI)
 
 
 def caption(run, frame):

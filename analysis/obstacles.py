@@ -24,16 +24,18 @@ def surfaces(config, time, size, folder="."):
     return np.concatenate(points), np.concatenate(triangles)
 
 
-def clearance(config, time, points):
-    """Smallest distance of points (n, 3) from the obstacles at a time in s, negative within; inf without any. Mesh files
-    are left out."""
-    distances = [_distance(effect, points - time * np.array(effect["velocity"], float)).min()
-                 for effect in obstacles_of(config) if effect["type"] != "mesh_obstacle"]
+def clearance(config, time, points, folder="."):
+    """Smallest distance of points (n, 3) from the obstacles at a time in s, negative within; inf without any. Mesh files are
+    relative to `folder`; an open mesh has no inside."""
+    distances = [_distance(effect, points - time * np.array(effect["velocity"], float), Path(folder)).min()
+                 for effect in obstacles_of(config)]
     return float(min(distances, default=np.inf))
 
 
-def _distance(effect, points):
+def _distance(effect, points, folder):
     kind, vector = effect["type"], lambda name: np.array(effect[name], float)
+    if kind == "mesh_obstacle":
+        return _off_mesh(points, *_surface(effect, None, folder))
     if kind == "plane":
         return (points - vector("point")) @ _frame(vector("normal"))[2]
     if kind == "disc":
@@ -44,6 +46,68 @@ def _distance(effect, points):
     a, b = (vector("a"), vector("b")) if kind == "capsule" else (vector("centre"), vector("centre"))
     along = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-300), 0, 1)
     return np.linalg.norm(points - a - along[:, None] * (b - a), axis=1) - effect["radius"]
+
+
+def _off_mesh(points, corners, triangles):
+    """Of points (n, 3) the smallest distance from a mesh; where some are within, minus that of the deepest."""
+    points, faces = points[np.argsort(points[:, 0])], corners[triangles]
+    within = points[_within(points, faces)] if _is_closed(triangles) else points[:0]
+    if len(within):
+        return -np.min([_from_triangle(within, face) for face in faces], axis=0).max()
+    least = np.inf
+    for face in faces:  # what is farther than the nearest point so far needs no look
+        near = _in_box(points, face.min(axis=0) - least, face.max(axis=0) + least)
+        if len(near):
+            least = min(least, _from_triangle(points[near], face).min())
+    return np.float64(least)
+
+
+def _in_box(points, low, high):
+    """Indices of points (n, 3) in a box; the points are in the order of their x."""
+    first, last = np.searchsorted(points[:, 0], (low[0], high[0]))
+    y, z = points[first:last, 1], points[first:last, 2]
+    return first + np.flatnonzero((y >= low[1]) & (y <= high[1]) & (z >= low[2]) & (z <= high[2]))
+
+
+def _is_closed(triangles):
+    """Whether each edge joins two triangles."""
+    edges = np.sort(np.stack([triangles, np.roll(triangles, -1, axis=1)], axis=-1).reshape(-1, 2), axis=1)
+    return bool((np.unique(edges, axis=0, return_counts=True)[1] == 2).all())
+
+
+def _from_triangle(points, corners):
+    """(n) distances of points (n, 3) from a triangle (3, 3)."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    normal = np.cross(sides[0], sides[1])
+    relative = points[:, None] - corners
+    over = (np.einsum("nij,ij->ni", relative, np.cross(sides, normal)) < 0).all(axis=1)
+    along = np.clip(np.einsum("nij,ij->ni", relative, sides) / np.maximum((sides**2).sum(axis=1), 1e-300), 0, 1)
+    beside = np.linalg.norm(relative - along[..., None] * sides, axis=2).min(axis=1)
+    return np.where(over, np.abs(relative[:, 0] @ normal) / max(np.linalg.norm(normal), 1e-300), beside)
+
+
+def _within(points, faces):
+    """Which of the points (n, 3), in the order of their x, a closed surface encloses: a ray upwards from them crosses it an
+    odd number of times."""
+    odd, bottom = np.zeros(len(points), bool), faces[..., 2].min()
+    for face in faces:
+        (left, front, _), (right, back, top) = face.min(axis=0), face.max(axis=0)
+        below = _in_box(points, (left, front, bottom), (right, back, top))
+        if len(below):
+            odd[below] ^= _passes(points[below], face)
+    return odd
+
+
+def _passes(points, face):
+    """Whether rays upwards from points (n, 3) meet a triangle. One above an edge of two triangles meets one of them."""
+    x, y, _ = points.T
+    normal = np.cross(face[1] - face[0], face[2] - face[0])
+    over = np.zeros(len(points), bool)
+    for a, b in ((0, 1), (1, 2), (2, 0)):
+        (ax, ay), (bx, by) = sorted([tuple(face[a, :2]), tuple(face[b, :2])])  # the same numbers from both sides
+        if ay != by:
+            over ^= ((ay > y) != (by > y)) & (x < ax + (y - ay) * (bx - ax) / (by - ay))
+    return over & ((face[0] - points) @ normal * normal[2] > 0)
 
 
 def floor_of(config):

@@ -23,6 +23,7 @@ INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 
 LARGE = 290_000  # bytes from which a picture gets a palette
+SHADES = 3  # of 255: steps too small to be seen, which save a third of a file
 STRETCH = LinearSegmentedColormap.from_list("stretch", ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
 
@@ -160,22 +161,26 @@ def number(value, digits=3):
     return f"{value:.{places}f}"
 
 
-def save(figure, folder, name, palette=True):
-    """Writes folder/name.png and returns its name; with a palette of 256 colours where that keeps it small, unless `palette` is
-    false: smooth shading shows its steps."""
+def save(figure, folder, name, palette=True, dpi=None):
+    """Writes folder/name.png and returns its name; with a palette of 256 colours where that keeps it small. Smooth shading
+    would show its steps: with `palette` false shades are rounded to SHADES instead."""
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", pil_kwargs={"optimize": True})
+    figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", dpi=dpi or "figure", pil_kwargs={"optimize": True})
     plt.close(figure)
-    if palette and path.stat().st_size > LARGE:
-        with Image.open(path) as image:
-            image = image.convert("RGB")
+    if path.stat().st_size <= LARGE:
+        return path.name
+    with Image.open(path) as image:
+        image = image.convert("RGB")
+    if palette:
         small = image.quantize(palette=_palette(image), dither=Image.Dither.NONE)
         colours = small.getpalette()
         white = 3 * small.getpixel((0, 0))
         colours[white:white + 3] = [255, 255, 255]  # the margin stays as white as the page
         small.putpalette(colours)
-        small.save(path, optimize=True)
+    else:
+        small = image.point([255 - SHADES * round((255 - shade) / SHADES) for shade in range(256)] * 3)
+    small.save(path, optimize=True)
     return path.name
 
 

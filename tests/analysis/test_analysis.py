@@ -5,6 +5,7 @@ import tempfile
 import unittest
 from pathlib import Path
 from types import SimpleNamespace
+from unittest import mock
 
 import h5py
 import numpy as np
@@ -240,6 +241,38 @@ class ObstacleTest(unittest.TestCase):
         self.assertAlmostEqual(at("sphere", [0, 0.7, 3], time=2), 0.2, places=12)
         self.assertAlmostEqual(at("disc", [0.53, 0, 1.04]), np.hypot(0.08, 0.04) - 0.05, places=12)
 
+    CUBE = ("".join(f"v {i % 2} {i // 2 % 2} {i // 4}\n" for i in range(8))
+            + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
+
+    def mesh_clearance(self, text, points, time=0.0):
+        """From a mesh twice as large as in its file, 5 m to the right and 1 m/s faster upwards."""
+        effect = {"type": "mesh_obstacle", "file": "mesh.obj", "scale": 2.0, "offset": [5, 0, 0], "velocity": [0, 0, 1]}
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "mesh.obj").write_text(text)
+            return obstacles.clearance({"effects": [effect]}, time, np.array(points, float), folder)
+
+    def test_the_clearance_of_a_mesh_is_that_of_the_cube_it_shows(self):
+        def expected(points):
+            q = np.abs(points - [6, 1, 1]) - 1  # beyond each pair of sides
+            return (np.linalg.norm(np.maximum(q, 0), axis=1) + np.minimum(q.max(axis=1), 0)).min()
+        rng = np.random.default_rng(4)
+        for _ in range(50):  # around, beside and within; 1e-12: coordinates of some 8 m rounded, squared and summed
+            alone = rng.uniform([4, -1, -1], [8, 3, 3], (1, 3))
+            self.assertAlmostEqual(self.mesh_clearance(self.CUBE, alone), expected(alone), delta=1e-12)
+            many = np.array([6, 1, 1]) + rng.uniform(-1, 1, (200, 3)) * [9, 5, 5]
+            many = many[(np.abs(many - [6, 1, 1]) > 1 + rng.random()).any(axis=1)]
+            self.assertAlmostEqual(self.mesh_clearance(self.CUBE, many), expected(many), delta=1e-12)
+        for point, distance in (([6, 1, 1], -1), ([6, 1, 2.5], 0.5), ([8, 3, 1], 2**0.5), ([4, -1, 3], 3**0.5),
+                                ([6, 1, 1.75], -0.25), ([5.5, 0.5, 1.9], -0.1)):  # over the middle and the diagonals of faces
+            self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [point]), distance, delta=1e-12)
+        self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [[6, 1, 5.5]], time=3), 0.5, delta=1e-12)
+        self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [[6, 1, 4], [6, 1, 0.3], [6, 1, 0.1]]), -0.3, delta=1e-12)
+
+    def test_an_open_mesh_has_no_inside(self):
+        without_bottom = self.CUBE.replace("f 1 3 4 2\n", "")
+        for point, distance in (([6, 1.1, 0.3], 0.9), ([6, 1, 2.5], 0.5), ([6, 1, -0.5], np.hypot(1, 0.5))):
+            self.assertAlmostEqual(self.mesh_clearance(without_bottom, [point]), distance, delta=1e-12)
+
     def test_a_level_plane_is_the_floor_and_a_slope_a_patch(self):
         level = {"type": "plane", "point": [0, 0, -0.3], "normal": [0, 0, 2], **self.COMMON}
         self.assertEqual(obstacles.floor_of({"effects": [level]}), -0.3)
@@ -347,6 +380,20 @@ class FigureTest(unittest.TestCase):
     def test_rings_of_a_strip(self):
         triangles = np.array([[i, i + 1, i + 2] for i in range(6)])  # i touches i + 1 and i + 2
         np.testing.assert_array_equal(fig_structure.ring_of(triangles, 0, 8), [0, 1, 1, 2, 2, 3, 3, 4])
+
+    def test_rounded_shades_are_those_drawn_but_for_one(self):
+        image = np.random.default_rng(5).random((60, 60, 3))
+        shades = []
+        with tempfile.TemporaryDirectory() as folder:
+            for large in (np.inf, 0):
+                figure = style.plt.figure(figsize=(1, 1))
+                figure.figimage(image)
+                with mock.patch.object(style, "LARGE", large):
+                    name = style.save(figure, folder, "noise", palette=False)
+                shades.append(style.plt.imread(Path(folder) / name)[..., :3] * 255)
+        self.assertLessEqual(np.abs(shades[1] - shades[0]).max(), 1.001)  # half a step of 3, in single precision
+        self.assertEqual(shades[1].max(), 255)
+        np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
 
     def test_numbers_are_written_for_readers(self):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
