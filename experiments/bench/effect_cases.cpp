@@ -191,10 +191,13 @@ std::vector<BenchCase> effect_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
   std::vector<BenchCase> cases;
   for (const EffectScene& scene : scenes)
-    for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000})
+    for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
+      // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes the better part of a minute.
+      if (scene.effect == "self_collision" && cells == 1000) continue;
       cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
                        .oracle = "",
                        .run = [=, &scene] { return measure(scene, cells, "float", options); }});
+    }
   return cases;
 }
 
