@@ -1,0 +1,110 @@
+"""Calibrated stiffness: what models measure that were told a physical stiffness, beside the paper's rule."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import strips
+import style
+from fig_stiffness_resolution import ratio
+from load import group
+from report import Check, Section, Table, figure_main
+
+GOALS = {"equilateral": 0.05, "delaunay": 0.15}
+LOOKS = {"equilateral": "-", "delaunay": "--"}
+SPRINGS = ("adaptive", "lod", "sparse_lod")
+TOLD = "the stiffness in the config"
+
+
+def main(results, out):
+    section = Section("Told a physical stiffness, models keep it through refinement", "calibrated")
+    runs = strips.experiment_runs(results, section, "calibrated", "calibrated_slow", "calibrated_96_slow")
+    before = strips.experiment_runs(results, section, "resolution", "resolution_slow")
+    section.text = ("Each model turns B (hinges) or C (springs) into compliances of its own constraints from the mesh; springs have one length, 3.89 cm, at "
+                    "every resolution (2, 4, 8, 16 edges at 12, 24, 48, 96 cells). Static equilibrium. The number is from the moment-curvature fit, or from "
+                    "H/W where springs reach too far for a fit. Asked for: the same stiffness within 5 % on the lattice, 15 % on "
+                    "irregular meshes. Hinges stay softer on irregular meshes: the sheet finds easier shapes there than the cylinder they are "
+                    "calibrated on.")
+    for run in runs:
+        goal = GOALS[strips.family(run)]
+        section.checks.append(Check("stiffness measured over told", name(run), strips.mesh_name(run), 1, share(run), goal, TOLD))
+    for (model, family), some in group(runs, lambda run: (name(run), strips.family(run))).items():
+        cells = sorted(strips.cells(run) for run in some)
+        section.checks.append(Check("largest ratio of stiffness between two resolutions", model, f"{strips.MESH_NAMES[family]}, {cells[0]} to {cells[-1]} cells",
+                                    1 + GOALS[family], strips.largest_ratio(map(share, some)), 0, "calibration on every mesh", "most"))
+    if runs:
+        section.pictures.append((_picture(runs, before, out), "Left: B from H/W with k = 0.5 and levels from eq. 6, over that at 12 cells. Right: stiffness measured over "
+                                 "told. Solid: equilateral lattice, dashed: Delaunay. The bands are 5 and 15 %."))
+        section.tables += [_summary(runs, before), _table(runs)]
+    return section
+
+
+def name(run):
+    """The model, and whether pins have the larger ring of the paper."""
+    return f"{run.model}, n-ring at pins" if run.model == "adaptive" and run.get("/bending/adaptive/pin_zone") else run.model
+
+
+def share(run):
+    """Stiffness measured over told."""
+    if run.model in SPRINGS:
+        fit, told = strips.number(run, "stiffness_fit_C"), run.get("/bending/quartic_coefficient")
+        return (strips.number(run, "stiffness_quartic") if np.isnan(fit) else fit) / told
+    fit, told = strips.number(run, "stiffness_fit_B"), run.get("/bending/flexural_rigidity")
+    return (strips.rigidity(run) if np.isnan(fit) else fit) / told
+
+
+def _picture(runs, before, out):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.8, 4.4), layout="constrained", sharey=True)
+    models = list(dict.fromkeys(run.model for run in runs))
+    ratios = {"before": [], "after": []}
+    for model in models:
+        for family, look in LOOKS.items():
+            some = sorted((run for run in before if run.model == model and strips.family(run) == family), key=strips.cells)
+            values = np.array([strips.rigidity(run) for run in some])
+            if len(values):
+                left.plot([strips.cells(run) for run in some], values / values[0], look, marker="o", markersize=4, color=style.MODEL_COLOURS[model])
+                ratios["before"].append(strips.largest_ratio(values))
+            some = sorted((run for run in runs if name(run) == model and strips.family(run) == family), key=strips.cells)
+            if some:
+                right.plot([strips.cells(run) for run in some], [share(run) for run in some], look, marker="o", markersize=4,
+                           color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model] if family == "equilateral" else None)
+                ratios["after"].append(strips.largest_ratio(map(share, some)))
+    right.axhspan(0.85, 1.15, color="#f2f6f3", zorder=0), right.axhspan(0.95, 1.05, color="#dfece3", zorder=0)
+    for panel in (left, right):
+        style.resolution_axis(panel, sorted({strips.cells(run) for run in [*runs, *before]}))
+        panel.set_xlabel("cells along the strip")
+    style.plain_log(left)
+    left.set_ylabel("stiffness over that at 12 cells")
+    right.set_ylabel("stiffness measured / told"), right.yaxis.set_tick_params(labelleft=True)
+    left.set_title("the paper's rule: k = 0.5, eq. 6"), right.set_title("calibrated")
+    right.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    old, new = ([value for value in ratios[key] if np.isfinite(value)] for key in ("before", "after"))
+    if old and new:
+        figure.suptitle(f"Refinement changes the stiffness {style.number(min(old), 2)} to {style.number(max(old), 2)} times by the paper's rule, "
+                        f"{min(new):.2f} to {max(new):.2f} times calibrated", x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_stiffness_calibrated")
+
+
+def _summary(runs, before):
+    rows = []
+    for (model, family), some in group(sorted(runs, key=name), lambda run: (name(run), strips.family(run))).items():
+        old = [run for run in before if run.model == model and strips.family(run) == family]
+        shares, cells = list(map(share, some)), sorted(strips.cells(run) for run in some)
+        exponents = [strips.number(run, "stiffness_fit_exponent") for run in some]
+        exponents = [p for p in exponents if np.isfinite(p)]
+        rows.append([model, strips.MESH_NAMES[family], f"{min(exponents):.2f} – {max(exponents):.2f}" if exponents else "–",
+                     f"{min(shares):.3f} – {max(shares):.3f}", f"{cells[0]} – {cells[-1]}", style.number(strips.largest_ratio(shares)),
+                     style.number(ratio(old)) if old else "–"])
+    return Table("Before and after", ["model", "mesh", "p", "measured over told", "cells", "largest ratio, calibrated", "largest ratio, paper's rule (k = 0.5)"], rows)
+
+
+def _table(runs):
+    rows = [[name(run), strips.MESH_NAMES[strips.family(run)], strips.cells(run), f"{share(run):.3f}",
+             style.number((strips.number(run, "stiffness_quartic") / run.get("/bending/quartic_coefficient")) if run.model in SPRINGS
+                          else strips.rigidity(run) / run.get("/bending/flexural_rigidity")),
+             f"{strips.number(run, 'stiffness_fit_exponent'):.3f}", style.number(strips.droop(run)),
+             style.number(strips.number(run, "springs")) if run.model in SPRINGS else "–"]
+            for run in sorted(runs, key=lambda run: (name(run), strips.family(run), strips.cells(run)))]
+    return Table("Calibrated", ["model", "mesh", "cells", "stiffness over told", "from H/W", "p", "H/W", "springs"], rows)
+
+
+if __name__ == "__main__":
+    figure_main(main)
