@@ -52,8 +52,8 @@ def share(run):
 
 
 def _picture(runs, before, out):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.8, 4.4), layout="constrained", sharey=True)
-    models = list(dict.fromkeys(run.model for run in runs))
+    figure, (left, right, zoom) = plt.subplots(1, 3, figsize=(12.6, 4.3), layout="constrained")
+    models = strips.by_model(runs)
     ratios = {"before": [], "after": []}
     for model in models:
         for family, look in LOOKS.items():
@@ -64,18 +64,21 @@ def _picture(runs, before, out):
                 ratios["before"].append(strips.largest_ratio(values))
             some = sorted((run for run in runs if name(run) == model and strips.family(run) == family), key=strips.cells)
             if some:
-                right.plot([strips.cells(run) for run in some], [share(run) for run in some], look, marker="o", markersize=4,
-                           color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model] if family == "equilateral" else None)
+                for panel in (right, zoom):
+                    panel.plot([strips.cells(run) for run in some], [share(run) for run in some], look, marker="o", markersize=4,
+                               color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model] if family == "equilateral" else None)
                 ratios["after"].append(strips.largest_ratio(map(share, some)))
-    right.axhspan(0.85, 1.15, color="#f2f6f3", zorder=0), right.axhspan(0.95, 1.05, color="#dfece3", zorder=0)
-    for panel in (left, right):
+    for panel in (left, right, zoom):
         style.resolution_axis(panel, sorted({strips.cells(run) for run in [*runs, *before]}))
         panel.set_xlabel("cells along the strip")
-    style.plain_log(left)
-    left.set_ylabel("stiffness over that at 12 cells")
-    right.set_ylabel("stiffness measured / told"), right.yaxis.set_tick_params(labelleft=True)
-    left.set_title("the paper's rule: k = 0.5, eq. 6"), right.set_title("calibrated")
-    right.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    for panel in (left, right):
+        panel.set_ylim(1e-4, 2)
+        style.plain_log(panel)
+    zoom.axhspan(0.85, 1.15, color="#f2f6f3", zorder=0), zoom.axhspan(0.95, 1.05, color="#dfece3", zorder=0)
+    zoom.set_ylim(0.75, 1.25)
+    left.set_ylabel("stiffness over that at 12 cells"), right.set_ylabel("stiffness measured / told")
+    left.set_title("the paper's rule: k = 0.5, eq. 6"), right.set_title("calibrated"), zoom.set_title("calibrated, enlarged")
+    zoom.legend(loc="upper left", bbox_to_anchor=(1, 1))
     old, new = ([value for value in ratios[key] if np.isfinite(value)] for key in ("before", "after"))
     if old and new:
         figure.suptitle(f"Refinement changes the stiffness {style.number(min(old), 2)} to {style.number(max(old), 2)} times by the paper's rule, "

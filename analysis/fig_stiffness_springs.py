@@ -16,6 +16,10 @@ def ring(run):
     return run.get("/bending/k_ring/k")
 
 
+def place(run):
+    return strips.cells(run), ring(run)
+
+
 def expected_quartic(run):
     """C of the strip's own springs, N m³."""
     return strips.expected_quartic(run.rest_positions, run.triangles, run.pinned, ring(run), 1 / run.get("/bending/compliance"))
@@ -28,17 +32,17 @@ def membrane_ratio(run, quartic):
 
 
 def main(results, out):
-    section = Section("Springs resist as κ³, if the membrane is neither soft nor too stiff", "springs")
+    section = Section("Springs resist as κ³, and the membrane decides how much of it is left", "springs")
     runs = strips.experiment_runs(results, section, "springs", "springs_slow")
     sweep = strips.experiment_runs(results, section, "gravity")
     section.text = ("Springs to ring t alone on an equilateral lattice. A spring of t edges is shorter on a bent sheet by t (t² − 1) a³ κ²/24, so "
                     "that the moment is C κ³ with C = c_t k a⁴ (c_2 = 0.1522, c_3 = 3.393, c_4 = 27.51 on an infinite lattice; here summed over "
                     "the strip's own springs, which end at its free sides). That holds while the edges keep their lengths. A soft membrane gives way to the "
-                    "springs instead of bending: C is lost. The page takes C and p where R⁴/(α C) is nearest to 40 000, a value fixed beforehand for "
-                    "all three rings: α is the membrane's compliance, R the springs' length.")
-    points = [(run, expected_quartic(run)) for run in runs]
-    points = [(run, quartic, membrane_ratio(run, quartic)) for run, quartic in points]
-    for _, some in group(points, lambda point: (strips.cells(point[0]), ring(point[0]))).items():
+                    "springs instead of bending: C is lost. C and p are taken where R⁴/(α C) is nearest to 200 000 for all three rings: α is the membrane's compliance, R the "
+                    "springs' length.")
+    quartic_of = {key: expected_quartic(some[0]) for key, some in group(runs, place).items()}  # of the mesh, not of the membrane
+    points = [(run, quartic_of[place(run)], membrane_ratio(run, quartic_of[place(run)])) for run in runs]
+    for _, some in group(points, lambda point: place(point[0])).items():
         section.checks += _checks(*min(some, key=lambda point: abs(np.log(point[2] / RATIO))))
     section.checks += slopes(sweep)
     if points:
@@ -69,7 +73,7 @@ def slopes(runs):
 
 def _picture(points, out):
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.1), layout="constrained")
-    for (cells, t), some in sorted(group(points, lambda point: (strips.cells(point[0]), ring(point[0]))).items()):
+    for (cells, t), some in sorted(group(points, lambda point: place(point[0])).items()):
         some.sort(key=lambda point: point[2])
         x = [point[2] for point in some]
         look = dict(color=RING_COLOURS[t], marker="o", markerfacecolor="none" if cells > 24 else RING_COLOURS[t], linewidth=1,
@@ -86,8 +90,8 @@ def _picture(points, out):
     right.legend()
     plateau = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if RATIO / 3 < ratio < RATIO * 3]
     soft = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if ratio < RATIO / 30]
-    title = f"Around the dotted line C is {min(plateau):.2f} to {max(plateau):.2f} of theory's" if plateau else "C against the membrane's stiffness"
-    title += f"; a membrane 30 times softer or more leaves {100 * min(soft):.0f} to {100 * max(soft):.0f} %" if soft else ""
+    title = f"A stiff membrane leaves {100 * min(plateau):.0f} to {100 * max(plateau):.0f} % of the springs' C" if plateau else "C against the membrane's stiffness"
+    title += f", one that is 30 times softer or more {100 * min(soft):.0f} to {100 * max(soft):.0f} %" if soft else ""
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_springs")
 

@@ -94,12 +94,11 @@ def _drape_picture(runs, out):
         lengths, values = curve_of(runs, radius)
         if len(lengths):
             axes.plot(100 * lengths, values, "o-", color=colour, label=f"simulated: {tester}")
-    inside = 0
     for i, (fabric, (rigidity, rough, weight, measured)) in enumerate(FABRICS.items()):
         low, high = 100 * length_of(rigidity, weight), 100 * length_of(rough, weight)
         axes.plot([low, high], [measured, measured], color=style.INK, linewidth=2.2, solid_capstyle="butt", label="measured, with friction" if i == 0 else None)
         axes.plot(low, measured, "s", color=style.INK, label="measured" if i == 0 else None)
-        axes.annotate(fabric, (high, measured), xytext=(5, -3), textcoords="offset points", fontsize=8.5)
+        axes.annotate(fabric, (low, measured), xytext=(0, -14), textcoords="offset points", fontsize=8.5)
     inside = [check.holds for check in drape_checks(runs) if check.holds is not None and "30 cm" in check.mesh]
     axes.set_xlabel("bending length (B/ρ g)^⅓ (cm)"), axes.set_ylabel("drape coefficient (%)")
     axes.set_ylim(0, 100)

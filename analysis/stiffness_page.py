@@ -3,6 +3,7 @@ import argparse
 import json
 from pathlib import Path
 
+import fig_stiffness_buckling
 import fig_stiffness_calibrated
 import fig_stiffness_convergence
 import fig_stiffness_hinges
@@ -15,7 +16,7 @@ from load import group
 from report import Table
 
 FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_resolution, fig_stiffness_calibrated,
-           fig_stiffness_textile]
+           fig_stiffness_buckling, fig_stiffness_textile]
 EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
 
 

@@ -1,7 +1,8 @@
 """What the figures of the stiffness laboratory share: runs of clamped strips, and the curves that theory has for them."""
 import numpy as np
 
-from load import load_experiment
+import style
+from load import group, load_experiment
 
 GRAVITY = 9.81  # m/s², of the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "delaunay": "delaunay"}
@@ -29,6 +30,16 @@ def mesh_name(run):
     return f"{MESH_NAMES.get(family(run), family(run))}, {cells(run)} cells"
 
 
+def model_name(run):
+    return "k-ring, k = 2" if run.model == "k_ring" else style.MODEL_NAMES[run.model]
+
+
+def by_model(runs):
+    """Model → runs, in the order of the colours."""
+    found = group(runs, lambda run: run.model)
+    return {model: found[model] for model in style.MODEL_COLOURS if model in found}
+
+
 def gravity(run):
     return -run.get("/effects/0/acceleration", [0, 0, -GRAVITY])[2]
 
@@ -48,11 +59,6 @@ def rigidity(run):
     return number(run, "stiffness_flexural_rigidity")
 
 
-def balanced(run):
-    """Whether a run in static equilibrium got there: forces balance to a thousandth of the loads."""
-    return number(run, "unbalanced") < 1e-2
-
-
 def load_number(run, flexural_rigidity):
     """Γ = ρ g L³/B for the strip's effective length (with its clamp offset) and this B."""
     return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
@@ -66,6 +72,7 @@ def elastica_droop(loads):
 
     def shoot(slope):
         theta, width, height = (np.zeros_like(loads) for _ in range(3))
+        steep, flat = (np.zeros(loads.shape, bool) for _ in range(2))
         bend = lambda s, angle: -loads * (1 - s) * np.cos(angle)
         for s in np.arange(steps) * h:
             k1, l1 = slope, bend(s, theta)
@@ -78,12 +85,15 @@ def elastica_droop(loads):
             width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
             height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
             theta = after
-        return slope, height / width
+            steep |= (theta > np.pi / 2) & ~flat  # past the vertical its weight bends it on and on
+            flat |= (slope < 0) & ~steep
+        return ~flat, height / width
 
-    low, high = np.zeros_like(loads), loads / 2 + 1  # the slope at the clamp: Γ/2 at most, where the strip stays flat
+    # The slope at the clamp: below Γ/2, which it is where the strip stays flat, and √2Γ, where all its weight turns it.
+    low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
     for _ in range(50):
         middle = (low + high) / 2
-        too_steep = shoot(middle)[0] > 0
+        too_steep = shoot(middle)[0]
         low, high = np.where(too_steep, low, middle), np.where(too_steep, middle, high)
     return shoot((low + high) / 2)[1]
 
