@@ -81,13 +81,13 @@ def _picture(runs, out):
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained", gridspec_kw={"width_ratios": [1, 1.15]})
     loads = np.geomspace(0.2, 200, 60)
     left.plot(loads, strips.elastica_droop(loads), color=style.INK, linewidth=1, label="heavy elastica")
-    finest = max(strips.cells(run) for run in runs)
+    finest = {model: max(map(strips.cells, some)) for model, some in strips.by_model(runs).items()}
     worst = []
     for (model, cells), some in group(runs, lambda run: (run.model, strips.cells(run))).items():
         load = np.array([strips.load_number(run, rigidity_given(run)) for run in some])
         measured, theory = np.array([strips.droop(run) for run in some]), strips.elastica_droop(load)
         colour, marker = style.MODEL_COLOURS[model], MARKERS[model]
-        if cells == finest:
+        if cells == finest[model]:
             left.plot(load, measured, marker, color=colour, markerfacecolor="none", label=style.MODEL_NAMES[model])
         size = {24: 4, 48: 6, 96: 8}.get(cells, 5)
         right.plot(load, 100 * (measured / theory - 1), marker, color=colour, markersize=size,
