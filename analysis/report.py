@@ -20,6 +20,40 @@ class Claim:
 
 
 @dataclass
+class Check:
+    """A number that theory or experiment names beforehand, beside the measured one."""
+
+    check: str
+    model: str
+    mesh: str
+    expected: float
+    measured: float  # NaN: the run is missing or has no such number
+    tolerance: float  # as `kind` says
+    source: str
+    kind: str = "relative"  # or absolute; or most: measured is at most expected
+    note: str = ""
+
+    @property
+    def holds(self):
+        """None where nothing was measured."""
+        if self.measured is None or self.measured != self.measured:
+            return None
+        if self.kind == "most":
+            return bool(self.measured <= self.expected)
+        return bool(abs(self.measured - self.expected) <= self.tolerance * (self.expected if self.kind == "relative" else 1))
+
+    @property
+    def bound(self):
+        """The tolerance for a reader."""
+        return {"relative": f"± {100 * self.tolerance:g} %", "absolute": f"± {self.tolerance:g}", "most": "at most"}[self.kind]
+
+    def as_json(self):
+        return {"check": self.check, "model": self.model, "mesh": self.mesh, "expected": rounded(self.expected),
+                "measured": rounded(self.measured), "tolerance": self.bound, "source": self.source, "holds": self.holds,
+                "note": self.note}
+
+
+@dataclass
 class Table:
     caption: str
     columns: list
@@ -35,6 +69,7 @@ class Section:
     pictures: list = field(default_factory=list)  # (file name, caption)
     tables: list = field(default_factory=list)
     claims: list = field(default_factory=list)
+    checks: list = field(default_factory=list)
     commands: list = field(default_factory=list)
     missing: list = field(default_factory=list)
     text: str = ""

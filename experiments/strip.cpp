@@ -72,7 +72,8 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
   const double reach = reach_of(config, rest, pins, strip.meter.along());
   const double largest = std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
   const bool wide = config.section("/solver").text("precision") == "double";
-  strip.options = {.clamp_offset = settings.clamp_offset.value_or(reach / 4),
+  const bool calibrated = config.section("/bending").text("stiffness") == "physical";
+  strip.options = {.clamp_offset = settings.clamp_offset.value_or(calibrated ? 0 : reach / 4),
                    .exclude = settings.exclude.value_or(reach),
                    .rounding = largest * (wide ? 0x1p-53 : 0x1p-24)};
   return strip;

@@ -16,7 +16,8 @@ namespace bendlab {
 /// join a free vertex to others (the median over the vertices that one joins to the clamp): t rows for springs of ring
 /// t, two for hinges.
 struct StripSettings {
-  std::optional<double> clamp_offset;  ///< m; default: a quarter of the reach
+  /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
+  std::optional<double> clamp_offset;
   std::optional<double> exclude;       ///< m; default: the reach
 };
 

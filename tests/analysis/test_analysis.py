@@ -3,6 +3,7 @@ import json
 import sys
 import tempfile
 import unittest
+import unittest.mock
 from pathlib import Path
 from types import SimpleNamespace
 from unittest import mock
@@ -14,14 +15,18 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import fig_5  # noqa: E402
 import fig_models  # noqa: E402
 import fig_scenes  # noqa: E402
+import fig_stiffness_buckling  # noqa: E402
+import fig_stiffness_textile  # noqa: E402
 import fig_structure  # noqa: E402
 import load  # noqa: E402
 import obstacles  # noqa: E402
 import page  # noqa: E402
 import render  # noqa: E402
+import stiffness_page  # noqa: E402
+import strips  # noqa: E402
 import style  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
-from report import rounded  # noqa: E402
+from report import Check, rounded  # noqa: E402
 
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -399,6 +404,69 @@ class FigureTest(unittest.TestCase):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
                          ["0.123", "12.3", "1234", "0", "∞", "–"])
         self.assertEqual(rounded({"a": [0.123456, np.inf, np.nan, True, "x"]}), {"a": [0.1235, "inf", None, True, "x"]})
+
+
+def lattice(rows, columns):
+    """(rest, triangles) of an equilateral lattice of edges 1 whose rows lie along y, every second row half an edge up."""
+    rest = np.array([[i * 3**0.5 / 2, j + i % 2 / 2, 0] for i in range(rows) for j in range(columns)])
+    triangles = []
+    for i in range(rows - 1):
+        for j in range(columns - 1):
+            a, b, c, d = i * columns + j, i * columns + j + 1, (i + 1) * columns + j, (i + 1) * columns + j + 1
+            triangles += [(a, b, d), (a, d, c)] if i % 2 else [(a, b, c), (b, d, c)]
+    return rest, np.array(triangles)
+
+
+class StripTest(unittest.TestCase):
+    def test_the_heavy_elastica_has_its_limits(self):
+        small, knee, large = strips.elastica_droop([1e-3, 8.0042, 1e3])
+        self.assertAlmostEqual(small / (1e-3 / 8), 1, delta=1e-5)  # a beam under its weight: H/L = Γ/8
+        self.assertAlmostEqual(np.degrees(np.arctan(knee)), 41.5, delta=0.01)  # what ASTM D1388 builds on
+        self.assertAlmostEqual(large / np.sqrt(1e3 / 2), 1, delta=0.06)  # a boundary layer: √(Γ/2) (1 - O(Γ^-1/2))
+
+    def test_rings_of_a_lattice_have_six_vertices_per_edge(self):
+        rest, triangles = lattice(11, 11)
+        for ring in (1, 2, 3):
+            pairs = strips.ring_pairs(triangles, len(rest), ring)
+            self.assertEqual((pairs == 60).sum(), 6 * ring)  # vertex 60 is the middle one
+
+    def test_springs_of_a_wide_lattice_have_the_coefficient_of_an_infinite_one(self):
+        # Lattice sums with edges and spring stiffness 1: per vertex of area √3/2, over spans n with n² (n² - 1) h⁴/24 l = δ, C = 4/√3 Σ δ².
+        h = 3**0.5 / 2
+        by_hand = {2: [(2, 2 * h), (2, 2), (2, 2)],
+                   3: [(2, 7**0.5), (2, 7**0.5), (3, 3), (3, 3), (3, 7**0.5), (3, 7**0.5)]}
+        rest, triangles = lattice(26, 61)
+        pinned = rest[:, 0] < 1e-9
+        for ring, spans in by_hand.items():
+            infinite = 4 / 3**0.5 * sum((n**2 * (n**2 - 1) * h**4 / (24 * length))**2 for n, length in spans)
+            measured = strips.expected_quartic(rest, triangles, pinned, ring, 1.0)
+            self.assertAlmostEqual(measured / infinite, 1, delta=0.03)  # a strip 60 edges wide lacks ring/60 of its oblique springs
+
+    def test_a_check_holds_within_its_tolerance(self):
+        check = lambda measured, tolerance, kind: Check("", "", "", 2.0, measured, tolerance, "", kind).holds
+        self.assertEqual([check(2.1, 0.06, "relative"), check(2.1, 0.04, "relative"), check(2.1, 0.11, "absolute"), check(2.1, 0.09, "absolute"),
+                          check(1.9, 0, "most"), check(2.1, 0, "most"), check(np.nan, 1, "relative")],
+                         [True, False, True, False, True, False, None])
+
+    def test_a_long_chain_hangs_half_its_length(self):
+        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(1.25), 0.3318, delta=1e-4)  # 2 a sinh(d/2a) = L, solved by hand
+        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(200) / 100, 1, delta=0.05)  # two plumb lines
+
+    def test_the_critical_load_is_where_the_deflection_begins(self):
+        points = {10: 0.0, 21: 0.01, 22: 0.01 * 2**0.5, 30: 0.5}  # deflection² ∝ Γ - 20 just above 20
+        with unittest.mock.patch.multiple(fig_stiffness_buckling, load_number=lambda run: run, deflection=points.get):
+            self.assertAlmostEqual(fig_stiffness_buckling.critical_load(list(points)), 20, places=9)
+
+    def test_a_page_without_runs_has_its_checks_open(self):
+        with tempfile.TemporaryDirectory() as folder:
+            stiffness_page.main(Path(folder), Path(folder) / "stiffness")
+            checks = json.loads((Path(folder) / "stiffness/summary.json").read_text())
+            text = (Path(folder) / "stiffness/index.html").read_text()
+        self.assertTrue(checks)
+        self.assertEqual({check["holds"] for check in checks}, {None})
+        self.assertEqual(set(checks[0]), {"check", "model", "mesh", "expected", "measured", "tolerance", "source", "holds", "note"})
+        self.assertIn("configs/stiffness/hinges.json: 32 runs", text)
+        self.assertIn("no runs", text)
 
 
 if __name__ == "__main__":

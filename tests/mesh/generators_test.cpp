@@ -128,8 +128,11 @@ TEST_CASE("a Delaunay mesh fills its rectangle with points at their distances", 
     int cells;
   };
   for (const auto& [width, height, cells] :
-       {Case{1, 1, 24}, Case{3, 1, 30}, Case{1, 0.01, 8}, Case{1, 1, 1}}) {
+       {Case{1, 1, 24}, Case{3, 1, 30}, Case{1, 0.01, 8}, Case{1, 1, 1}, Case{0.23335, 0.125, 24}}) {
     const TriangleMesh mesh = delaunay(width, height, cells, 7);
+    // One ulp beside a side would be enough for a triangle of three points on it. 1e-3: none is that thin.
+    for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
+      REQUIRE(signed_area(mesh, t) > 1e-3 * width * height / static_cast<double>(mesh.triangle_count()));
     CHECK_THAT(check_sheet(mesh), WithinRel(width * height, 1e-12));  // some thousand additions
     const double spacing = width / cells;
     for (int v = 0; v < mesh.vertex_count(); ++v) {

@@ -1,0 +1,111 @@
+"""Lateral buckling: strips whose width stands upright give way sideways above a load that theory knows, those of springs always."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import strips
+import style
+from load import group
+from report import Check, Section, figure_main
+
+# Γ* = ρ g L³/D over width/length, for ν = -1/3, which a lattice of hinges has; of a Kirchhoff plate, by Ritz's method with Legendre
+# polynomials, converged to 0.1 %.
+CRITICAL = {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39}
+NOTICEABLE = 1e-3  # of the length: a sheet that is farther off its plane has buckled
+
+
+def main(results, out):
+    section = Section("Upright strips buckle sideways where theory says; springs at once", "buckling")
+    hinges = strips.experiment_runs(results, section, "buckling", "buckling_slow")
+    springs = strips.experiment_runs(results, section, "buckling_springs")
+    section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D reaches Γ*, then it gives way "
+                    "sideways. Γ* follows from where the square of the deflection, a line just above it, comes from zero. L begins half a row behind the clamp's edge; a lattice "
+                    "of hinges has Poisson's ratio −1/3. Springs without linear stiffness have Γ* = 0, and a deflection that grows as the root of the load.")
+    for (cells, _), some in group(hinges, lambda run: (strips.cells(run), run.get("/mesh/height"))).items():
+        slender = width_over_length(some[0])
+        section.checks.append(Check(f"Γ* at width over length {slender:.2f}", "discrete_shells", strips.mesh_name(some[0]),
+                                    float(np.interp(slender, list(CRITICAL), list(CRITICAL.values()))), critical_load(some), 0.03 if cells > 24 else 0.05,
+                                    "Kirchhoff plate, ν = −1/3, Ritz"))
+    section.checks.append(spring_check(springs))
+    if hinges or springs:
+        section.pictures.append((_picture(hinges, springs, out), "Deflection of the farthest vertex in static equilibrium. Left: squared, against the load over theory's "
+                                 "critical one. Right: springs to ring 3; the line has the slope 1/2."))
+    return section
+
+
+def _lengths(run):
+    """(effective length, width) in m."""
+    rest, pinned = run.rest_positions, run.pinned
+    free = rest[:, 0].max() - rest[pinned, 0].max()
+    row = np.diff(np.unique(np.round(rest[:, 0], 7))).mean()
+    return free + row / 2, np.ptp(rest[:, 1])
+
+
+def width_over_length(run):
+    length, width = _lengths(run)
+    return width / length
+
+
+def pull(run):
+    """Gravity in the plane, m/s²."""
+    return -run.get("/effects/0/acceleration")[1]
+
+
+def load_number(run):
+    """Γ"""
+    return run.get("/material/density") * pull(run) * _lengths(run)[0]**3 * run.get("/bending/compliance")
+
+
+def deflection(run):
+    """How far the farthest vertex is off the plane, over the length."""
+    return float(np.abs(run.positions(-1)[:, 2]).max() / _lengths(run)[0])
+
+
+def critical_load(runs):
+    """Γ where the line through the squares of the two smallest noticeable deflections crosses zero; NaN without two."""
+    points = sorted((load_number(run), deflection(run)**2) for run in runs)
+    points = [point for point in points if point[1] > NOTICEABLE**2][:2]
+    if len(points) < 2:
+        return np.nan
+    (low, small), (high, large) = points
+    return low - small * (high - low) / (large - small)
+
+
+def spring_check(runs):
+    slope = np.nan
+    if len(runs) > 1:
+        slope = np.polyfit(np.log([pull(run) for run in runs]), np.log([deflection(run) for run in runs]), 1)[0]
+    return Check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3", strips.mesh_name(runs[0]) if runs else "equilateral", 0.5, float(slope),
+                 0.02, "quartic bending energy against work ∝ deflection²", "absolute")
+
+
+def _picture(hinges, springs, out):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4), layout="constrained")
+    found = []
+    meshes = group(hinges, lambda run: (strips.cells(run), run.get("/mesh/height")))
+    for ((cells, _), some), colour in zip(meshes.items(), style.SEQUENCE):
+        slender = width_over_length(some[0])
+        theory = np.interp(slender, list(CRITICAL), list(CRITICAL.values()))
+        some = sorted(some, key=load_number)
+        left.plot([load_number(run) / theory for run in some], [1e4 * deflection(run)**2 for run in some], "o-", color=colour,
+                  label=f"width {slender:.2f} L, {cells} cells")
+        found.append(critical_load(some) / theory)
+    left.axvline(1, color=style.INK, linewidth=0.8)
+    left.set_ylim(-0.05, 1.5)
+    left.set_xlabel("Γ / Γ* of theory"), left.set_ylabel("(deflection / L)² (10⁻⁴)")
+    if found:
+        left.legend()
+    springs = sorted(springs, key=pull)
+    if springs:
+        g, z = np.array([pull(run) for run in springs]), np.array([deflection(run) for run in springs])
+        right.plot(g, z[0] * np.sqrt(g / g[0]), color=style.INK, linewidth=0.8)
+        right.plot(g, z, "o", color=style.MODEL_COLOURS["k_ring"])
+    right.set_xscale("log"), right.set_yscale("log")
+    right.set_xlabel("gravity in the plane (m/s²)"), right.set_ylabel("deflection / L")
+    known = [value for value in found if np.isfinite(value)]
+    title = f"Hinges buckle at {100 * min(known):.0f} to {100 * max(known):.0f} % of theory's load" if known else "Lateral buckling"
+    figure.suptitle(title + ("; springs buckle under any" if springs else ""), x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_stiffness_buckling")
+
+
+if __name__ == "__main__":
+    figure_main(main)

@@ -1,0 +1,131 @@
+"""Ring springs: moment ∝ κ³, its coefficient from the springs, how the membrane spoils both, and the growth with gravity."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import strips
+import style
+from load import group
+from report import Check, Section, Table, figure_main
+
+RATIO = 2e5  # R⁴ / (α C) from which on the membrane takes no more than about 1 %
+RING_COLOURS = {2: "#009e73", 3: "#0072b2", 4: "#b0579b"}
+SOURCE = "every spring's shortening on a polyhedral cylinder (analysis/strips.py)"
+
+
+def ring(run):
+    return run.get("/bending/k_ring/k")
+
+
+def place(run):
+    return strips.cells(run), ring(run)
+
+
+def expected_quartic(run):
+    """C of the strip's own springs, N m³."""
+    return strips.expected_quartic(run.rest_positions, run.triangles, run.pinned, ring(run), 1 / run.get("/bending/compliance"))
+
+
+def membrane_ratio(run, quartic):
+    """R⁴ / (α C): how stiff the membrane (compliance α in m/N) is against springs of length R = t edges."""
+    edge = run.get("/mesh/width") / run.get("/mesh/cells")
+    return (ring(run) * edge)**4 / (run.get("/material/strain/compliance") * quartic)
+
+
+def main(results, out):
+    section = Section("Springs resist as κ³, and the membrane decides how much of it is left", "springs")
+    runs = strips.experiment_runs(results, section, "springs", "springs_slow")
+    sweep = strips.experiment_runs(results, section, "gravity")
+    section.text = ("Springs to ring t alone on an equilateral lattice. A spring of t edges is shorter on a bent sheet by t (t² − 1) a³ κ²/24, so "
+                    "that the moment is C κ³ with C = c_t k a⁴ (c_2 = 0.1522, c_3 = 3.393, c_4 = 27.51 on an infinite lattice; here summed over "
+                    "the strip's own springs, which end at its free sides). That holds while the edges keep their lengths. A soft membrane gives way to the "
+                    "springs instead of bending: C is lost. C and p are taken where R⁴/(α C) is nearest to 200 000 for all three rings: α is the membrane's compliance, R the "
+                    "springs' length.")
+    quartic_of = {key: expected_quartic(some[0]) for key, some in group(runs, place).items()}  # of the mesh, not of the membrane
+    points = [(run, quartic_of[place(run)], membrane_ratio(run, quartic_of[place(run)])) for run in runs]
+    for _, some in group(points, lambda point: place(point[0])).items():
+        section.checks += _checks(*min(some, key=lambda point: abs(np.log(point[2] / RATIO))))
+    section.checks += slopes(sweep)
+    if points:
+        section.pictures.append((_picture(points, out), "C from the moment-curvature fit over the C of the strip's springs, and the exponent, against "
+                                 "the membrane's stiffness. Open: 48 cells. The bands are what is asked for."))
+        section.tables.append(_table(points))
+    if sweep:
+        section.pictures.append((_gravity_picture(sweep, results, out), "H/W against gravity while it is small. Hinges: discrete_shells."))
+    return section
+
+
+def _checks(run, quartic, ratio):
+    name, mesh = f"k_ring, ring {ring(run)}", strips.mesh_name(run)
+    return [Check("C from m(κ) (N m³)", name, mesh, quartic, strips.number(run, "stiffness_fit_C"), 0.03, SOURCE, note=f"R⁴/(α C) = {ratio:.2g}"),
+            Check("exponent p of m ∝ κ^p", name, mesh, 3, strips.number(run, "stiffness_fit_exponent"), 0.15, "shortening ∝ κ²", "absolute")]
+
+
+def slopes(runs):
+    """Checks of d ln(H/W) / d ln g at H/W below 0.3."""
+    checks = []
+    for t, some in group(runs, ring).items():
+        small = [run for run in some if strips.droop(run) < 0.3]
+        slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]), 1)[0] if len(small) > 1 else np.nan
+        checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", f"k_ring, ring {t}", strips.mesh_name(some[0]), 1 / 3, float(slope), 0.02,
+                            "m = C κ³", "absolute"))
+    return checks
+
+
+def _picture(points, out):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.1), layout="constrained")
+    for (cells, t), some in sorted(group(points, lambda point: place(point[0])).items()):
+        some.sort(key=lambda point: point[2])
+        x = [point[2] for point in some]
+        look = dict(color=RING_COLOURS[t], marker="o", markerfacecolor="none" if cells > 24 else RING_COLOURS[t], linewidth=1,
+                    linestyle="--" if cells > 24 else "-", label=f"t = {t}, {cells} cells")
+        left.plot(x, [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, _ in some], **look)
+        right.plot(x, [strips.number(run, "stiffness_fit_exponent") for run, *_ in some], **look)
+    left.axhspan(0.97, 1.03, color="#e8f1ea"), right.axhspan(2.85, 3.15, color="#e8f1ea")
+    for panel in (left, right):
+        panel.axvline(RATIO, color=style.GREY, linewidth=0.8, linestyle=":")
+        panel.set_xscale("log")
+        panel.set_xlabel("R⁴ / (α C): stiffness of the membrane against the springs")
+    left.set_ylim(0, 1.4), right.set_ylim(0, 3.4)
+    left.set_ylabel("C measured / C of the springs"), right.set_ylabel("exponent p of m ∝ κ^p")
+    right.legend()
+    plateau = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if RATIO / 3 < ratio < RATIO * 3]
+    soft = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if ratio < RATIO / 30]
+    title = f"A stiff membrane leaves {100 * min(plateau):.0f} to {100 * max(plateau):.0f} % of the springs' C" if plateau else "C against the membrane's stiffness"
+    title += f", one that is 30 times softer or more {100 * min(soft):.0f} to {100 * max(soft):.0f} %" if soft else ""
+    figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_stiffness_springs")
+
+
+def _gravity_picture(runs, results, out):
+    figure, axes = plt.subplots(figsize=(5.6, 4), layout="constrained")
+    hinges = [run for run in strips.experiment_runs(results, Section("", ""), "hinges") if run.model == "discrete_shells" and strips.cells(run) == 24]
+    lines = {f"ring {t} springs": some for t, some in group(runs, ring).items()} | ({"hinges": hinges} if hinges else {})
+    found = []
+    for name, some in lines.items():
+        some = sorted((run for run in some if strips.droop(run) < 1), key=strips.gravity)
+        g, droop = np.array([strips.gravity(run) for run in some]), np.array([strips.droop(run) for run in some])
+        colour = style.MODEL_COLOURS["discrete_shells"] if name == "hinges" else RING_COLOURS[ring(some[0])]
+        small = droop < 0.3
+        slope = np.polyfit(np.log(g[small]), np.log(droop[small]), 1)[0] if small.sum() > 1 else np.nan
+        axes.plot(g, droop, "o-", color=colour, label=f"{name}: slope {slope:.3f}")
+        found.append((name, slope))
+    axes.set_xscale("log"), axes.set_yscale("log")
+    axes.set_xlabel("gravity (m/s²)"), axes.set_ylabel("H/W of the free end")
+    axes.legend()
+    spring = [slope for name, slope in found if name != "hinges"]
+    axes.set_title(f"Springs droop as g to the power {min(spring):.2f} to {max(spring):.2f}" +
+                   (f", hinges as g^{dict(found)['hinges']:.2f}" if hinges else ""))
+    return style.save(figure, out, "fig_stiffness_gravity")
+
+
+def _table(points):
+    rows = [[ring(run), strips.cells(run), style.number(run.get("/material/strain/compliance")), style.number(ratio), style.number(quartic),
+             f"{strips.number(run, 'stiffness_fit_C') / quartic:.3f}", f"{strips.number(run, 'stiffness_quartic') / quartic:.3f}",
+             f"{strips.number(run, 'stiffness_fit_exponent'):.3f}"]
+            for run, quartic, ratio in sorted(points, key=lambda point: (strips.cells(point[0]), ring(point[0]), point[2]))]
+    return Table("Ring springs", ["ring t", "cells", "membrane α (m/N)", "R⁴/(α C)", "C of the springs (N m³)", "C from m(κ), over it",
+                                  "C from H/W, over it", "p"], rows)
+
+
+if __name__ == "__main__":
+    figure_main(main)

@@ -1,0 +1,144 @@
+"""What the figures of the stiffness laboratory share: runs of clamped strips, and the curves that theory has for them."""
+import numpy as np
+
+import style
+from load import group, load_experiment
+
+GRAVITY = 9.81  # m/s², of the configs
+MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "delaunay": "delaunay"}
+
+
+def experiment_runs(results, section, *names):
+    """The runs of configs/stiffness/<name>.json that are complete; the section notes commands and what is missing."""
+    runs = []
+    for name in names:
+        runs += [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+    return runs
+
+
+def family(run):
+    """The mesh's family, a key of MESH_NAMES."""
+    generator = run.get("/mesh/generator")
+    return run.get("/mesh/diagonal") if generator == "grid" else generator
+
+
+def cells(run):
+    return run.get("/mesh/cells")
+
+
+def mesh_name(run):
+    return f"{MESH_NAMES.get(family(run), family(run))}, {cells(run)} cells"
+
+
+def model_name(run):
+    return "k-ring, k = 2" if run.model == "k_ring" else style.MODEL_NAMES[run.model]
+
+
+def by_model(runs):
+    """Model → runs, in the order of the colours."""
+    found = group(runs, lambda run: run.model)
+    return {model: found[model] for model in style.MODEL_COLOURS if model in found}
+
+
+def gravity(run):
+    return -run.get("/effects/0/acceleration", [0, 0, -GRAVITY])[2]
+
+
+def number(run, name):
+    """A number of the summary, NaN where there is none."""
+    return run.summary.get(name, np.nan)
+
+
+def droop(run):
+    """H/W"""
+    return number(run, "stiffness_height_over_width")
+
+
+def rigidity(run):
+    """B in N m from H/W, on the curve of the heavy elastica."""
+    return number(run, "stiffness_flexural_rigidity")
+
+
+def load_number(run, flexural_rigidity):
+    """Γ = ρ g L³/B for the strip's effective length (with its clamp offset) and this B."""
+    return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
+
+
+def elastica_droop(loads):
+    """H/W of heavy strips B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 at Γ = loads: Runge-Kutta and bisection."""
+    loads = np.asarray(loads, float)
+    steps = 400
+    h = 1 / steps
+
+    def shoot(slope):
+        theta, width, height = (np.zeros_like(loads) for _ in range(3))
+        steep, flat = (np.zeros(loads.shape, bool) for _ in range(2))
+        bend = lambda s, angle: -loads * (1 - s) * np.cos(angle)
+        for s in np.arange(steps) * h:
+            k1, l1 = slope, bend(s, theta)
+            k2, l2 = slope + h / 2 * l1, bend(s + h / 2, theta + h / 2 * k1)
+            k3, l3 = slope + h / 2 * l2, bend(s + h / 2, theta + h / 2 * k2)
+            k4, l4 = slope + h * l3, bend(s + h, theta + h * k3)
+            after = theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
+            slope = slope + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
+            middle = (theta + after) / 2 + h / 8 * (k1 - k4)  # the angle half way, for Simpson's rule
+            width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
+            height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
+            theta = after
+            steep |= (theta > np.pi / 2) & ~flat  # past the vertical its weight bends it on and on
+            flat |= (slope < 0) & ~steep
+        return ~flat, height / width
+
+    # The slope at the clamp: below Γ/2, which it is where the strip stays flat, and √2Γ, where all its weight turns it.
+    low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
+    for _ in range(50):
+        middle = (low + high) / 2
+        too_steep = shoot(middle)[0]
+        low, high = np.where(too_steep, low, middle), np.where(too_steep, middle, high)
+    return shoot((low + high) / 2)[1]
+
+
+def ring_pairs(triangles, count, ring):
+    """(S, 2) vertex pairs that are exactly `ring` edges apart."""
+    neighbours = [set() for _ in range(count)]
+    for a, b, c in triangles:
+        neighbours[a] |= {b, c}
+        neighbours[b] |= {a, c}
+        neighbours[c] |= {a, b}
+    pairs = []
+    for vertex in range(count):
+        seen = front = {vertex}
+        for _ in range(ring):
+            front = set().union(*(neighbours[v] for v in front)) - seen
+            seen = seen | front
+        pairs += [(vertex, other) for other in front if other > vertex]
+    return np.array(pairs, int).reshape(-1, 2)
+
+
+def expected_quartic(rest, triangles, pinned, ring, stiffness):
+    """C in N m³ of a strip of an equilateral lattice whose rows lie across it, from its springs to one ring (N/m).
+
+    The sheet bends as a polyhedral cylinder: rows h apart turn by κh each and stay straight. Then a spring of length l over
+    n rows shortens by n² (n² - 1) h⁴ κ² / 24 l, and the energy per area of all of them is C κ⁴ / 4. Springs across the
+    strip end at its free sides, so that C is less than on an infinite lattice; only those away from clamp and free end count.
+    """
+    pairs = ring_pairs(triangles, len(rest), ring)
+    rows = np.unique(np.round(rest[:, 0], 7))
+    h = (rows[-1] - rows[0]) / (len(rows) - 1)
+    clamp, length = rest[pinned, 0].max(), rest[:, 0].max() - rest[pinned, 0].max()
+    corners = rest[triangles]
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+    width = area / (rows[-1] - rows[0])
+    ends = np.sort(rest[pairs][:, :, 0], axis=1) - clamp
+    spanned = np.round((ends[:, 1] - ends[:, 0]) / h)
+    at_rest = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
+    shortening = spanned**2 * (spanned**2 - 1) * h**4 / (24 * at_rest)
+    low, high = ring * h, length - ring * h
+    inside = np.clip(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0, None) / np.maximum(ends[:, 1] - ends[:, 0], h / 2)
+    return 2 * stiffness * float((shortening**2 * inside).sum()) / ((high - low) * width)
+
+
+def largest_ratio(values):
+    """Largest over smallest, NaN of less than two."""
+    values = np.array([value for value in values if np.isfinite(value) and value > 0])
+    return float(values.max() / values.min()) if len(values) > 1 else np.nan
