@@ -8,11 +8,19 @@ GRAVITY = 9.81  # m/s², of the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "delaunay": "delaunay"}
 
 
+UNBALANCED = 0.005  # of the loads: a run in static equilibrium with more has not found one
+
+
 def experiment_runs(results, section, *names):
-    """The runs of configs/stiffness/<name>.json that are complete; the section notes commands and what is missing."""
+    """The runs of configs/stiffness/<name>.json that are complete and, where static, balanced; the section notes commands and what
+    is missing."""
     runs = []
     for name in names:
-        runs += [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+        balanced = [run for run in complete if not run.summary.get("unbalanced", 0) > UNBALANCED]
+        if len(balanced) < len(complete):
+            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of {len(complete)} runs found no equilibrium")
+        runs += balanced
     return runs
 
 
