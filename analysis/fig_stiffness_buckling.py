@@ -14,7 +14,7 @@ NOTICEABLE = 1e-3  # of the length: a sheet that is farther off its plane has bu
 
 
 def main(results, out):
-    section = Section("Upright strips buckle sideways where theory says; springs at once", "buckling")
+    section = Section("Lateral buckling", "buckling")
     hinges = strips.experiment_runs(results, section, "buckling", "buckling_slow")
     springs = strips.experiment_runs(results, section, "buckling_springs")
     section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D "

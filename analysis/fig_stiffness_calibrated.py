@@ -15,7 +15,7 @@ TOLD = "the stiffness in the config"
 
 
 def main(results, out):
-    section = Section("Told a physical stiffness, models keep it through refinement", "calibrated")
+    section = Section("Calibrated stiffness against resolution", "calibrated")
     runs = strips.experiment_runs(results, section, "calibrated", "calibrated_slow", "calibrated_96_slow",
                                   "calibrated_irregular", "calibrated_irregular_slow")
     membranes = strips.experiment_runs(results, section, "membrane")

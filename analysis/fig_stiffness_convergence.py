@@ -9,7 +9,7 @@ from report import Check, Section, Table, figure_main
 
 
 def main(results, out):
-    section = Section("XPBD approaches the equilibrium; k is as stiff as iterations and time step make it", "convergence")
+    section = Section("XPBD against its equilibrium; k against iterations and time step", "convergence")
     dynamic = strips.experiment_runs(results, section, "xpbd", "xpbd_slow", "xpbd_48_slow")
     cheap = strips.experiment_runs(results, section, "cheap")
     iterations = strips.experiment_runs(results, section, "iterations")

@@ -19,7 +19,7 @@ def rigidity_given(run):
 
 def main(results, out):
     """Hinge models whose compliances give one flexural rigidity."""
-    section = Section("Hinges bend as the heavy elastica does", "hinges")
+    section = Section("Hinges against the heavy elastica", "hinges")
     runs = strips.experiment_runs(results, section, "hinges", "hinges_slow")
     control = strips.experiment_runs(results, section, "control")
     section.text = ("A strip, clamped at one end, hangs by its own weight in static equilibrium. Its four hinge models are "

@@ -13,7 +13,7 @@ CLAIMED = ("adaptive", "lod")  # the paper's own models
 
 
 def main(results, out):
-    section = Section("With the paper's rule the stiffness changes with resolution", "resolution")
+    section = Section("Stiffness against resolution, by the paper's rule", "resolution")
     runs = strips.experiment_runs(results, section, "resolution", "resolution_slow")
     section.text = ("The paper says of its adaptive springs that the stiffness stays the same when the resolution changes. "
                     "Here every model has the paper's kind of settings: k = 0.5, 1/60 s, 10 iterations, levels from eq. 6. A "

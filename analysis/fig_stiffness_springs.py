@@ -32,7 +32,7 @@ def membrane_ratio(run, quartic):
 
 
 def main(results, out):
-    section = Section("Springs resist as κ³, and the membrane decides how much of it is left", "springs")
+    section = Section("Ring springs: does the moment grow as κ³?", "springs")
     runs = strips.experiment_runs(results, section, "springs", "springs_slow")
     sweep = strips.experiment_runs(results, section, "gravity")
     section.text = ("Springs to ring t alone on an equilateral lattice. A spring of t edges is shorter on a bent sheet by t "
