@@ -21,7 +21,7 @@ def main(results, out):
     membranes = strips.experiment_runs(results, section, "membrane")
     before = strips.experiment_runs(results, section, "resolution", "resolution_slow")
     section.text = ("Each model turns B (hinges) or C (springs) into compliances of its own constraints from the mesh; "
-                    "springs have one length, 3.89 cm, at every resolution (2, 4, 8, 16 edges at 12, 24, 48, 96 cells). "
+                    "springs have one length, 3.89 cm, at every resolution (2, 4, 8 edges at 12, 24, 48 cells; at 96 hinges only). "
                     "Static equilibrium. The number is from the moment-curvature fit, or from H/W where springs reach too far "
                     "for a fit. Asked for: the same stiffness within 5 % on the lattice, 15 % on irregular meshes. Two things "
                     "keep it from being exact. A soft membrane gives way to the springs. And an irregular mesh has no "
