@@ -14,21 +14,25 @@ NOTICEABLE = 1e-3  # of the length: a sheet that is farther off its plane has bu
 
 
 def main(results, out):
-    section = Section("Upright strips buckle sideways where theory says; springs at once", "buckling")
+    section = Section("Lateral buckling", "buckling")
     hinges = strips.experiment_runs(results, section, "buckling", "buckling_slow")
     springs = strips.experiment_runs(results, section, "buckling_springs")
-    section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D reaches Γ*, then it gives way "
-                    "sideways. Γ* follows from where the square of the deflection, a line just above it, comes from zero. L begins half a row behind the clamp's edge; a lattice "
-                    "of hinges has Poisson's ratio −1/3. Springs without linear stiffness have Γ* = 0, and a deflection that grows as the root of the load.")
+    section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D "
+                    "reaches Γ*, then it gives way sideways. Γ* follows from where the square of the deflection, a line just "
+                    "above it, comes from zero. L begins half a row behind the clamp's edge; a lattice of hinges has "
+                    "Poisson's ratio −1/3. Springs without linear stiffness have Γ* = 0, and a deflection that grows as the "
+                    "root of the load.")
     for (cells, _), some in group(hinges, lambda run: (strips.cells(run), run.get("/mesh/height"))).items():
         slender = width_over_length(some[0])
         section.checks.append(Check(f"Γ* at width over length {slender:.2f}", "discrete_shells", strips.mesh_name(some[0]),
-                                    float(np.interp(slender, list(CRITICAL), list(CRITICAL.values()))), critical_load(some), 0.03 if cells > 24 else 0.05,
+                                    float(np.interp(slender, list(CRITICAL), list(CRITICAL.values()))), critical_load(some),
+                                    0.03 if cells > 24 else 0.05,
                                     "Kirchhoff plate, ν = −1/3, Ritz"))
     section.checks.append(spring_check(springs))
     if hinges or springs:
-        section.pictures.append((_picture(hinges, springs, out), "Deflection of the farthest vertex in static equilibrium. Left: squared, against the load over theory's "
-                                 "critical one. Right: springs to ring 3; the line has the slope 1/2."))
+        section.pictures.append((_picture(hinges, springs, out),
+                                 "Deflection of the farthest vertex in static equilibrium. Left: squared, against the load "
+                                 "over theory's critical one. Right: springs to ring 3; the line has the slope 1/2."))
     return section
 
 
@@ -74,7 +78,8 @@ def spring_check(runs):
     slope = np.nan
     if len(runs) > 1:
         slope = np.polyfit(np.log([pull(run) for run in runs]), np.log([deflection(run) for run in runs]), 1)[0]
-    return Check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3", strips.mesh_name(runs[0]) if runs else "equilateral", 0.5, float(slope),
+    return Check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3",
+                 strips.mesh_name(runs[0]) if runs else "equilateral", 0.5, float(slope),
                  0.02, "quartic bending energy against work ∝ deflection²", "absolute")
 
 
@@ -90,7 +95,7 @@ def _picture(hinges, springs, out):
                   label=f"width {slender:.2f} L, {cells} cells")
         found.append(critical_load(some) / theory)
     left.axvline(1, color=style.INK, linewidth=0.8)
-    left.set_ylim(-0.05, 1.5)
+    left.set_ylim(-0.05, 1.5), left.set_xlim(0.9, 1.1)
     left.set_xlabel("Γ / Γ* of theory"), left.set_ylabel("(deflection / L)² (10⁻⁴)")
     if found:
         left.legend()

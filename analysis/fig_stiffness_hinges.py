@@ -19,21 +19,22 @@ def rigidity_given(run):
 
 def main(results, out):
     """Hinge models whose compliances give one flexural rigidity."""
-    section = Section("Hinges bend as the heavy elastica does", "hinges")
+    section = Section("Hinges against the heavy elastica", "hinges")
     runs = strips.experiment_runs(results, section, "hinges", "hinges_slow")
     control = strips.experiment_runs(results, section, "control")
-    section.text = ("A strip, clamped at one end, hangs by its own weight in static equilibrium. Its four hinge models are given one "
-                    "flexural rigidity B; gravity makes Γ = ρ g L³/B about 0.3, 1, 10 and 100. L begins half a row behind the clamp's edge, where "
-                    "the first hinge turns. At Γ = 100 the fold at the clamp is narrower than three rows below 48 cells, so that H/W counts from "
-                    "there on.")
+    section.text = ("A strip, clamped at one end, hangs by its own weight in static equilibrium. Its four hinge models are "
+                    "given one flexural rigidity B; gravity makes Γ = ρ g L³/B about 0.3, 1, 10 and 100. L begins half a row "
+                    "behind the clamp's edge, where the first hinge turns. At Γ = 100 the fold at the clamp is narrower than "
+                    "three rows below 48 cells, so that H/W counts from there on.")
     theory = strips.elastica_droop([strips.load_number(run, rigidity_given(run)) for run in runs])
     for run, droop in zip(runs, theory):
         section.checks += _checks(run, float(droop))
     section.checks += _slopes(runs)
     section.checks += control_checks(control)
     if runs:
-        section.pictures.append((_picture(runs, out), "Left: H/W of the free end against Γ; the line is theory. Right: how far H/W is from "
-                                 "the line; the band is the 1 % that is asked for."))
+        section.pictures.append((_picture(runs, out),
+                                 "Left: H/W of the free end against Γ; the line is theory. Right: how far H/W is from the "
+                                 "line; the band is the 1 % that is asked for."))
         section.tables.append(_table(runs, control))
     return section
 
@@ -45,9 +46,12 @@ def _checks(run, droop):
     if load < 60 or strips.cells(run) >= 48:
         if load > 0.7:
             checks.append(Check(f"H/W at Γ = {load:.3g}", run.model, mesh, droop, strips.droop(run), 0.01, CURVE))
-        checks.append(Check(f"B from H/W at Γ = {load:.3g} (N m)", run.model, mesh, given, strips.rigidity(run), 0.02, "the compliance"))
-        checks.append(Check(f"B from m(κ) at Γ = {load:.3g} (N m)", run.model, mesh, given, strips.number(run, "stiffness_fit_B"), 0.02, "the compliance"))
-        checks.append(Check(f"exponent p of m ∝ κ^p at Γ = {load:.3g}", run.model, mesh, 1, strips.number(run, "stiffness_fit_exponent"), 0.02,
+        checks.append(Check(f"B from H/W at Γ = {load:.3g} (N m)", run.model, mesh, given, strips.rigidity(run), 0.02,
+                            "the compliance"))
+        checks.append(Check(f"B from m(κ) at Γ = {load:.3g} (N m)", run.model, mesh, given,
+                            strips.number(run, "stiffness_fit_B"), 0.02, "the compliance"))
+        checks.append(Check(f"exponent p of m ∝ κ^p at Γ = {load:.3g}", run.model, mesh, 1,
+                            strips.number(run, "stiffness_fit_exponent"), 0.02,
                             "linear elasticity", "absolute"))
     return checks
 
@@ -58,8 +62,10 @@ def _slopes(runs):
     for (model, cells), some in group(runs, lambda run: (run.model, strips.cells(run))).items():
         small = [run for run in some if strips.droop(run) < 0.3]
         if len(small) > 1:
-            slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]), 1)[0]
-            checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", model, strips.mesh_name(small[0]), 1, float(slope), 0.02,
+            slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]),
+                               1)[0]
+            checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", model, strips.mesh_name(small[0]), 1, float(slope),
+                                0.02,
                                 "linear elasticity", "absolute"))
     return checks
 
@@ -78,7 +84,8 @@ def floor_rigidity(run):
 
 
 def _picture(runs, out):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained", gridspec_kw={"width_ratios": [1, 1.15]})
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.2), layout="constrained",
+                                         gridspec_kw={"width_ratios": [1, 1.15]})
     loads = np.geomspace(0.2, 200, 60)
     left.plot(loads, strips.elastica_droop(loads), color=style.INK, linewidth=1, label="heavy elastica")
     finest = {model: max(map(strips.cells, some)) for model, some in strips.by_model(runs).items()}
@@ -101,18 +108,22 @@ def _picture(runs, out):
     right.set_xscale("log"), right.set_ylim(-2.5, 2.5)
     right.set_xlabel("Γ"), right.set_ylabel("H/W over theory − 1 (%)")
     right.set_title("open: 24 cells, filled: 48, large: 96")
-    figure.suptitle(f"Four hinge models lie within {100 * max(worst):.1f} % of the heavy elastica where the mesh resolves the fold",
+    figure.suptitle(f"Four hinge models lie within {100 * max(worst):.1f} % of the heavy elastica where the mesh resolves the "
+                    f"fold",
                     x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_hinges")
 
 
 def _table(runs, control):
     floor = {strips.cells(run): floor_rigidity(run) for run in control if strips.family(run) == "equilateral"}
-    rows = [[run.model, strips.cells(run), style.number(strips.load_number(run, rigidity_given(run))), f"{strips.droop(run):.4f}",
-             f"{strips.rigidity(run) / rigidity_given(run):.3f}", f"{strips.number(run, 'stiffness_fit_B') / rigidity_given(run):.3f}",
-             f"{strips.number(run, 'stiffness_fit_exponent'):.3f}", style.number(floor.get(strips.cells(run), np.nan) / rigidity_given(run))]
+    rows = [[run.model, strips.cells(run), style.number(strips.load_number(run, rigidity_given(run))),
+             f"{strips.droop(run):.4f}", f"{strips.rigidity(run) / rigidity_given(run):.3f}",
+             f"{strips.number(run, 'stiffness_fit_B') / rigidity_given(run):.3f}",
+             f"{strips.number(run, 'stiffness_fit_exponent'):.3f}",
+             style.number(floor.get(strips.cells(run), np.nan) / rigidity_given(run))]
             for run in sorted(runs, key=lambda run: (run.model, strips.cells(run), strips.gravity(run)))]
-    return Table("Hinges; B over the B given", ["model", "cells", "Γ", "H/W", "B from H/W", "B from m(κ)", "p", "control: none"], rows)
+    return Table("Hinges; B over the B given",
+                 ["model", "cells", "Γ", "H/W", "B from H/W", "B from m(κ)", "p", "control: none"], rows)
 
 
 if __name__ == "__main__":

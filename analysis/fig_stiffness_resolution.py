@@ -7,24 +7,28 @@ import style
 from load import group
 from report import Check, Section, Table, figure_main
 
-FAMILY_LOOKS = {"equilateral": ("#0072b2", "o-"), "same": ("#d55e00", "s-"), "alternating": ("#e69f00", "^-"), "delaunay": ("#009e73", "D-")}
+FAMILY_LOOKS = {"equilateral": ("#0072b2", "o-"), "same": ("#d55e00", "s-"), "alternating": ("#e69f00", "^-"),
+                "delaunay": ("#009e73", "D-")}
 CLAIMED = ("adaptive", "lod")  # the paper's own models
 
 
 def main(results, out):
-    section = Section("With the paper's rule the stiffness changes with resolution", "resolution")
+    section = Section("Stiffness against resolution, by the paper's rule", "resolution")
     runs = strips.experiment_runs(results, section, "resolution", "resolution_slow")
-    section.text = ("The paper says of its adaptive springs that the stiffness stays the same when the resolution changes. Here every model has the paper's kind of "
-                    "settings: k = 0.5, 1/60 s, 10 iterations, levels from eq. 6. A tenth of gravity, so that the finest strips still have a shape "
-                    "that can be measured. The number is B from H/W, for springs a rigidity at the curvature this weight brings about; "
-                    "below about 10⁻⁶ N m the fold at the clamp is narrower than three rows, so that the number is one of the mesh too.")
+    section.text = ("The paper says of its adaptive springs that the stiffness stays the same when the resolution changes. "
+                    "Here every model has the paper's kind of settings: k = 0.5, 1/60 s, 10 iterations, levels from eq. 6. A "
+                    "tenth of gravity, so that the finest strips still have a shape that can be measured. The number is B "
+                    "from H/W, for springs a rigidity at the curvature this weight brings about; below about 10⁻⁶ N m the "
+                    "fold at the clamp is narrower than three rows, so that the number is one of the mesh too.")
     for (model, family), some in group(runs, lambda run: (run.model, strips.family(run))).items():
         if model in CLAIMED:
-            section.checks.append(Check("largest ratio of B between two resolutions", model, _range(some, family), 1.15, ratio(some), 0,
+            section.checks.append(Check("largest ratio of B between two resolutions", model, _range(some, family), 1.15,
+                                        ratio(some), 0,
                                         "the paper: the stiffness does not change with resolution", "most",
                                         note=f"level m {_levels(some)}"))
     if runs:
-        section.pictures.append((_picture(runs, out), "Grey, dotted: the same meshes without bending (not drawn where they hang straight down)."))
+        section.pictures.append((_picture(runs, out),
+                                 "Grey, dotted: the same meshes without bending (not drawn where they hang straight down)."))
         section.tables.append(_table(runs))
     return section
 
@@ -48,7 +52,8 @@ def _range(runs, family):
 def _picture(runs, out):
     models = [model for model in strips.by_model(runs) if model != "none"]
     columns = 4
-    figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4), layout="constrained", sharex=True, sharey=True)
+    figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4), layout="constrained", sharex=True,
+                                sharey=True)
     by_place = group(runs, lambda run: (run.model, strips.family(run)))
     counts = sorted({strips.cells(run) for run in runs})
     for panel, model in zip(axes.flat, models):
@@ -62,7 +67,8 @@ def _picture(runs, out):
                 else:
                     panel.plot(x, y, look, color=colour, markersize=4, label=strips.MESH_NAMES[family])
                     worst.append(ratio(some))
-        panel.set_title(f"{strips.model_name(by_place[model, next(f for m, f in by_place if m == model)][0])}: up to {style.number(np.nanmax(worst), 2)} ×")
+        panel.set_title(f"{strips.model_name(by_place[model, next(f for m, f in by_place if m == model)][0])}: up to "
+                        f"{style.number(np.nanmax(worst), 2)} ×")
         panel.set_yscale("log")
         style.resolution_axis(panel, counts)
         panel.set_xlabel("")
@@ -76,8 +82,9 @@ def _picture(runs, out):
         panel.set_xlabel("cells along the strip")
     paper = [ratio(some) for (model, _), some in by_place.items() if model in CLAIMED]
     others = [ratio(some) for (model, _), some in by_place.items() if model not in (*CLAIMED, "none")]
-    figure.suptitle(f"From {counts[0]} to {counts[-1]} cells the paper's models change their stiffness {style.number(np.nanmin(paper), 2)} to "
-                    f"{style.number(np.nanmax(paper), 2)} times, the others {style.number(np.nanmin(others), 2)} to {style.number(np.nanmax(others), 2)} times",
+    figure.suptitle(f"From {counts[0]} to {counts[-1]} cells the paper's models change their stiffness "
+                    f"{style.number(np.nanmin(paper), 2)} to {style.number(np.nanmax(paper), 2)} times, the others "
+                    f"{style.number(np.nanmin(others), 2)} to {style.number(np.nanmax(others), 2)} times",
                     x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_resolution")
 
@@ -85,9 +92,11 @@ def _picture(runs, out):
 def _table(runs):
     counts = sorted({strips.cells(run) for run in runs})
     rows = []
-    for (model, family), some in group(sorted(runs, key=lambda run: run.model), lambda run: (run.model, strips.family(run))).items():
+    for (model, family), some in group(sorted(runs, key=lambda run: run.model),
+                                       lambda run: (run.model, strips.family(run))).items():
         values = {strips.cells(run): strips.rigidity(run) for run in some}
-        rows.append([model, strips.MESH_NAMES[family], *(style.number(values.get(n, np.nan)) for n in counts), style.number(ratio(some)),
+        rows.append([model, strips.MESH_NAMES[family], *(style.number(values.get(n, np.nan)) for n in counts),
+                     style.number(ratio(some)),
                      _levels(some)])
     return Table("B from H/W (N m)", ["model", "mesh", *(f"{n} cells" for n in counts), "largest ratio", "level m"], rows)
 

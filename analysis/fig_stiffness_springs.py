@@ -32,32 +32,38 @@ def membrane_ratio(run, quartic):
 
 
 def main(results, out):
-    section = Section("Springs resist as κ³, and the membrane decides how much of it is left", "springs")
+    section = Section("Ring springs: does the moment grow as κ³?", "springs")
     runs = strips.experiment_runs(results, section, "springs", "springs_slow")
     sweep = strips.experiment_runs(results, section, "gravity")
-    section.text = ("Springs to ring t alone on an equilateral lattice. A spring of t edges is shorter on a bent sheet by t (t² − 1) a³ κ²/24, so "
-                    "that the moment is C κ³ with C = c_t k a⁴ (c_2 = 0.1522, c_3 = 3.393, c_4 = 27.51 on an infinite lattice; here summed over "
-                    "the strip's own springs, which end at its free sides). That holds while the edges keep their lengths. A soft membrane gives way to the "
-                    "springs instead of bending: C is lost. C and p are taken where R⁴/(α C) is nearest to 200 000 for all three rings: α is the membrane's compliance, R the "
-                    "springs' length.")
-    quartic_of = {key: expected_quartic(some[0]) for key, some in group(runs, place).items()}  # of the mesh, not of the membrane
+    section.text = ("Springs to ring t alone on an equilateral lattice. A spring of t edges is shorter on a bent sheet by t "
+                    "(t² − 1) a³ κ²/24, so that the moment is C κ³ with C = c_t k a⁴ (c_2 = 0.1522, c_3 = 3.393, c_4 = 27.51 "
+                    "on an infinite lattice; here summed over the strip's own springs, which end at its free sides). That "
+                    "holds while the edges keep their lengths. A soft membrane gives way to the springs instead of bending: C "
+                    "is lost. C and p are taken where R⁴/(α C) is nearest to 200 000 for all three rings: α is the membrane's "
+                    "compliance, R the springs' length.")
+    quartic_of = {key: expected_quartic(some[0]) for key,
+                  some in group(runs, place).items()}  # of the mesh, not of the membrane
     points = [(run, quartic_of[place(run)], membrane_ratio(run, quartic_of[place(run)])) for run in runs]
     for _, some in group(points, lambda point: place(point[0])).items():
         section.checks += _checks(*min(some, key=lambda point: abs(np.log(point[2] / RATIO))))
     section.checks += slopes(sweep)
     if points:
-        section.pictures.append((_picture(points, out), "C from the moment-curvature fit over the C of the strip's springs, and the exponent, against "
-                                 "the membrane's stiffness. Open: 48 cells. The bands are what is asked for."))
+        section.pictures.append((_picture(points, out),
+                                 "C from the moment-curvature fit over the C of the strip's springs, and the exponent, "
+                                 "against the membrane's stiffness. Open: 48 cells. The bands are what is asked for."))
         section.tables.append(_table(points))
     if sweep:
-        section.pictures.append((_gravity_picture(sweep, results, out), "H/W against gravity while it is small. Hinges: discrete_shells."))
+        section.pictures.append((_gravity_picture(sweep, results, out),
+                                 "H/W against gravity while it is small. Hinges: discrete_shells."))
     return section
 
 
 def _checks(run, quartic, ratio):
     name, mesh = f"k_ring, ring {ring(run)}", strips.mesh_name(run)
-    return [Check("C from m(κ) (N m³)", name, mesh, quartic, strips.number(run, "stiffness_fit_C"), 0.03, SOURCE, note=f"R⁴/(α C) = {ratio:.2g}"),
-            Check("exponent p of m ∝ κ^p", name, mesh, 3, strips.number(run, "stiffness_fit_exponent"), 0.15, "shortening ∝ κ²", "absolute")]
+    return [Check("C from m(κ) (N m³)", name, mesh, quartic, strips.number(run, "stiffness_fit_C"), 0.03, SOURCE,
+                  note=f"R⁴/(α C) = {ratio:.2g}"),
+            Check("exponent p of m ∝ κ^p", name, mesh, 3, strips.number(run, "stiffness_fit_exponent"), 0.15,
+                  "shortening ∝ κ²", "absolute")]
 
 
 def slopes(runs):
@@ -65,8 +71,10 @@ def slopes(runs):
     checks = []
     for t, some in group(runs, ring).items():
         small = [run for run in some if strips.droop(run) < 0.3]
-        slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]), 1)[0] if len(small) > 1 else np.nan
-        checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", f"k_ring, ring {t}", strips.mesh_name(some[0]), 1 / 3, float(slope), 0.02,
+        slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]),
+                           1)[0] if len(small) > 1 else np.nan
+        checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", f"k_ring, ring {t}", strips.mesh_name(some[0]), 1 / 3,
+                            float(slope), 0.02,
                             "m = C κ³", "absolute"))
     return checks
 
@@ -88,17 +96,19 @@ def _picture(points, out):
     left.set_ylim(0, 1.4), right.set_ylim(0, 3.4)
     left.set_ylabel("C measured / C of the springs"), right.set_ylabel("exponent p of m ∝ κ^p")
     right.legend()
-    plateau = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if RATIO / 3 < ratio < RATIO * 3]
-    soft = [strips.number(run, "stiffness_fit_C") / quartic for run, quartic, ratio in points if ratio < RATIO / 30]
-    title = f"A stiff membrane leaves {100 * min(plateau):.0f} to {100 * max(plateau):.0f} % of the springs' C" if plateau else "C against the membrane's stiffness"
-    title += f", one that is 30 times softer or more {100 * min(soft):.0f} to {100 * max(soft):.0f} %" if soft else ""
+    shares = [(ratio, 100 * strips.number(run, "stiffness_fit_C") / quartic) for run, quartic, ratio in points]
+    plateau = [share for ratio, share in shares if RATIO / 3 < ratio < RATIO * 3]
+    soft = [share for ratio, share in shares if ratio < RATIO / 30]
+    title = f"A stiff membrane leaves {min(plateau):.0f} to {max(plateau):.0f} % of the springs' C" if plateau else "C of springs"
+    title += f", one that is 30 times softer or more {min(soft):.0f} to {max(soft):.0f} %" if soft else ""
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_springs")
 
 
 def _gravity_picture(runs, results, out):
     figure, axes = plt.subplots(figsize=(5.6, 4), layout="constrained")
-    hinges = [run for run in strips.experiment_runs(results, Section("", ""), "hinges") if run.model == "discrete_shells" and strips.cells(run) == 24]
+    hinges = [run for run in strips.experiment_runs(results, Section("", ""),
+                                                    "hinges") if run.model == "discrete_shells" and strips.cells(run) == 24]
     lines = {f"ring {t} springs": some for t, some in group(runs, ring).items()} | ({"hinges": hinges} if hinges else {})
     found = []
     for name, some in lines.items():
@@ -119,11 +129,13 @@ def _gravity_picture(runs, results, out):
 
 
 def _table(points):
-    rows = [[ring(run), strips.cells(run), style.number(run.get("/material/strain/compliance")), style.number(ratio), style.number(quartic),
+    rows = [[ring(run), strips.cells(run), style.number(run.get("/material/strain/compliance")), style.number(ratio),
+             style.number(quartic),
              f"{strips.number(run, 'stiffness_fit_C') / quartic:.3f}", f"{strips.number(run, 'stiffness_quartic') / quartic:.3f}",
              f"{strips.number(run, 'stiffness_fit_exponent'):.3f}"]
             for run, quartic, ratio in sorted(points, key=lambda point: (strips.cells(point[0]), ring(point[0]), point[2]))]
-    return Table("Ring springs", ["ring t", "cells", "membrane α (m/N)", "R⁴/(α C)", "C of the springs (N m³)", "C from m(κ), over it",
+    return Table("Ring springs", ["ring t", "cells", "membrane α (m/N)", "R⁴/(α C)", "C of the springs (N m³)",
+                                  "C from m(κ), over it",
                                   "C from H/W, over it", "p"], rows)
 
 

@@ -8,8 +8,8 @@ from load import group
 from report import Check, Section, Table, figure_main
 
 # Flexural rigidity (N m), the same with half the hysteresis 2HB at 0.5/cm added, weight (kg/m²), drape coefficient (%).
-# Matsudaira, Masuda, Wada, Yokura 2015, J. Textile Engineering 61(6), doi 10.4188/jte.61.69, tables 1 and 2, read in another project's
-# transcription: not seen in the original, whose specimen size is not known.
+# Matsudaira, Masuda, Wada, Yokura 2015, J. Textile Engineering 61(6), doi 10.4188/jte.61.69, tables 1 and 2, read in another
+# project's transcription: not seen in the original, whose specimen size is not known.
 FABRICS = {"polyester faille": (1.863e-6, 2.550e-6, 0.1043, 28.3), "wool tropical": (6.570e-6, 9.807e-6, 0.1629, 49.8),
            "polyester tropical": (7.551e-6, 1.040e-5, 0.1165, 50.7), "cotton broad": (1.157e-5, 2.373e-5, 0.1238, 82.9)}
 TESTERS = {0.15: "specimen 30 cm, table 18 cm", 0.127: "specimen 25.4 cm, table 12.7 cm"}
@@ -21,22 +21,27 @@ def main(results, out):
     strip = strips.experiment_runs(results, section, "astm")
     drape = strips.experiment_runs(results, section, "drape", "drape_slow", "drape_small_slow")
     hanging = strips.experiment_runs(results, section, "catenary")
-    section.text = ("ASTM D1388: a strip hangs at 41.5° where its overhang is twice the bending length. Drape: a round specimen on a round table; "
-                    "the drape coefficient is how much of the overhanging ring its shadow still covers. Nothing is tuned: bending rigidity and weight of four fabrics "
-                    "are the published ones, the drape coefficient is what comes out. Real fabrics have friction between their yarns, 2HB of the same "
-                    "tables, which this model has not: bars reach to the bending length with half of it added at 0.5/cm. Which tester was used "
-                    "is not known, so both are run. Without bending a sheet between two lines is a catenary.")
+    section.text = ("ASTM D1388: a strip hangs at 41.5° where its overhang is twice the bending length. Drape: a round "
+                    "specimen on a round table; the drape coefficient is how much of the overhanging ring its shadow still "
+                    "covers. Nothing is tuned: bending rigidity and weight of four fabrics are the published ones, the drape "
+                    "coefficient is what comes out. Real fabrics have friction between their yarns, 2HB of the same tables, "
+                    "which this model has not: bars reach to the bending length with half of it added at 0.5/cm. Which tester "
+                    "was used is not known, so both are run. Without bending a sheet between two lines is a catenary.")
     for run in strip:
         angle = np.degrees(np.arctan(strips.droop(run)))
-        section.checks.append(Check("angle of the chord at Γ = 8.004 (degrees)", run.model, strips.mesh_name(run), 41.5, angle, 0.3, "ASTM D1388", "absolute"))
+        section.checks.append(Check("angle of the chord at Γ = 8.004 (degrees)", run.model, strips.mesh_name(run), 41.5,
+                                    angle, 0.3, "ASTM D1388", "absolute"))
     section.checks += drape_checks(drape)
     for run in hanging:
         length, gap, sag = catenary_of(run)
-        section.checks.append(Check(f"sag over gap, sheet {length / gap:.3f} times as long", "none", strips.mesh_name(run), catenary_sag(length / gap), sag / gap,
+        section.checks.append(Check(f"sag over gap, sheet {length / gap:.3f} times as long", "none", strips.mesh_name(run),
+                                    catenary_sag(length / gap), sag / gap,
                                     0.01, "catenary"))
     if drape:
-        section.pictures.append((_drape_picture(drape, out), "Lines: simulated, means over seeds. Points: measured, at the bending length from B; the bar "
-                                 "reaches to that with friction. Drape depends on the bending length alone for an isotropic sheet that does not stretch."))
+        section.pictures.append((_drape_picture(drape, out),
+                                 "Lines: simulated, means over seeds. Points: measured, at the bending length from B; the "
+                                 "bar reaches to that with friction. Drape depends on the bending length alone for an "
+                                 "isotropic sheet that does not stretch."))
         section.tables.append(_drape_table(drape))
     return section
 
@@ -60,7 +65,8 @@ def curve_of(runs, radius):
     """Bending lengths (m, growing) and drape coefficients (%)."""
     groups = group([run for run in runs if run.get("/mesh/radius") == radius], lambda run: round(bending_length(run), 6))
     lengths = np.array(sorted(groups))
-    return lengths, np.array([np.mean([100 * strips.number(run, "drape_coefficient") for run in groups[length]]) for length in lengths])
+    means = [np.mean([strips.number(run, "drape_coefficient") for run in groups[length]]) for length in lengths]
+    return lengths, 100 * np.array(means)
 
 
 def drape_checks(runs):
@@ -97,9 +103,11 @@ def _drape_picture(runs, out):
             axes.plot(100 * lengths, values, "o-", color=colour, label=f"simulated: {tester}")
     for i, (fabric, (rigidity, rough, weight, measured)) in enumerate(FABRICS.items()):
         low, high = 100 * length_of(rigidity, weight), 100 * length_of(rough, weight)
-        axes.plot([low, high], [measured, measured], color=style.INK, linewidth=2.2, solid_capstyle="butt", label="measured, with friction" if i == 0 else None)
+        axes.plot([low, high], [measured, measured], color=style.INK, linewidth=2.2, solid_capstyle="butt",
+                  label="measured, with friction" if i == 0 else None)
         axes.plot(low, measured, "s", color=style.INK, label="measured" if i == 0 else None)
-        axes.annotate(fabric, (low, measured), xytext=(0, -14), textcoords="offset points", fontsize=8.5)
+        axes.annotate(fabric, (low, measured), xytext=(0, 7 if fabric == "polyester tropical" else -14),
+                      textcoords="offset points", fontsize=8.5)
     inside = [check.holds for check in drape_checks(runs) if check.holds is not None and "30 cm" in check.mesh]
     axes.set_xlabel("bending length (B/ρ g)^⅓ (cm)"), axes.set_ylabel("drape coefficient (%)")
     axes.set_ylim(0, 100)
@@ -115,7 +123,8 @@ def _drape_table(runs):
         rows.append([fabric, style.number(1e6 * rigidity), f"{weight:.4f}", f"{100 * plain:.2f}", measured] +
                     [f"{coefficient(runs, length, radius):.1f}" for radius in TESTERS for length in (plain, friction)])
     return Table("Drape coefficient (%), measured and simulated; with friction: B + HB/(0.5/cm)",
-                 ["fabric", "B (µN m)", "weight (kg/m²)", "bending length (cm)", "measured", "30 cm", "30 cm, friction", "25.4 cm", "25.4 cm, friction"], rows)
+                 ["fabric", "B (µN m)", "weight (kg/m²)", "bending length (cm)", "measured", "30 cm", "30 cm, friction",
+                  "25.4 cm", "25.4 cm, friction"], rows)
 
 
 if __name__ == "__main__":

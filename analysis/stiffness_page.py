@@ -15,7 +15,8 @@ from html_parts import document, escape, mark, section_html, table_html
 from load import group
 from report import Table
 
-FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_resolution, fig_stiffness_calibrated,
+FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_resolution,
+           fig_stiffness_calibrated,
            fig_stiffness_buckling, fig_stiffness_textile]
 EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
 
@@ -34,11 +35,13 @@ def main(results, out):
 def body(sections):
     """The page below its head."""
     parts = ["<h1>How stiff is it really?</h1>",
-             "<p class='lead'>Every bending model measured on strips whose answer theory knows, and on the tests that textile laboratories "
-             "use. Every number stands beside the one expected, with its source and a tolerance fixed beforehand.</p>",
-             "<p>Two laws of resistance are told apart: hinges resist in proportion to curvature, m = B κ (B in N m, the flexural rigidity); "
-             "springs between vertices hardly at all at first, and then as m = C κ³ (C in N m³). m is the moment per width, κ the "
-             "curvature. H/W is how far the free end of a clamped strip hangs down over how far it reaches out.</p>", overview(sections)]
+             "<p class='lead'>Every bending model measured on strips whose answer theory knows, and on the tests that textile "
+             "laboratories use. Every number stands beside the one expected, with its source and a tolerance fixed "
+             "beforehand.</p>",
+             "<p>Two laws of resistance are told apart: hinges resist in proportion to curvature, m = B κ (B in N m, the "
+             "flexural rigidity); springs between vertices hardly at all at first, and then as m = C κ³ (C in N m³). m is the "
+             "moment per width, κ the curvature. H/W is how far the free end of a clamped strip hangs down over how far it "
+             "reaches out.</p>", overview(sections)]
     parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)]) for section in sections]
     parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every check.</p>")
     return "\n".join(parts)
@@ -54,7 +57,8 @@ def overview(sections):
         text = f"{held} of {len(known)} checks hold" if known else "no runs"
         open_checks = len(section.checks) - len(known)
         text += f", {open_checks} without a number" if known and open_checks else ""
-        rows.append(f"<tr><td class='t'>{escape(section.title)}</td><td class='t'><span class='verdict {kind}'>{text}</span></td></tr>")
+        rows.append(f"<tr><td class='t'>{escape(section.title)}</td><td class='t'><span class='verdict "
+                    f"{kind}'>{text}</span></td></tr>")
     return f"<div class='scroll'><table class='overview'>{''.join(rows)}</table></div>"
 
 
@@ -73,9 +77,11 @@ def _table(caption, checks):
     rows = []
     for (check, model), some in group(checks, lambda check: (check.check, check.model)).items():
         for i, one in enumerate(some):
-            rows.append([check if i == 0 else "", model if i == 0 else "", one.mesh, style.number(one.expected), style.number(one.measured),
+            rows.append([check if i == 0 else "", model if i == 0 else "", one.mesh, style.number(one.expected),
+                         style.number(one.measured),
                          one.bound, mark(one)[1], one.source] + ([one.note] if noted else []))
-    return Table(caption, ["check", "model", "mesh", "expected", "measured", "tolerance", "verdict", "source"] + (["note"] if noted else []), rows)
+    return Table(caption, ["check", "model", "mesh", "expected", "measured", "tolerance", "verdict",
+                           "source"] + (["note"] if noted else []), rows)
 
 
 if __name__ == "__main__":

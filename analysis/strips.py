@@ -5,14 +5,24 @@ import style
 from load import group, load_experiment
 
 GRAVITY = 9.81  # m/s², of the configs
-MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "delaunay": "delaunay"}
+MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
+              "delaunay": "delaunay"}
+
+
+UNBALANCED = 0.005  # of the loads: a run in static equilibrium with more has not found one
 
 
 def experiment_runs(results, section, *names):
-    """The runs of configs/stiffness/<name>.json that are complete; the section notes commands and what is missing."""
+    """The runs of configs/stiffness/<name>.json that are complete and, where static, balanced; the section notes commands and what
+    is missing."""
     runs = []
     for name in names:
-        runs += [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+        balanced = [run for run in complete if not run.summary.get("unbalanced", 0) > UNBALANCED]
+        if len(balanced) < len(complete):
+            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of {len(complete)} runs "
+                                   f"found no equilibrium")
+        runs += balanced
     return runs
 
 
@@ -134,7 +144,8 @@ def expected_quartic(rest, triangles, pinned, ring, stiffness):
     at_rest = np.linalg.norm(rest[pairs[:, 0]] - rest[pairs[:, 1]], axis=1)
     shortening = spanned**2 * (spanned**2 - 1) * h**4 / (24 * at_rest)
     low, high = ring * h, length - ring * h
-    inside = np.clip(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0, None) / np.maximum(ends[:, 1] - ends[:, 0], h / 2)
+    inside = np.clip(np.minimum(ends[:, 1], high) - np.maximum(ends[:, 0], low), 0,
+                     None) / np.maximum(ends[:, 1] - ends[:, 0], h / 2)
     return 2 * stiffness * float((shortening**2 * inside).sum()) / ((high - low) * width)
 
 

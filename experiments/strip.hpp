@@ -18,7 +18,7 @@ namespace bendlab {
 struct StripSettings {
   /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
   std::optional<double> clamp_offset;
-  std::optional<double> exclude;       ///< m; default: the reach
+  std::optional<double> exclude;  ///< m; default: the reach
 };
 
 struct RunStrip {

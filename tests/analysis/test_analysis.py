@@ -431,7 +431,8 @@ class StripTest(unittest.TestCase):
             self.assertEqual((pairs == 60).sum(), 6 * ring)  # vertex 60 is the middle one
 
     def test_springs_of_a_wide_lattice_have_the_coefficient_of_an_infinite_one(self):
-        # Lattice sums with edges and spring stiffness 1: per vertex of area √3/2, over spans n with n² (n² - 1) h⁴/24 l = δ, C = 4/√3 Σ δ².
+        # Lattice sums, edges and spring stiffness 1, over half the springs of a vertex (of area √3/2): δ = n² (n² - 1) h⁴/24 l over
+        # n rows, C = 4/√3 Σ δ².
         h = 3**0.5 / 2
         by_hand = {2: [(2, 2 * h), (2, 2), (2, 2)],
                    3: [(2, 7**0.5), (2, 7**0.5), (3, 3), (3, 3), (3, 7**0.5), (3, 7**0.5)]}
@@ -440,12 +441,12 @@ class StripTest(unittest.TestCase):
         for ring, spans in by_hand.items():
             infinite = 4 / 3**0.5 * sum((n**2 * (n**2 - 1) * h**4 / (24 * length))**2 for n, length in spans)
             measured = strips.expected_quartic(rest, triangles, pinned, ring, 1.0)
-            self.assertAlmostEqual(measured / infinite, 1, delta=0.03)  # a strip 60 edges wide lacks ring/60 of its oblique springs
+            self.assertAlmostEqual(measured / infinite, 1, delta=0.03)  # 60 edges wide it lacks ring/60 of its oblique springs
 
     def test_a_check_holds_within_its_tolerance(self):
         check = lambda measured, tolerance, kind: Check("", "", "", 2.0, measured, tolerance, "", kind).holds
-        self.assertEqual([check(2.1, 0.06, "relative"), check(2.1, 0.04, "relative"), check(2.1, 0.11, "absolute"), check(2.1, 0.09, "absolute"),
-                          check(1.9, 0, "most"), check(2.1, 0, "most"), check(np.nan, 1, "relative")],
+        self.assertEqual([check(2.1, 0.06, "relative"), check(2.1, 0.04, "relative"), check(2.1, 0.11, "absolute"),
+                          check(2.1, 0.09, "absolute"), check(1.9, 0, "most"), check(2.1, 0, "most"), check(np.nan, 1, "relative")],
                          [True, False, True, False, True, False, None])
 
     def test_a_long_chain_hangs_half_its_length(self):

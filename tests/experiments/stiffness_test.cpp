@@ -115,7 +115,9 @@ TEST_CASE("The clamp's offset follows from the reach of the bending model", "[st
              WithinRel(3 * row / 4, 1e-6));
   CHECK_THAT(options(R"({"model": "k_ring", "k_ring": {"k": 4}})").exclude, WithinRel(4 * row, 1e-6));
   CHECK(options(R"({"model": "none"})").clamp_offset == 0);
-  CHECK(options(R"({"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-3})").clamp_offset == 0);
+  CHECK(
+      options(R"({"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-3})").clamp_offset ==
+      0);
   const StripOptions set =
       strip_of(strip_config(R"({"model": "crossover"})"), rest, pins, {.clamp_offset = 0.5, .exclude = 0.25})
           .options;

@@ -205,7 +205,8 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
   constexpr double relative_distance =
       0.79;  // so many darts place 0.62 points per distance²: one per spacing²
   DiscSampler sampler(width, height, relative_distance * spacing);
-  for (const double x : {-width / 2, width / 2})  // exactly: a corner off its sides' lines makes slivers along them
+  // The corners exactly: one that is off its sides' lines makes slivers along them.
+  for (const double x : {-width / 2, width / 2})
     for (const double y : {-height / 2, height / 2}) sampler.add({x, y});
   for (int i = 1; i < cells; ++i)
     for (const double y : {-height / 2, height / 2}) sampler.add({grid_line(width, i, cells), y});
