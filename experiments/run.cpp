@@ -161,7 +161,9 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
     if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    const bool balanced = simulation.settled(), settled = balanced || calm.settled(simulation);
+    // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
+    const bool balanced = simulation.settled(),
+               settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
     if (time < next_frame - rounding * dt && step < steps && !stop && !settled) continue;
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));
