@@ -1,5 +1,6 @@
 #include "bendlab/solver/equilibrium.hpp"
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <Eigen/CholmodSupport>
@@ -21,6 +22,16 @@ constexpr double stretch_per_step = 0.05;  // 1
 constexpr double longest_move = 0.2;       // of the cloth's size, per step
 constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
 
+// OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side know better
+// what to do with the cores. (Its build without threads is not safe to call from several.)
+void one_blas_thread() {
+  using SetThreads = void (*)(int);
+  static const auto set_threads =
+      reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  static const bool once = (set_threads ? set_threads(1) : void(), true);
+  static_cast<void>(once);
+}
+
 class Equilibrium final : public TimeStep<double> {
  public:
   Equilibrium(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
@@ -37,6 +48,7 @@ class Equilibrium final : public TimeStep<double> {
     for (std::size_t v = 0; v < input.mass.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
+    one_blas_thread();
     factor_.cholmod().print = 0;  // "not positive definite" is an answer here
     constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
     compile_plan(std::move(effect_passes));
