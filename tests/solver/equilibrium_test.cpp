@@ -4,6 +4,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <thread>
 
 #include "bendlab/solver/elastic_system.hpp"
 #include "tests/catch.hpp"
@@ -189,6 +190,23 @@ TEST_CASE("a standing strip buckles where Greenhill says", "[solver]") {
   // where it can: the strip buckles between 6.97 and 7.837.
   CHECK(leans(6.5) < 1e-3);  // straight but for the imperfection of 2e-5, at most 15 times
   CHECK(leans(8.5) > 0.2);
+}
+
+TEST_CASE("equilibria found side by side are those found alone", "[solver]") {
+  // Large enough for the factorisation to work in dense blocks, whose library has to bear several callers.
+  const Strip strip(40, density * gravity * std::pow(0.22, 3) / 10);
+  const Positions alone = balanced(strip.input)->positions();
+  std::array<Positions, 4> found;
+  {
+    std::vector<std::jthread> runs;
+    for (Positions& each : found)
+      runs.emplace_back([&] {
+        auto simulation = make_simulation<double>(strip.input, test::effect_passes<double>("gravity"));
+        for (int step = 0; step < 100 && !simulation->settled(); ++step) simulation->step();
+        each = simulation->positions();
+      });
+  }
+  for (const Positions& each : found) CHECK(each == alone);
 }
 
 TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
