@@ -107,6 +107,8 @@ def _picture(runs, before, out):
     zoom.set_ylim(0.75, 1.25)
     left.set_ylabel("stiffness over that at 12 cells"), right.set_ylabel("stiffness measured / told")
     left.set_title("the paper's rule: k = 0.5, eq. 6"), right.set_title("calibrated"), zoom.set_title("calibrated, enlarged")
+    for family, look in LOOKS.items():
+        zoom.plot([], [], look, color=style.GREY, label=strips.MESH_NAMES[family])
     zoom.legend(loc="upper left", bbox_to_anchor=(1, 1))
     old, new = ([value for value in ratios[key] if np.isfinite(value)] for key in ("before", "after"))
     if old and new:
@@ -128,16 +130,18 @@ def _membrane_picture(runs, out):
                 panel.plot(x, list(map(share, line)), look, color=style.MODEL_COLOURS[model],
                            label=style.MODEL_NAMES[model] if cells == 24 else None)
                 panel.plot(x, list(map(share_of_droop, line)), "x", color=style.MODEL_COLOURS[model], markersize=4, alpha=0.6)
-                extremes.setdefault(family, []).extend(share_of_droop(run) for run in line)
+                extremes.setdefault(family, []).extend(map(share, line))
         panel.axhspan(1 - GOALS[family], 1 + GOALS[family], color="#e8f1ea", zorder=0)
         panel.set_xscale("log")
         panel.set_title(strips.MESH_NAMES[family])
         panel.set_xlabel("compliance of the membrane α (m/N)")
     axes[0].set_ylabel("stiffness measured / told")
     axes[0].set_ylim(0.6, 2)
+    for label, look in (("12 cells", "--"), ("24 cells", "-"), ("from H/W", "x")):
+        axes[1].plot([], [], look, color=style.GREY, markersize=4, label=label)
     axes[1].legend()
-    text = [f"{strips.MESH_NAMES[family]} {min(values):.1f} to {max(values):.1f}" for family, values in extremes.items()]
-    figure.suptitle(f"The membrane takes or adds stiffness; by H/W, measured over told: {', '.join(text)}", x=0.01, ha="left",
+    text = [f"{strips.MESH_NAMES[family]} {min(values):.2f} to {max(values):.2f}" for family, values in extremes.items()]
+    figure.suptitle(f"The membrane takes stiffness or adds some. Measured over told: {', '.join(text)}", x=0.01, ha="left",
                     fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_membrane")
 

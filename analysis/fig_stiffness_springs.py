@@ -123,8 +123,8 @@ def _gravity_picture(runs, results, out):
     axes.set_xlabel("gravity (m/s²)"), axes.set_ylabel("H/W of the free end")
     axes.legend()
     spring = [slope for name, slope in found if name != "hinges"]
-    axes.set_title(f"Springs droop as g to the power {min(spring):.2f} to {max(spring):.2f}" +
-                   (f", hinges as g^{dict(found)['hinges']:.2f}" if hinges else ""))
+    powers = " to ".join(sorted({f"{power:.3f}" for power in (min(spring), max(spring))}))
+    axes.set_title(f"Springs droop as g to the power {powers}" + (f", hinges {dict(found)['hinges']:.3f}" if hinges else ""))
     return style.save(figure, out, "fig_stiffness_gravity")
 
 
