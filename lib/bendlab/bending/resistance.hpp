@@ -1,0 +1,79 @@
+// How much bent constraints resist, and stiffnesses with which a sheet resists as told, everywhere and in every
+// direction.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+
+/// Directions of bending that stand for all: enough for the energy of any constraint here, whose harmonics are 0, 2, … 8
+/// of the direction's angle.
+inline constexpr std::size_t bending_directions = 9;
+using ByDirection = std::array<double, bending_directions>;
+
+const std::array<Vector2, bending_directions>& all_bending_directions();
+
+template <class Energy>
+ByDirection in_all_directions(const Energy& energy) {
+  ByDirection values;
+  for (std::size_t d = 0; d < bending_directions; ++d) values[d] = energy(all_bending_directions()[d]);
+  return values;
+}
+
+double mean(const ByDirection& values);
+
+/// The part of a constraint's energy that is a vertex's.
+struct Share {
+  int vertex;
+  float part;
+};
+using Shares = std::vector<Share>;
+
+/// The constraints that meet one target, and each one's energy at κ = 1: how much in which direction, and whose.
+class Resistance {
+ public:
+  explicit Resistance(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
+
+  /// `energy` with the softness as it is. The softness is referred to until meet().
+  void add(double& softness, const ByDirection& energy, const Shares& shares);
+
+  /// A constraint that does not resist bending (a spring along an edge): meet() makes it as soft as the median of the
+  /// others.
+  void add_idle(double& softness) { idle_.push_back(&softness); }
+
+  bool empty() const { return softness_.empty() && idle_.empty(); }
+
+  /// `wanted` (#V): energy of each vertex at κ = 1, 0 where it may be anything. `usual`: a stiffness of idle
+  /// constraints where nothing else resists. Sets every softness. Facts, named `name`_…: how well it went.
+  std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name);
+
+ private:
+  using PerVertex = std::vector<ByDirection>;
+
+  std::span<const double, bending_directions> energy(std::size_t c) const {
+    return std::span<const double, bending_directions>(&energy_[c * bending_directions], bending_directions);
+  }
+  std::span<const Share> shares(std::size_t c) const {
+    return std::span(shares_).subspan(first_share_[c], first_share_[c + 1] - first_share_[c]);
+  }
+
+  PerVertex energies() const;
+  void scale_to(const std::vector<double>& wanted);
+  void improve(const std::vector<double>& wanted);
+  std::vector<BendingFact> facts(const std::vector<double>& wanted, const std::string& name) const;
+
+  std::size_t vertices_;
+  std::vector<double*> softness_, idle_;
+  std::vector<double> energy_;  // by constraint and direction
+  std::vector<std::size_t> first_share_ = {0};
+  std::vector<Share> shares_;
+  std::vector<double> factor_;  // on each constraint's stiffness
+};
+
+}  // namespace bendlab
