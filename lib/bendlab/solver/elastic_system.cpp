@@ -47,9 +47,18 @@ Corners<N> corners(const Positions& positions, const std::array<int, N>& vertice
   return p;
 }
 
-// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding.
+// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding. C of two points is their distance
+// less a constant.
 template <std::size_t N, class Evaluate>
 Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
+  if constexpr (N == 2) {
+    const Vector3 d = p[0] - p[1];
+    const Eigen::Matrix3d across =
+        (Eigen::Matrix3d::Identity() - d * d.transpose() / d.squaredNorm()) / d.norm();
+    Eigen::Matrix<double, 6, 6> result;
+    result << across, -across, -across, across;
+    return result;
+  }
   Eigen::Matrix<double, 3 * N, 3 * N> result;
   const double step = 1e-6 * (p[1] - p[0]).norm();
   for (std::size_t i = 0; i < N; ++i)
