@@ -61,6 +61,21 @@ void check_every_where_matches(const Experiment& experiment, ConfigProblems& pro
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
+void set_folder(RunConfig& run, const std::filesystem::path& folder) {
+  run.folder = folder;
+  if (const Json* file = value_at(run.resolved, "/mesh/file"))
+    run.mesh_file = folder / file->get<std::string>();
+}
+
+// Before anything is computed; the first that is wrong, others most likely are for the same reason.
+void check_runs_before(const std::vector<RunConfig>& runs, std::string_view source_name) {
+  for (const RunConfig& run : runs) try {
+      run_before(run);
+    } catch (const ConfigError& error) {
+      throw ConfigError(std::string(source_name), {{"/initial/after", error.what()}});
+    }
+}
+
 // The config's JSON with default effects and overrides in place; ConfigError where it is no JSON object at
 // all.
 Json read_document(std::string_view text, std::string_view source_name,
@@ -95,11 +110,8 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
 
   experiment.name = settings["name"];
   experiment.description = settings.value("description", "");
-  for (RunConfig& run : experiment.runs) {
-    run.folder = source.parent_path();
-    if (const Json* file = value_at(run.resolved, "/mesh/file"))
-      run.mesh_file = run.folder / file->get<std::string>();
-  }
+  for (RunConfig& run : experiment.runs) set_folder(run, source.parent_path());
+  check_runs_before(experiment.runs, source_name);
   return experiment;
 }
 
@@ -131,6 +143,17 @@ std::vector<EffectSettings> RunConfig::effects() const {
     list.push_back({type, std::move(values)});
   }
   return list;
+}
+
+std::optional<RunConfig> run_before(const RunConfig& config) {
+  const ParameterValues initial = config.section("/initial");
+  if (!initial.has("after")) return std::nullopt;
+  Json settings = config.resolved;
+  settings["name"] = "before";
+  settings["initial"].erase("after");
+  RunConfig before = parse_experiment(settings.dump(), "the run before", initial.texts("after")).runs.front();
+  set_folder(before, config.folder);
+  return before;
 }
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {

@@ -45,6 +45,10 @@ struct RunConfig {
   std::vector<EffectSettings> effects() const;  ///< a `file` as a path from here
 };
 
+/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts from its
+/// rest shape. Throws ConfigError with what is wrong in the changed settings.
+std::optional<RunConfig> run_before(const RunConfig& config);
+
 /// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects' files.
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
 

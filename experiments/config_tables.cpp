@@ -260,6 +260,10 @@ constexpr std::array initial = {
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "Seed of the perturbation",
               .minimum = 0, .maximum = largest_seed},
+    Parameter{.name = "after", .type = texts, .unit = "", .default_value = {},
+              .meaning = "The cloth starts at rest where the same run ends with these settings changed, each "
+                         "\"/json/pointer=value\": on a coarser mesh of the flat sheet, for example, or settled by "
+                         "another method. That run is not recorded"},
 };
 
 constexpr std::array output = {

@@ -18,6 +18,7 @@
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
+#include "experiments/start_after.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -300,6 +301,7 @@ void make_folder(const std::filesystem::path& folder) {
 std::string run_id(const RunConfig& config) {
   std::string identity = identity_text(config) + std::string(build_info().source_hash);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
+  if (const std::optional<RunConfig> before = run_before(config)) identity += run_id(*before);
   return hex_hash(identity);
 }
 
@@ -319,6 +321,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   Scene scene = build_scene(config);
   std::optional<Scene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
+  start_after(config, scene, control.stop);
   const std::optional<RunStrip> strip = strip_asked_for(config, scene);
   check_drape(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);

@@ -97,10 +97,12 @@ class Equilibrium final : public TimeStep<double> {
       soften(std::max(softness_ / 10, 1.0));
   }
 
-  // Soft enough for the loads to stretch the membrane by about 1e-4.
+  // Soft enough for the loads to stretch the membrane by about 1e-4. A cloth that starts strained comes from elsewhere,
+  // near its equilibrium: softer it would move away from it.
   void start() {
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
-    if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, 1000.0));
+    const double softest = system_.largest_strain(positions_) > 1e-9 ? 10 : 1000;
+    if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
   }
@@ -127,7 +129,8 @@ class Equilibrium final : public TimeStep<double> {
 
   // So that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
-    const double acceleration = residual_.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
+    const VectorXd& forces = loads_.norm() > 0 ? loads_ : residual_;
+    const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
     inverse_tau_squared_ = acceleration / (0.05 * size_);
   }
 

@@ -1,0 +1,16 @@
+// `/initial/after`: a run that starts where another one ends: the same scene with other settings, coarser for example.
+#pragma once
+
+#include <atomic>
+
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+
+/// Simulates run_before(), if there is one, until it settles, its duration is over or `stop` is set, and moves the free
+/// vertices of `scene` to where it ends; they start at rest. Between two meshes of the same flat sheet the pose is
+/// interpolated linearly. Throws std::runtime_error if that run diverges, and ConfigError if the meshes have neither
+/// their vertices nor their plane in common.
+void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>* stop = nullptr);
+
+}  // namespace bendlab

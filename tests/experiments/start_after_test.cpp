@@ -1,0 +1,105 @@
+// A run that starts where another one ends.
+#include "experiments/start_after.hpp"
+
+#include <numbers>
+
+#include "experiments/run.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+
+namespace {
+
+RunConfig config_of(const std::string& settings) {
+  return parse_experiment(R"({"name": "after", )" + settings + "}", "test").runs.front();
+}
+
+Scene started(const std::string& settings) {
+  const RunConfig config = config_of(settings);
+  Scene scene = build_scene(config);
+  start_after(config, scene);
+  return scene;
+}
+
+std::string problem(const std::string& settings) {
+  try {
+    started(settings);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond its outline") {
+  // Nothing acts on the run before: it ends as it starts, turned by 30 degrees, which is linear. The outlines of the two
+  // lattices differ by half a row.
+  for (const char* generator : {"equilateral", "grid", "delaunay", "disc"}) {
+    const std::string mesh =
+        std::string(R"("duration": 0.1, "effects": [], "pins": {"vertices": []}, "mesh": {"cells": 31,
+        "generator": ")") +
+        generator + R"("}, "solver": {"precision": "double"}, )";
+    const Scene scene = started(mesh + R"("initial": {"after": ["/mesh/cells=12", "/initial/tilt=30"]})");
+    const Positions& rest = scene.rest.positions();
+    const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
+    double worst = 0;
+    for (int v = 0; v < scene.rest.vertex_count(); ++v) {
+      const Eigen::RowVector3d turned(rest(v, 0), c * rest(v, 1), s * rest(v, 1));
+      worst = std::max(worst, (scene.input.positions.row(v) - turned).norm());
+    }
+    INFO(generator << ": " << worst);
+    // Both sheets turn about the centre of their own box, which on lattices and disc is theirs to some 1e-3; linear
+    // extrapolation adds the rounding of 6 steps.
+    const double centres = 2e-2;
+    CHECK(worst < centres);
+  }
+}
+
+TEST_CASE("a run starts where the one before it ends, bit for bit on the same mesh") {
+  const std::string fall = R"("mesh": {"cells": 6}, "solver": {"precision": "double"}, "duration": 0.5)";
+  const RunConfig alone = config_of(fall);
+  const Scene scene = build_scene(alone);
+  const auto simulation = simulation_of(scene);
+  for (int step = 0; step < 30; ++step) REQUIRE(simulation->step());
+  const Scene after = started(fall + R"(, "initial": {"after": ["/duration=0.5"]})");
+  CHECK(after.input.positions == simulation->positions());
+}
+
+TEST_CASE("an equilibrium does not depend on where the search for it started") {
+  const std::string strip =
+      R"("duration": 10, "mesh": {"generator": "equilateral", "width": 0.23, "height": 0.12,
+      "rows": "perpendicular", "cells": 12}, "pins": {"vertices": ["left"], "ring": 1},
+      "material": {"strain": {"stiffness": "compliance", "compliance": 1e-6}},
+      "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 1000},
+      "solver": {"method": "equilibrium"})";
+  const auto tip = [](const std::string& settings) {
+    const Scene scene = started(settings);
+    const auto simulation = simulation_of(scene);
+    for (int step = 0; step < 200 && !simulation->settled(); ++step) REQUIRE(simulation->step());
+    REQUIRE(simulation->settled());
+    return simulation->positions().col(2).minCoeff();
+  };
+  // Forces balance to 1e-7 of the loads.
+  CHECK_THAT(tip(strip + R"(, "initial": {"after": ["/mesh/cells=8"]})"),
+             Catch::Matchers::WithinRel(tip(strip), 1e-4));
+}
+
+TEST_CASE("what is wrong with a run before is told when the config is read") {
+  using Catch::Matchers::ContainsSubstring;
+  CHECK_THAT(problem(R"("initial": {"after": ["/mesh/cels=3"]})"), ContainsSubstring("/mesh/cells"));
+  CHECK_THAT(problem(R"("initial": {"after": ["cells"]})"), ContainsSubstring("not of the form"));
+  CHECK_THAT(
+      problem(
+          R"("mesh": {"generator": "tube", "cells": 12}, "duration": 0.1, "pins": {"vertices": ["top_rim"]},
+      "initial": {"after": ["/mesh/cells=14"]})"),
+      ContainsSubstring("same flat sheet"));
+  CHECK_THAT(problem(R"("duration": 0.1, "initial": {"after": ["/mesh/width=0.5"]})"),
+             ContainsSubstring("outside"));
+}
+
+TEST_CASE("a run's id follows the run before") {
+  const auto id = [](const std::string& settings) { return run_id(config_of(settings)); };
+  CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("duration": 4)"));
+  CHECK(id(R"("initial": {"after": ["/mesh/cells=4"]})") != id(R"("initial": {"after": ["/mesh/cells=5"]})"));
+}
