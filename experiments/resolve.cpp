@@ -249,11 +249,11 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model->name)});
   };
   if (model->name == "none") return;
-  if (!model->springs_only) {
+  if (!model->springs_only || model->prestressed) {
     if (quartic)
       report(
           "quartic_coefficient",
-          "is the stiffness of distance springs, which {} is not made of: give flexural_rigidity (in N m)");
+          "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");
     else if (!rigidity)
       report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
   } else if (quartic && rigidity) {

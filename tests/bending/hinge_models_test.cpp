@@ -169,6 +169,7 @@ TEST_CASE("a curved rest shape stays still", "[bending]") {
     const RestMesh rest(mesh);
     for (const BendingModel* model : bending_models())
       for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
+        if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
         INFO(model->name << ", " << shape);
         SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), model->name);
         input.bending_stiffness = {.kind = kind, .k = 0.5, .compliance = 1e-4};

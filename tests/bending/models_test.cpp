@@ -50,9 +50,10 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
           REQUIRE((a >= 0 && b >= 0 && a < rest.vertex_count() && b < rest.vertex_count()));
           CHECK(a != b);
           CHECK_FALSE((pins.pinned(a) && pins.pinned(b)));
-          // At rest nothing is corrected: the rest length is the distance.
+          // At rest nothing is corrected: the rest length is the distance, or 2 % more where the model wants a push.
           CHECK_THAT(springs.rest_length[s],
-                     Catch::Matchers::WithinRel((rest.position(a) - rest.position(b)).norm(), 1e-14));
+                     Catch::Matchers::WithinRel(
+                         (model->prestressed ? 1.02 : 1) * (rest.position(a) - rest.position(b)).norm(), 1e-14));
         }
         CHECK(model->build({rest, pins, values}).distance.vertices == springs.vertices);  // a pure function
         CHECK_FALSE(model->summary.empty());
@@ -68,6 +69,7 @@ TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
   for (const BendingModel* model : bending_models())
     for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
+      if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
       INFO(model->name);
       SimulationInput input = test::sheet(rest, no_pins(rest), model->name);
       input.bending_stiffness = {.kind = kind, .k = 1, .compliance = 1e-6};

@@ -27,11 +27,13 @@ std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>&
 
 class Calibration {
  public:
-  Calibration(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins)
+  Calibration(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
+              const CalibrationTarget& target)
       : constraints_(constraints),
         rest_(rest),
         pins_(pins),
         held_(held_triangles(rest, pins)),
+        target_(target),
         linear_(rest.vertex_count()),
         quartic_(rest.vertex_count()) {
     auto& hinges = std::get<ElementList<HingeAngle>>(constraints.elements);
@@ -46,10 +48,10 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
-  void meet(const CalibrationTarget& target) {
+  void meet() {
     const std::vector<double> area = bending_areas(rest_, held_);
-    if (!linear_.empty()) meet(linear_, area, rigidity(target) / 2, 1, "linear");
-    if (!quartic_.empty()) meet(quartic_, area, quartic(target) / 4, 4, "quartic");
+    if (!linear_.empty()) meet(linear_, area, rigidity() / 2, 1, "linear");
+    if (!quartic_.empty()) meet(quartic_, area, quartic() / 4, 4, "quartic");
     if (membrane_)
       constraints_.facts.push_back(
           {"membrane_quartic", *membrane_,
@@ -58,16 +60,16 @@ class Calibration {
   }
 
  private:
-  static double rigidity(const CalibrationTarget& target) {
-    if (target.flexural_rigidity) return *target.flexural_rigidity;
+  double rigidity() const {
+    if (target_.flexural_rigidity) return *target_.flexural_rigidity;
     throw std::invalid_argument("hinges and arcs have a moment B κ: give flexural_rigidity (B in N m)");
   }
-  static double quartic(const CalibrationTarget& target) {
-    if (target.quartic_coefficient) return *target.quartic_coefficient;
-    if (target.flexural_rigidity && target.at_curvature)
-      return *target.flexural_rigidity / square(*target.at_curvature);
+  double quartic() const {
+    if (target_.quartic_coefficient) return *target_.quartic_coefficient;
+    if (target_.flexural_rigidity && target_.at_curvature)
+      return *target_.flexural_rigidity / square(*target_.at_curvature);
     throw std::invalid_argument(
-        "springs have a moment C κ³: give quartic_coefficient (C in N m³), or flexural_rigidity "
+        "springs at rest have a moment C κ³: give quartic_coefficient (C in N m³), or flexural_rigidity "
         "(in N m) together with at_curvature (in 1/m), the curvature at which it holds");
   }
 
@@ -145,17 +147,26 @@ class Calibration {
   }
 
   void add(DistanceConstraints& list, const UnitBend& bend, const PairSpans& spans) {
+    constexpr double at_rest = 1e-6;  // of its length
+    const bool linear = target_.flexural_rigidity && !target_.at_curvature;
     list.softness.resize(list.size(), 1);
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
-      const double length = (rest_.position(a) - rest_.position(b)).norm();
-      if (std::abs(list.rest_length[c] - length) > 1e-6 * length)
-        throw std::invalid_argument(fmt::format(
-            "the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m apart, rest "
-            "length {:.6g} m): use straight rest lengths",
-            a, b, length, list.rest_length[c]));
-      add_pair(quartic_, list.softness[c], list.vertices[c], bend, spans,
-               [&](double shorter) { return 0.5 * square(shorter) / list.softness[c]; });
+      const double length = (rest_.position(a) - rest_.position(b)).norm(),
+                   push = list.rest_length[c] - length;
+      // Its energy is ½ (push + δ)², of which the first power of δ resists: what pushes has a moment linear in κ.
+      if (linear && push > at_rest * length)
+        add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
+                 [&](double shorter) { return push * std::max(0.0, shorter) / list.softness[c]; });
+      else if (std::abs(push) <= at_rest * length)
+        add_pair(quartic_, list.softness[c], list.vertices[c], bend, spans,
+                 [&](double shorter) { return 0.5 * square(shorter) / list.softness[c]; });
+      else
+        throw std::invalid_argument(
+            fmt::format("the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
+                        "apart, rest length {:.6g} "
+                        "m): use straight rest lengths",
+                        a, b, length, list.rest_length[c]));
     }
   }
 
@@ -163,6 +174,7 @@ class Calibration {
   const RestMesh& rest_;
   const Pins& pins_;
   std::vector<char> held_;
+  const CalibrationTarget& target_;
   std::vector<Vector2> plane_;
   Resistance linear_, quartic_;
   std::optional<double> membrane_;
@@ -172,7 +184,7 @@ class Calibration {
 
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target) {
-  Calibration(constraints, rest, pins).meet(target);
+  Calibration(constraints, rest, pins, target).meet();
 }
 
 }  // namespace bendlab

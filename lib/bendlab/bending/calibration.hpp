@@ -2,8 +2,8 @@
 //
 // Bent to a cylinder of curvature κ along a direction d, a sheet has the energy per area
 //
-//     ½ B κ²    where hinges or arcs resist (moment B κ per width), B in N m,
-//     ¼ C κ⁴    where distances do (moment C κ³), C in N m³.
+//     ½ B κ²    where hinges, arcs or springs that push resist (moment B κ per width), B in N m,
+//     ¼ C κ⁴    where springs at rest do (moment C κ³), C in N m³.
 //
 // Each constraint's energy is known in advance (unit_bend.hpp), and with which moment it resists at each place of its
 // line. calibrate() finds stiffnesses with which every vertex has its area's share, in all directions: as far as springs

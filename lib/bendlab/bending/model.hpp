@@ -41,6 +41,7 @@ struct BendingModel {
   std::string_view compliance;  ///< what the scene's compliance is the inverse of
   std::span<const Parameter> parameters;
   bool springs_only = false;  ///< build() gives no elements, whatever the parameters
+  bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
   BendingConstraints (*build)(const BendingInput&);
 };
 

@@ -1,0 +1,158 @@
+#include "bendlab/bending/thinned_rings.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+
+#include "bendlab/mesh/rings.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+// Directions in the tangent plane of a vertex, as angles from an arbitrary axis that is fixed per vertex.
+class TangentPlanes {
+ public:
+  explicit TangentPlanes(const RestMesh& rest)
+      : rest_(rest), normal_(Positions::Zero(rest.vertex_count(), 3)) {
+    for (int t = 0; t < rest.triangle_count(); ++t) {
+      const auto corner = rest.triangles().row(t);
+      const Vector3 normal = (rest.position(corner(1)) - rest.position(corner(0)))
+                                 .cross(rest.position(corner(2)) - rest.position(corner(0)));
+      for (int c = 0; c < 3; ++c) normal_.row(corner(c)) += normal.transpose();
+    }
+  }
+
+  double angle(int from, int to) const {
+    const Vector3 normal = normal_.row(from).transpose();
+    const Vector3 axis = normal.unitOrthogonal(), other = normal.normalized().cross(axis);
+    const Vector3 offset = rest_.position(to) - rest_.position(from);
+    return std::atan2(offset.dot(other), offset.dot(axis));
+  }
+
+ private:
+  const RestMesh& rest_;
+  Positions normal_;
+};
+
+// In [0, 1), evenly spread over the vertices and the same everywhere (SplitMix64): where a vertex's directions begin,
+// so that what a lattice lacks at one vertex is not lacking at all.
+double phase(int vertex) {
+  std::uint64_t x = static_cast<std::uint64_t>(vertex) + std::uint64_t{0x9e3779b97f4a7c15};
+  x = (x ^ (x >> 30)) * std::uint64_t{0xbf58476d1ce4e5b9};
+  x = (x ^ (x >> 27)) * std::uint64_t{0x94d049bb133111eb};
+  return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+}
+
+// How a spring's stiffness depends on the direction of bending: as cos⁸ of the angle between the two, whose
+// harmonics of the double angle are as 56, 28 and 8 (and 1) to 35.
+using Harmonics = Eigen::Matrix<double, 6, 1>;
+Harmonics harmonics(double angle) {
+  Harmonics h;
+  h << 56 * std::cos(2 * angle), 56 * std::sin(2 * angle), 28 * std::cos(4 * angle), 28 * std::sin(4 * angle),
+      8 * std::cos(6 * angle), 8 * std::sin(6 * angle);
+  return h;
+}
+
+class Thinned {
+ public:
+  Thinned(const BendingInput& input, int per_vertex, int power)
+      : rest_(input.rest),
+        pins_(input.pins),
+        planes_(input.rest),
+        per_vertex_(per_vertex),
+        power_(power),
+        partners_(static_cast<std::size_t>(input.rest.vertex_count())) {}
+
+  // `per_vertex` springs from the vertex into the ring.
+  void add(int vertex, std::span<const int> ring, double radius) {
+    std::vector<Candidate> candidates;
+    for (const int other : ring)
+      if (!(pins_.pinned(vertex) && pins_.pinned(other)) && !joined_already(vertex, other))
+        candidates.push_back({other, planes_.angle(vertex, other)});
+    const double apart = pi / per_vertex_, first = 2 * pi * phase(vertex);
+    for (int spring = 0; spring < per_vertex_ && !candidates.empty(); ++spring) {
+      const double aim = first + apart * spring + (spring % 2 ? pi : 0);
+      const auto chosen = choose(candidates, aim, apart);
+      owed_ += harmonics(aim) - harmonics(chosen->angle);
+      join(vertex, chosen->vertex, radius);
+      candidates.erase(chosen);
+    }
+  }
+
+  DistanceConstraints springs;
+
+ private:
+  struct Candidate {
+    int vertex;
+    double angle;
+  };
+
+  // A ring offers a few directions only, and a lattice the same ones everywhere. Of those near the one aimed at,
+  // the one that makes up for what earlier choices missed; on the other side where the sheet ends on this one.
+  std::vector<Candidate>::iterator choose(std::vector<Candidate>& candidates, double aim,
+                                          double reach) const {
+    const Harmonics wanted = owed_ + harmonics(aim);
+    for (const double period : {2 * pi, pi}) {
+      const auto cost = [&](const Candidate& c) {
+        const bool near = std::abs(std::remainder(c.angle - aim, period)) <= reach;
+        return near ? (wanted - harmonics(c.angle)).squaredNorm() : std::numeric_limits<double>::infinity();
+      };
+      const auto best = std::min_element(candidates.begin(), candidates.end(),
+                                         [&](auto& l, auto& r) { return cost(l) < cost(r); });
+      if (std::isfinite(cost(*best))) return best;
+    }
+    return candidates.begin();
+  }
+
+  std::vector<int>& partners(int vertex) { return partners_[static_cast<std::size_t>(vertex)]; }
+
+  bool joined_already(int a, int b) {
+    return std::find(partners(a).begin(), partners(a).end(), b) != partners(a).end();
+  }
+
+  void join(int vertex, int other, double radius) {
+    const double length = (rest_.position(vertex) - rest_.position(other)).norm();
+    springs.vertices.push_back({vertex, other});
+    springs.rest_length.push_back(length);
+    springs.softness.push_back(std::pow(length / radius, power_));
+    partners(other).push_back(vertex);
+  }
+
+  const RestMesh& rest_;
+  const Pins& pins_;
+  TangentPlanes planes_;
+  int per_vertex_, power_;
+  Harmonics owed_ = Harmonics::Zero();
+  std::vector<std::vector<int>> partners_;  // of each vertex, those whose own springs lead to it
+};
+
+}  // namespace
+
+BendingConstraints thinned_rings(const BendingInput& input, int power) {
+  const Levels levels = adaptive_levels(input.rest, input.parameters);
+  const int t = static_cast<int>(input.parameters.integer("t")),
+            least = static_cast<int>(input.parameters.integer("t_min"));
+  const std::vector<int> level_of =
+      level_of_vertices(input.rest, input.pins, input.parameters, std::max(least, t ? t : levels.m),
+                        std::max(least, t ? t : levels.n));
+  Thinned thinned(input, static_cast<int>(input.parameters.integer("springs")), power);
+  RingWalker walker(input.rest.one_ring());
+  for (int vertex = 0; vertex < input.rest.vertex_count(); ++vertex) {
+    const int level = level_of[static_cast<std::size_t>(vertex)];
+    walker.walk(vertex, level);
+    thinned.add(vertex, walker.ring(level), level * input.rest.mean_edge_length());
+  }
+  BendingConstraints constraints;
+  constraints.distance = std::move(thinned.springs);
+  constraints.facts = facts_of(levels);
+  constraints.facts.push_back(
+      {"t", static_cast<double>(t), "fixed target level; 0: m for free, n for pinned vertices"});
+  return constraints;
+}
+
+}  // namespace bendlab

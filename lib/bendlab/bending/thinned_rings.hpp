@@ -1,0 +1,42 @@
+// A few springs per vertex into the ring t edges away, evenly spread over the directions: what sparse_lod and
+// prestressed share.
+#pragma once
+
+#include "bendlab/bending/levels.hpp"
+
+namespace bendlab {
+
+/// The settings that thinned_rings() reads.
+inline constexpr auto thinned_ring_parameters = joined(
+    std::array{
+        Parameter{.name = "t",
+                  .type = ParameterType::integer,
+                  .unit = "1",
+                  .default_value = 0,
+                  .meaning = "target level, for every vertex; 0 takes m for free and n for pinned vertices",
+                  .minimum = 0,
+                  .maximum = 1000},
+        Parameter{.name = "t_min",
+                  .type = ParameterType::integer,
+                  .unit = "1",
+                  .default_value = 2,
+                  .meaning = "lower bound on the level: springs along the mesh's own edges bend nothing",
+                  .minimum = 1,
+                  .maximum = 1000},
+        Parameter{
+            .name = "springs",
+            .type = ParameterType::integer,
+            .unit = "1",
+            .default_value = 4,
+            .meaning = "springs per vertex, whatever the level; each vertex then is an end of twice as many",
+            .minimum = 1,
+            .maximum = 64}},
+    level_parameters);
+
+/// Springs at rest, ordered by vertex, and the levels as facts. A spring resists bending along itself, whichever way it
+/// points: the axes of a vertex's springs divide a half turn evenly, every other one points the other way. Where the
+/// energy of a bent sheet's spring is ∝ length to the `power` / softness, all springs have the same; the softness of one
+/// as long as t mean edges is 1.
+BendingConstraints thinned_rings(const BendingInput& input, int power);
+
+}  // namespace bendlab
