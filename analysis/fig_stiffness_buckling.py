@@ -7,30 +7,32 @@ import style
 from load import group
 from report import Check, Section, figure_main
 
-# Γ* = ρ g L³/D over width/length, for ν = -1/3, which a lattice of hinges has; of a Kirchhoff plate, by Ritz's method with Legendre
-# polynomials, converged to 0.1 %.
-CRITICAL = {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39}
+# Γ* = ρ g L³/D over width/length of a Kirchhoff plate, by Ritz's method with Legendre polynomials, converged to 0.1 %. A
+# lattice of hinges has ν = -1/3; springs in all directions have ν = 1/3, as central forces do: their energy goes with the mean
+# of the square of the curvature along them, 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
+CRITICAL = {"discrete_shells": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39},
+            "prestressed": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
+POISSON = {"discrete_shells": "−1/3", "prestressed": "1/3"}
 NOTICEABLE = 1e-3  # of the length: a sheet that is farther off its plane has buckled
 
 
 def main(results, out):
     section = Section("Lateral buckling", "buckling")
-    hinges = strips.experiment_runs(results, section, "buckling", "buckling_slow")
+    stiff = strips.experiment_runs(results, section, "buckling", "buckling_slow", "buckling_prestressed")
     springs = strips.experiment_runs(results, section, "buckling_springs")
     section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D "
                     "reaches Γ*, then it gives way sideways. Γ* follows from where the square of the deflection, a line just "
-                    "above it, comes from zero. L begins half a row behind the clamp's edge; a lattice of hinges has "
-                    "Poisson's ratio −1/3. Springs without linear stiffness have Γ* = 0, and a deflection that grows as the "
-                    "root of the load.")
-    for (cells, _), some in group(hinges, lambda run: (strips.cells(run), run.get("/mesh/height"))).items():
-        slender = width_over_length(some[0])
-        section.checks.append(Check(f"Γ* at width over length {slender:.2f}", "discrete_shells", strips.mesh_name(some[0]),
-                                    float(np.interp(slender, list(CRITICAL), list(CRITICAL.values()))), critical_load(some),
-                                    0.03 if cells > 24 else 0.05,
-                                    "Kirchhoff plate, ν = −1/3, Ritz"))
+                    "above it, comes from zero. L begins half a row behind the clamp's edge, for springs to ring t a "
+                    "quarter of t rows; a lattice of hinges has Poisson's ratio −1/3, springs have 1/3. Springs without linear "
+                    "stiffness have Γ* = 0, and a deflection that grows as the root of the load; those that push in the flat "
+                    "sheet (prestressed) stand upright as hinges do.")
+    for (model, cells, _), some in strip_groups(stiff).items():
+        section.checks.append(Check(f"Γ* at width over length {width_over_length(some[0]):.2f}", model,
+                                    strips.mesh_name(some[0]), theory(some[0]), critical_load(some),
+                                    0.03 if cells > 24 else 0.05, f"Kirchhoff plate, ν = {POISSON[model]}, Ritz"))
     section.checks.append(spring_check(springs))
-    if hinges or springs:
-        section.pictures.append((_picture(hinges, springs, out),
+    if stiff or springs:
+        section.pictures.append((_picture(stiff, springs, out),
                                  "Deflection of the farthest vertex in static equilibrium. Left: squared, against the load "
                                  "over theory's critical one. Right: springs to ring 3; the line has the slope 1/2."))
     return section
@@ -41,7 +43,24 @@ def _lengths(run):
     rest, pinned = run.rest_positions, run.pinned
     free = rest[:, 0].max() - rest[pinned, 0].max()
     row = np.diff(np.unique(np.round(rest[:, 0], 7))).mean()
-    return free + row / 2, np.ptp(rest[:, 1])
+    behind = row * run.get("/bending/prestressed/t") / 4 if run.model == "prestressed" else row / 2
+    return free + behind, np.ptp(rest[:, 1])
+
+
+def strip_groups(runs):
+    """(model, cells, width) → runs under different loads."""
+    return group(runs, lambda run: (run.model, strips.cells(run), run.get("/mesh/height")))
+
+
+def theory(run):
+    """Γ* of the strip."""
+    table = CRITICAL[run.model]
+    return float(np.interp(width_over_length(run), list(table), list(table.values())))
+
+
+def _rigidity(run):
+    """D it was told, N m."""
+    return run.get("/bending/flexural_rigidity") or 1 / run.get("/bending/compliance")
 
 
 def width_over_length(run):
@@ -56,7 +75,7 @@ def pull(run):
 
 def load_number(run):
     """Γ"""
-    return run.get("/material/density") * pull(run) * _lengths(run)[0]**3 * run.get("/bending/compliance")
+    return run.get("/material/density") * pull(run) * _lengths(run)[0]**3 / _rigidity(run)
 
 
 def deflection(run):
@@ -83,17 +102,15 @@ def spring_check(runs):
                  0.02, "quartic bending energy against work ∝ deflection²", "absolute")
 
 
-def _picture(hinges, springs, out):
+def _picture(stiff, springs, out):
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4), layout="constrained")
     found = []
-    meshes = group(hinges, lambda run: (strips.cells(run), run.get("/mesh/height")))
-    for ((cells, _), some), colour in zip(meshes.items(), style.SEQUENCE):
-        slender = width_over_length(some[0])
-        theory = np.interp(slender, list(CRITICAL), list(CRITICAL.values()))
+    for ((model, cells, _), some), colour in zip(strip_groups(stiff).items(), style.SEQUENCE):
+        expected = theory(some[0])
         some = sorted(some, key=load_number)
-        left.plot([load_number(run) / theory for run in some], [1e4 * deflection(run)**2 for run in some], "o-", color=colour,
-                  label=f"width {slender:.2f} L, {cells} cells")
-        found.append(critical_load(some) / theory)
+        left.plot([load_number(run) / expected for run in some], [1e4 * deflection(run)**2 for run in some], "o-", color=colour,
+                  label=f"{style.MODEL_NAMES[model]}, width {width_over_length(some[0]):.2f} L, {cells} cells")
+        found.append(critical_load(some) / expected)
     left.axvline(1, color=style.INK, linewidth=0.8)
     left.set_ylim(-0.05, 1.5), left.set_xlim(0.9, 1.1)
     left.set_xlabel("Γ / Γ* of theory"), left.set_ylabel("(deflection / L)² (10⁻⁴)")
@@ -107,8 +124,9 @@ def _picture(hinges, springs, out):
     right.set_xscale("log"), right.set_yscale("log")
     right.set_xlabel("gravity in the plane (m/s²)"), right.set_ylabel("deflection / L")
     known = [value for value in found if np.isfinite(value)]
-    title = f"Hinges buckle at {100 * min(known):.0f} to {100 * max(known):.0f} % of theory's load" if known else "Lateral buckling"
-    figure.suptitle(title + ("; springs buckle under any" if springs else ""), x=0.01, ha="left", fontsize=11.5)
+    title = (f"Linear stiffness buckles at {100 * min(known):.0f} to {100 * max(known):.0f} % of theory's load" if known
+             else "Lateral buckling")
+    figure.suptitle(title + ("; springs at rest buckle under any" if springs else ""), x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_buckling")
 
 

@@ -91,9 +91,9 @@ def _approach(series, cheap, out):
     left.legend()
     for model, some in strips.by_model(cheap).items():
         some = sorted(some, key=substeps)
-        hinge = model == "discrete_shells"
-        told = some[0].get("/bending/flexural_rigidity" if hinge else "/bending/quartic_coefficient")
-        share = [strips.number(run, "stiffness_flexural_rigidity" if hinge else "stiffness_quartic") / told for run in some]
+        rigidity = some[0].get("/bending/flexural_rigidity")
+        told = rigidity or some[0].get("/bending/quartic_coefficient")
+        share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity else "stiffness_quartic") / told for run in some]
         right.plot([substeps(run) for run in some], share, "o-", color=style.MODEL_COLOURS[model],
                    label=style.MODEL_NAMES[model])
     right.axhline(1, color=style.INK, linewidth=0.8)

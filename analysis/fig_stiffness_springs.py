@@ -69,14 +69,18 @@ def _checks(run, quartic, ratio):
 def slopes(runs):
     """Checks of d ln(H/W) / d ln g at H/W below 0.3."""
     checks = []
-    for t, some in group(runs, ring).items():
+    for label, some in group(runs, line_name).items():
         small = [run for run in some if strips.droop(run) < 0.3]
         slope = np.polyfit(np.log([strips.gravity(run) for run in small]), np.log([strips.droop(run) for run in small]),
                            1)[0] if len(small) > 1 else np.nan
-        checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", f"k_ring, ring {t}", strips.mesh_name(some[0]), 1 / 3,
-                            float(slope), 0.02,
-                            "m = C κ³", "absolute"))
+        at_rest = some[0].model == "k_ring"
+        checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", label, strips.mesh_name(some[0]), 1 / 3 if at_rest else 1,
+                            float(slope), 0.02, "m = C κ³" if at_rest else "m = B κ", "absolute"))
     return checks
+
+
+def line_name(run):
+    return f"k_ring, ring {ring(run)}" if run.model == "k_ring" else run.model
 
 
 def _picture(points, out):
@@ -109,22 +113,23 @@ def _gravity_picture(runs, results, out):
     figure, axes = plt.subplots(figsize=(5.6, 4), layout="constrained")
     hinges = [run for run in strips.experiment_runs(results, Section("", ""),
                                                     "hinges") if run.model == "discrete_shells" and strips.cells(run) == 24]
-    lines = {f"ring {t} springs": some for t, some in group(runs, ring).items()} | ({"hinges": hinges} if hinges else {})
-    found = []
+    lines = group(runs, line_name) | ({"hinges": hinges} if hinges else {})
+    found = {}
     for name, some in lines.items():
         some = sorted((run for run in some if strips.droop(run) < 1), key=strips.gravity)
         g, droop = np.array([strips.gravity(run) for run in some]), np.array([strips.droop(run) for run in some])
-        colour = style.MODEL_COLOURS["discrete_shells"] if name == "hinges" else RING_COLOURS[ring(some[0])]
+        model = some[0].model
+        colour = RING_COLOURS[ring(some[0])] if model == "k_ring" else style.MODEL_COLOURS[model]
         small = droop < 0.3
         slope = np.polyfit(np.log(g[small]), np.log(droop[small]), 1)[0] if small.sum() > 1 else np.nan
         axes.plot(g, droop, "o-", color=colour, label=f"{name}: slope {slope:.3f}")
-        found.append((name, slope))
+        found.setdefault("springs at rest" if model == "k_ring" else "springs that push" if model == "prestressed" else "hinges",
+                         []).append(slope)
     axes.set_xscale("log"), axes.set_yscale("log")
     axes.set_xlabel("gravity (m/s²)"), axes.set_ylabel("H/W of the free end")
     axes.legend()
-    spring = [slope for name, slope in found if name != "hinges"]
-    powers = " to ".join(sorted({f"{power:.3f}" for power in (min(spring), max(spring))}))
-    axes.set_title(f"Springs droop as g to the power {powers}" + (f", hinges {dict(found)['hinges']:.3f}" if hinges else ""))
+    powers = {kind: " to ".join(sorted({f"{power:.2f}" for power in (min(some), max(some))})) for kind, some in found.items()}
+    axes.set_title("Droop grows as g to the power:\n" + ", ".join(f"{kind} {power}" for kind, power in powers.items()))
     return style.save(figure, out, "fig_stiffness_gravity")
 
 

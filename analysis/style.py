@@ -15,10 +15,11 @@ import render
 # Okabe and Ito's palette: distinct also for the colour-blind.
 MODEL_COLOURS = {"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2", "lod": "#b0579b",
                  "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12", "bridson": "#117a8b",
-                 "discrete_shells": "#5b3fa0", "isometric": "#9aa61b"}
+                 "discrete_shells": "#5b3fa0", "isometric": "#9aa61b", "prestressed": "#c2185b"}
 MODEL_NAMES = {"none": "no bending", "crossover": "crossover", "k_ring": "edge springs (k_ring 1)",
                "adaptive": "adaptive", "lod": "LOD", "sparse_lod": "sparse LOD", "choi_ko": "Choi-Ko",
-               "dihedral": "dihedral", "bridson": "Bridson", "discrete_shells": "discrete shells", "isometric": "isometric"}
+               "dihedral": "dihedral", "bridson": "Bridson", "discrete_shells": "discrete shells", "isometric": "isometric",
+               "prestressed": "prestressed"}
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 

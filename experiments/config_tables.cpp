@@ -28,7 +28,7 @@ constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per
 constexpr std::array<std::string_view, 3> methods = {"pbd", "kang_cho", "equilibrium"};
 constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropic"};
 constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
-constexpr std::array<std::string_view, 2> orders = {"colour", "mesh"};
+constexpr std::array<std::string_view, 3> orders = {"colour", "mesh", "pins"};
 constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
 constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
 
@@ -228,7 +228,7 @@ constexpr std::array solver = {
               .choices = sweeps},
     Parameter{.name = "order", .type = text, .unit = "", .default_value = "colour",
               .meaning = "colour: grouped so that no two of a group share a vertex; mesh: as the model "
-                         "lists them",
+                         "lists them, one after another; pins: so too, but nearest to a pinned vertex first",
               .choices = orders},
     Parameter{.name = "first", .type = text, .unit = "", .default_value = "strain",
               .meaning = "Which kind is projected first within an iteration",

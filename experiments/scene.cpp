@@ -16,6 +16,7 @@
 #include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
+#include "bendlab/solver/order_from_pins.hpp"
 
 namespace bendlab {
 namespace {
@@ -140,7 +141,7 @@ SolverSettings solver_settings(const ParameterValues& values) {
           .substeps = static_cast<int>(values.integer("substeps")),
           .iterations = static_cast<int>(values.integer("iterations")),
           .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
-          .order = values.text("order") == "mesh" ? ConstraintOrder::mesh : ConstraintOrder::colour,
+          .order = values.text("order") == "colour" ? ConstraintOrder::colour : ConstraintOrder::mesh,
           .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,
           .threads = static_cast<int>(values.integer("threads"))};
 }
@@ -299,6 +300,7 @@ Scene build_scene(const RunConfig& config) {
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
+  if (solver.text("order") == "pins") order_from_pins(input, rest);
   return scene;
 }
 

@@ -91,6 +91,7 @@ void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>*
   if (first.rest.positions() != scene.rest.positions()) pose = interpolated(pose, first.rest, scene.rest);
   for (int v = 0; v < scene.rest.vertex_count(); ++v)
     if (!scene.pins.pinned(v)) scene.input.positions.row(v) = pose.row(v);
+  scene.input.settings.starts_near = true;
 }
 
 }  // namespace bendlab

@@ -187,18 +187,6 @@ Eigen::VectorXd ElasticSystem::predicted_multipliers(const Positions& positions,
   return result;
 }
 
-double ElasticSystem::largest_strain(const Positions& positions) const {
-  double largest = 0;
-  for_terms([&]<std::size_t N>(Eigen::Index, const std::array<int, N>& vertices, const auto& evaluate,
-                               const auto&) {
-    if constexpr (N == 3) {
-      const auto c = evaluate(corners(positions, vertices));
-      if (c.defined) largest = std::max(largest, std::abs(c.value));
-    }
-  });
-  return largest;
-}
-
 double ElasticSystem::strain_beyond_first_order(const Positions& positions,
                                                 const Eigen::VectorXd& step) const {
   const Positions there = moved(positions, step);

@@ -45,8 +45,6 @@ class ElasticSystem {
 
   /// A move by `step` (unknowns, m) to first order: ψ'(C) + ψ''(C) ∇C·step of each term.
   Eigen::VectorXd predicted_multipliers(const Positions& positions, const Eigen::VectorXd& step) const;
-  /// The largest of any triangle.
-  double largest_strain(const Positions& positions) const;
   /// The largest part of a triangle's strain after that move that is not of first order in it.
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;

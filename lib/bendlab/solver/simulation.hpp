@@ -79,6 +79,7 @@ struct SolverSettings {
   ConstraintOrder order = ConstraintOrder::colour;
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
+  bool starts_near = false;  ///< equilibrium: the pose is already near one
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
