@@ -17,7 +17,7 @@ TOLD = "the stiffness in the config"
 def main(results, out):
     section = Section("Calibrated stiffness against resolution", "calibrated")
     runs = strips.experiment_runs(results, section, "calibrated", "calibrated_slow", "calibrated_96_slow",
-                                  "calibrated_irregular", "calibrated_irregular_slow", "calibrated_irregular_96_full")
+                                  "calibrated_irregular", "calibrated_irregular_slow", "calibrated_irregular_full")
     membranes = strips.experiment_runs(results, section, "membrane")
     before = strips.experiment_runs(results, section, "resolution", "resolution_slow")
     section.text = ("Each model turns B (hinges) or C (springs at rest) into compliances of its own constraints from the mesh; "
