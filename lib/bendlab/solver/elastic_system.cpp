@@ -77,6 +77,18 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
   return 0.5 * (result + result.transpose());
 }
 
+// ½ |Kx|² of a flat rest shape is the sum of the squares of three linear functions. |Kx| itself has no second derivative
+// where it is zero, which is where flat parts of a sheet are.
+bool is_sum_of_squares(const ElementList<QuadraticBend>& list, std::size_t c) {
+  return list.law == QuadraticBend::Law::norm && list.rest[c][4] <= 1e-9 * list.rest[c][5];
+}
+ConstraintValue<double, 4> component(const Corners<4>& p, const std::array<double, 6>& rest, int axis) {
+  ConstraintValue<double, 4> c;
+  for (std::size_t i = 0; i < 4; ++i)
+    c.value += rest[i] * p[i](axis), c.gradient[i] = rest[i] * Vector3::Unit(axis);
+  return c;
+}
+
 void require_compliance(StiffnessKind kind, double compliance, const char* what) {
   if (kind != StiffnessKind::compliance || !(compliance > 0))
     throw std::invalid_argument(std::string("equilibrium: ") + what +
@@ -129,6 +141,15 @@ void ElasticSystem::for_terms(const Visit& visit) const {
   for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
     for (std::size_t c = 0; c < list.size(); ++c) {
       const double alpha = bending_compliance_ * list.softness[c];
+      if constexpr (std::is_same_v<Kind, QuadraticBend>)
+        if (is_sum_of_squares(list, c)) {
+          for (int axis = 0; axis < 3; ++axis)
+            visit(
+                next++, list.vertices[c],
+                [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
+                [&](double value) { return quadratic(value, alpha); });
+          continue;
+        }
       visit(
           next++, list.vertices[c],
           [&](const Corners<Kind::arity>& p) {
