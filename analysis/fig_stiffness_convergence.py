@@ -10,7 +10,7 @@ from report import Check, Section, Table, figure_main
 
 def main(results, out):
     section = Section("XPBD against its equilibrium; k against iterations and time step", "convergence")
-    dynamic = strips.experiment_runs(results, section, "xpbd", "xpbd_slow", "xpbd_48_slow")
+    dynamic = strips.experiment_runs(results, section, "xpbd", "xpbd_slow", "xpbd_48_slow", "xpbd_full")
     cheap = strips.experiment_runs(results, section, "cheap")
     iterations = strips.experiment_runs(results, section, "iterations")
     time_step = strips.experiment_runs(results, section, "time_step")
