@@ -18,6 +18,7 @@
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
+#include "experiments/stability.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -149,16 +150,19 @@ struct Stepping {
 };
 
 Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWriter& writer,
-                     const RunConfig& config, const RunControl& control) {
+                     std::optional<StabilityMeter>& stability, const RunConfig& config,
+                     const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
   const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
   writer.push(recorder.capture(simulation));
+  if (stability) stability->look(simulation);
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   for (std::int64_t step = 1; step <= steps; ++step) {
     if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
+    if (stability) stability->look(simulation);
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
@@ -323,13 +327,16 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   check_drape(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder(scene);
+  std::optional<StabilityMeter> stability;
+  if (config.section("/output").boolean("stability"))
+    stability.emplace(scene, config.section("").number("duration"));
   const double set_up_s = thread_cpu_s() - cpu_start;
   RunOutcome outcome{.id = run_id(config), .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());
   FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame); });
-  const Stepping stepping = step_to_end(*simulation, recorder, writer, config, control);
+  const Stepping stepping = step_to_end(*simulation, recorder, writer, stability, config, control);
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;
@@ -342,6 +349,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
+  if (stability) outcome.summary.merge(stability->summary());
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
   if (outcome.status != RunStatus::diverged) {
     if (strip) add_stiffness(*strip, *simulation, outcome);
