@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/constraints/build.hpp"
@@ -14,8 +11,10 @@
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/delaunay.hpp"
 #include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
+#include "experiments/initial_pose.hpp"
 
 namespace bendlab {
 namespace {
@@ -26,6 +25,7 @@ TriangleMesh generate(const ParameterValues& mesh) {
   const std::string& generator = mesh.text("generator");
   const double radius = mesh.number("radius");
   if (generator == "disc") return disc(radius, cells);
+  if (generator == "sphere") return sphere(radius, cells);
   if (generator == "tube")
     return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
   if (generator == "delaunay")
@@ -43,7 +43,9 @@ TriangleMesh generate(const ParameterValues& mesh) {
 
 TriangleMesh generated_mesh(const ParameterValues& mesh) {
   try {
-    return generate(mesh);
+    const TriangleMesh flawed = with_flaw(generate(mesh), mesh.text("flaw"));
+    return mesh.has("shuffle") ? shuffled(flawed, static_cast<std::uint64_t>(mesh.integer("shuffle")))
+                               : flawed;
   } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
     throw ConfigError("mesh generator", {{"/mesh", error.what()}});
   }
@@ -145,50 +147,19 @@ SolverSettings solver_settings(const ParameterValues& values) {
           .threads = static_cast<int>(values.integer("threads"))};
 }
 
-// Uniform in [-1, 1], the same on every platform (the standard's distributions are not).
-double uniform(std::mt19937_64& generator) {
-  return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
-}
-
-// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
-Positions folded(const RestMesh& rest, int folds, double gap) {
-  const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
-  const double layer = (width - folds * turn) / (folds + 1);
-  if (layer <= 0)
-    throw ConfigError("initial pose", {{"/initial/fold_gap",
-                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
-                                                    "{:.3g} m wide: fewer folds or a smaller gap",
-                                                    folds, gap, folds * turn, width)}});
-  Positions positions = rest.positions();
-  for (int v = 0; v < rest.vertex_count(); ++v) {
-    const double along = positions(v, 0) - rest.box_min().x();
-    const int below = std::min(folds, static_cast<int>(along / (layer + turn)));
-    const double within = along - below * (layer + turn);  // its layer, then the turn that follows
-    const double angle = std::max(0.0, within - layer) / (0.5 * gap);
-    const double to_the_right = std::min(within, layer) - 0.5 * layer + 0.5 * gap * std::sin(angle);
-    positions(v, 0) = rest.centre().x() + (below % 2 == 0 ? to_the_right : -to_the_right);
-    positions(v, 2) += below * gap + 0.5 * gap * (1 - std::cos(angle));
+// Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
+std::vector<double> masses_of(const ParameterValues& material, const RestMesh& rest) {
+  const double density = material.number("density"), ratio = material.number("density_ratio");
+  std::vector<double> mass = lumped_masses(rest, density);
+  for (int t = 0; ratio != 1 && t < rest.triangle_count(); ++t) {
+    const auto corner = rest.triangles().row(t);
+    const double x = (rest.position(corner(0)) + rest.position(corner(1)) + rest.position(corner(2))).x() / 3;
+    if (x <= rest.centre().x()) continue;
+    for (const int v : corner)
+      mass[static_cast<std::size_t>(v)] +=
+          (ratio - 1) * density * rest.areas()[static_cast<std::size_t>(t)] / 3;
   }
-  return positions;
-}
-
-Positions initial_positions(const ParameterValues& values, const RestMesh& rest, const Pins& pins) {
-  const double tilt = values.number("tilt") * std::numbers::pi / 180;
-  const auto folds = static_cast<int>(values.integer("folds"));
-  Positions positions = folds > 0 ? folded(rest, folds, values.number("fold_gap")) : rest.positions();
-  if (tilt != 0) {
-    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(tilt, Vector3::UnitX()).toRotationMatrix();
-    positions = ((positions.rowwise() - rest.centre().transpose()) * rotation.transpose()).rowwise() +
-                rest.centre().transpose();
-  }
-  const double amplitude = values.number("perturbation") * rest.size();
-  if (amplitude == 0) return positions;
-  std::mt19937_64 generator(static_cast<std::uint64_t>(values.integer("seed")));
-  for (int v = 0; v < rest.vertex_count(); ++v) {
-    const Eigen::RowVector3d offset(uniform(generator), uniform(generator), uniform(generator));
-    if (!pins.pinned(v)) positions.row(v) += amplitude * offset;
-  }
-  return positions;
+  return mass;
 }
 
 std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
@@ -263,6 +234,7 @@ TriangleMesh rest_mesh_of(const RunConfig& config, std::vector<std::string>& not
   TriangleMesh mesh =
       config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file, notes);
   mesh.positions *= values.number("scale");
+  mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
   return mesh;
 }
 
@@ -281,9 +253,10 @@ Scene build_scene(const RunConfig& config) {
 
   SimulationInput& input = scene.input;
   input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
+  input.velocities = initial_velocities(config.section("/initial"), input.positions, rest.centre());
   input.origin = rest.centre();
   input.size = rest.size();
-  input.mass = lumped_masses(rest, material.number("density"));
+  input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
   input.place = local_numbering(rest);
   input.settings = solver_settings(solver);
