@@ -9,6 +9,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/pins.hpp"
 
 namespace bendlab {
@@ -101,6 +102,13 @@ constexpr std::array mesh = {
     Parameter{.name = "scale", .type = number, .unit = "1", .default_value = 1.0,
               .meaning = "Factor on all coordinates, of a file's mesh too",
               .minimum = 0, .above = true},
+    Parameter{.name = "bad_triangles", .type = text, .unit = "", .default_value = "refuse",
+              .meaning = "What becomes of a mesh with triangles that have no area, are there twice or branch. refuse: "
+                         "the run ends with the first offenders; regularise: simulated as it is, a triangle without "
+                         "area with a small rest height; membrane_off: the same, but such a triangle has no strain "
+                         "constraint; repair: equal points united, triangles without area removed, branches cut, all "
+                         "oriented alike. 'bendlab mesh' says what each does to a file",
+              .choices = bad_triangles_names},
 };
 
 // Not constexpr: the names come from the mesh room.
