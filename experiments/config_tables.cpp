@@ -9,6 +9,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/pins.hpp"
 
@@ -116,6 +117,13 @@ const std::array mesh = {
                          "without area, there twice, has a fin or touches in a point alone; or the mesh has vertices "
                          "in no triangle, is cut in two, has triangles that run the other way round, or a hole",
               .choices = mesh_flaws()},
+    Parameter{.name = "bad_triangles", .type = text, .unit = "", .default_value = "refuse",
+              .meaning = "What becomes of a mesh with triangles that have no area, are there twice or branch. refuse: "
+                         "the run ends with the first offenders; regularise: simulated as it is, a triangle without "
+                         "area with a small rest height; membrane_off: the same, but such a triangle has no strain "
+                         "constraint; repair: equal points united, triangles without area removed, branches cut, all "
+                         "oriented alike. 'bendlab mesh' says what each does to a file",
+              .choices = bad_triangles_names},
 };
 
 // Not constexpr: the names come from the mesh room.

@@ -41,13 +41,22 @@ TriangleMesh generate(const ParameterValues& mesh) {
                                    : Diagonal::alternating);
 }
 
-TriangleMesh generated_mesh(const ParameterValues& mesh) {
+// A generated mesh is sound until it is flawed.
+AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
+  TriangleMesh generated;
   try {
-    const TriangleMesh flawed = with_flaw(generate(mesh), mesh.text("flaw"));
-    return mesh.has("shuffle") ? shuffled(flawed, static_cast<std::uint64_t>(mesh.integer("shuffle")))
-                               : flawed;
+    generated = generate(mesh);
+    if (mesh.has("shuffle"))
+      generated = shuffled(generated, static_cast<std::uint64_t>(mesh.integer("shuffle")));
   } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
     throw ConfigError("mesh generator", {{"/mesh", error.what()}});
+  }
+  const std::string& flaw = mesh.text("flaw");
+  if (flaw == "none") return {.mesh = std::move(generated)};
+  try {
+    return accept(to_soup(with_flaw(std::move(generated), flaw)), policy);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(fmt::format("mesh with the flaw {}: {}", flaw, error.what()));
   }
 }
 
@@ -56,21 +65,28 @@ TriangleMesh generated_mesh(const ParameterValues& mesh) {
   throw RunFileError(error.what());
 }
 
-TriangleMesh mesh_from_file(const std::filesystem::path& file, std::vector<std::string>& notes) {
+BadTriangles policy_for_bad_triangles(const ParameterValues& mesh) {
+  const auto found = std::ranges::find(bad_triangles_names, mesh.text("bad_triangles"));
+  return static_cast<BadTriangles>(found - bad_triangles_names.begin());
+}
+
+AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
   try {
-    return read_mesh(file, &notes);
+    return read_mesh(file, policy);
   } catch (const MeshFileError& error) {
     rethrow(error);
   }
 }
 
-Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes) {
+Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
+             bool renumbered) {
   const ParameterValues values = config.section("/pins");
-  if (!mesh_notes.empty() && !values.numbers("indices").empty())
+  if (renumbered && !values.numbers("indices").empty())
     throw MeshError(fmt::format(
-        "{}: {}; /pins/indices would name other vertices than the file does. Remove them from the "
-        "file, or pin by name in /pins/vertices",
-        config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
+        "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
+        "by name in "
+        "/pins/vertices",
+        config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices")) try {
       for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
@@ -229,22 +245,22 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
 
 }  // namespace
 
-TriangleMesh rest_mesh_of(const RunConfig& config, std::vector<std::string>& notes) {
+AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const ParameterValues values = config.section("/mesh");
-  TriangleMesh mesh =
-      config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file, notes);
-  mesh.positions *= values.number("scale");
-  mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
-  return mesh;
+  const BadTriangles policy = policy_for_bad_triangles(values);
+  AcceptedMesh accepted =
+      config.mesh_file.empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file, policy);
+  accepted.mesh.positions *= values.number("scale");
+  accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
+  return accepted;
 }
 
 Scene build_scene(const RunConfig& config) {
-  std::vector<std::string> mesh_notes;
-  TriangleMesh mesh = rest_mesh_of(config, mesh_notes);
-  Scene scene{.rest = RestMesh(std::move(mesh)), .mesh_notes = std::move(mesh_notes)};
+  AcceptedMesh accepted = rest_mesh_of(config);
+  Scene scene{.rest = RestMesh(std::move(accepted.mesh)), .mesh_notes = std::move(accepted.notes)};
   const RestMesh& rest = scene.rest;
   const ParameterValues material = config.section("/material"), solver = config.section("/solver");
-  scene.pins = pins_of(config, rest, scene.mesh_notes);
+  scene.pins = pins_of(config, rest, scene.mesh_notes, accepted.renumbered);
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
   scene.thresholds = quality_thresholds(config.section("/quality"));
@@ -263,7 +279,11 @@ Scene build_scene(const RunConfig& config) {
   if (input.settings.method == Method::kang_cho)
     input.edges = edge_springs(rest, scene.pins);
   else
-    input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
+    input.strain =
+        strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()),
+                           policy_for_bad_triangles(config.section("/mesh")) == BadTriangles::membrane_off
+                               ? dispensable_triangles(rest)
+                               : std::vector<char>{});
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);
