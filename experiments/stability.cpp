@@ -14,9 +14,10 @@
 namespace bendlab {
 namespace {
 
-constexpr double recovered = 0.01;        // of the size
-constexpr double energy_rounding = 1e-6;  // of the scale: what float leaves of the difference of two sums
-constexpr double shut = 170;              // degrees
+constexpr double recovered = 0.01;            // of the size
+constexpr double energy_rounding = 1e-6;      // of the scale: what float leaves of the difference of two sums
+constexpr double shut = 170;                  // degrees
+constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
 Vector3 gravity_of(const std::vector<EffectSettings>& effects) {
   for (const EffectSettings& effect : effects)
@@ -88,6 +89,16 @@ void StabilityMeter::look_at_energy(const Positions& positions, const Positions&
   highest_energy_ = std::max(highest_energy_, energy_);
 }
 
+void StabilityMeter::look_at_shape() {
+  next_alignment_ = time_ + 1 / alignments_per_second - 1e-9;
+  distance_ = alignment_.distance(now_) / size_;
+  least_distance_ = looks_ == 0 ? distance_ : std::min(least_distance_, distance_);
+  if (!(distance_ < recovered))
+    recovered_at_.reset();
+  else if (!recovered_at_)
+    recovered_at_ = time_;
+}
+
 void StabilityMeter::look(const Simulation& simulation) {
   now_ = simulation.positions();
   const Positions velocities = simulation.velocities();
@@ -96,12 +107,7 @@ void StabilityMeter::look(const Simulation& simulation) {
   if (looks_ == 0) first_reach_ = last_reach_;
   reach_ = std::max(reach_, last_reach_);
   farthest_ = std::max(farthest_, farthest_from(scene_.input.origin.transpose(), now_));
-  distance_ = alignment_.distance(now_) / size_;
-  least_distance_ = looks_ == 0 ? distance_ : std::min(least_distance_, distance_);
-  if (!(distance_ < recovered))
-    recovered_at_.reset();
-  else if (!recovered_at_)
-    recovered_at_ = time_;
+  if (time_ >= next_alignment_) look_at_shape();
   if (time_ <= half_time_) half_way_ = now_;
   if (free_) {
     const Motion motion = motion_of(scene_.input.mass, now_, velocities);
@@ -122,7 +128,8 @@ double StabilityMeter::shut_hinges() const {
   return hinges.empty() ? 0 : static_cast<double>(count) / static_cast<double>(hinges.size());
 }
 
-std::map<std::string, double> StabilityMeter::summary() const {
+std::map<std::string, double> StabilityMeter::summary() {
+  look_at_shape();
   std::map<std::string, double> summary = {
       {"steps", static_cast<double>(looks_ - 1)},
       {"reach", reach_},

@@ -24,8 +24,8 @@ class StabilityMeter {
   ///   reach           farthest that a vertex was from the mean of all, in sizes of the mesh;
   ///   reach_start, reach_end   the same of the first and the last look
   ///   rest_distance   at the end, root mean square distance from the rest shape after alignment, in sizes;
-  ///   least_rest_distance of all looks
-  ///   recovered_at    since when it has been below 0.01, s; absent if it is not at the end
+  ///   least_rest_distance of ten looks a second
+  ///   recovered_at    since when it has been below 0.01, to 0.1 s; absent if it is not at the end
   ///   creep           how far the cloth moved in the second half of the run, root mean square, in sizes
   ///   momentum_drift  largest difference of the velocity of the centre of mass from v0 + g t, m/s; of a cloth without pins
   ///                   and with no effect but gravity and damping, which keeps momentum
@@ -37,10 +37,11 @@ class StabilityMeter {
   ///                   k has none
   ///   energy_rises    share of the steps in which the total energy rose by more than 10⁻⁶ of that
   ///   shut_hinges     share of the hinges that are folded by more than 170 degrees at the end, and that were not at rest
-  std::map<std::string, double> summary() const;
+  std::map<std::string, double> summary();
 
  private:
   double total_energy(const Positions& positions, const Positions& velocities) const;
+  void look_at_shape();
   void look_at_energy(const Positions& positions, const Positions& velocities);
   double shut_hinges() const;
 
@@ -49,7 +50,7 @@ class StabilityMeter {
   bool free_;  // nothing acts but gravity
   Vector3 gravity_ = Vector3::Zero();
   Positions now_, half_way_;
-  double half_time_, time_ = 0;
+  double half_time_, time_ = 0, next_alignment_ = 0;
   double mass_ = 0, size_, reach_ = 0, first_reach_ = 0, last_reach_ = 0, farthest_ = 0, distance_ = 0,
          least_distance_ = 0;
   std::optional<double> recovered_at_;

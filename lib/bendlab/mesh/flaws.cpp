@@ -233,8 +233,8 @@ TriangleMesh with_flaw(TriangleMesh mesh, std::string_view flaw) {
   refuse_texture(mesh);
   constexpr double nearly_straight = 179.9 * std::numbers::pi / 180;
   if (flaw == "needles")
-    return with_moved(std::move(mesh), [](const Vector3& p, const Vector3& a, const Vector3&) -> Vector3 {
-      return a + 1e-3 * (p - a);
+    return with_moved(std::move(mesh), [](const Vector3& p, const Vector3& a, const Vector3& b) -> Vector3 {
+      return a + 1e-3 * (b - a).norm() * (p - a).normalized();
     });
   if (flaw == "caps")
     return with_moved(std::move(mesh), [](const Vector3& p, const Vector3& a, const Vector3& b) -> Vector3 {

@@ -12,7 +12,7 @@ namespace bendlab {
 /// The names that with_flaw() knows, "none" first. About every twentieth vertex, triangle or edge is hit, where nothing else is
 /// said:
 ///
-///   needles             an interior vertex moved to within 10⁻³ of an edge's length from a neighbour
+///   needles             an interior vertex moved towards a neighbour, until 10⁻³ of a triangle's longer edge is left
 ///   caps                an interior vertex moved to an edge of its star, which it then sees at 179.9 degrees
 ///   degenerate          an interior vertex moved onto the middle of such an edge: a triangle without area
 ///   duplicate_vertices  an interior vertex moved onto a neighbour: an edge without length
