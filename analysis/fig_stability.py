@@ -5,7 +5,7 @@ from matplotlib.patches import Patch, Polygon
 
 import render
 import style
-from load import MODELS, load_experiment, swept_value
+from load import MODELS, group, load_experiment, swept_value
 from report import Section, Table, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, judge
 from stability_reasons import reason
@@ -114,17 +114,13 @@ def _half(axes, column, place, precision, cell):
 
 
 def shown(cells, cases):
-    """The cells of these cases that fail, one precision of a model where both fail alike."""
-    failed = []
+    """The red cells of these cases, one of a model; the rest of what fails where none is red, one of a case."""
+    found = []
     for case in cases:
-        for model in MODELS:
-            found = [cells[key] for key in ((case.name, model, precision) for precision in PRECISIONS) if key in cells]
-            verdicts = set()
-            for cell in found:
-                if cell.verdict != GREEN and cell.verdict not in verdicts:
-                    failed.append(cell)
-                    verdicts.add(cell.verdict)
-    return failed
+        of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
+        red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
+        found += [some[0] for some in red.values()] or of_case[:1]
+    return found
 
 
 def _stills(title, failed, out):

@@ -8,7 +8,7 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
 from report import Table, rounded
-from stability_cases import AMBER, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
+from stability_cases import AMBER, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
 KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
@@ -52,7 +52,8 @@ def rules():
             f"length or are elastic are looked at).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
             f"above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}), or, where the rest shape can "
             f"be reached, the cloth is still more than {100 * NEAR:g} % of its size away from it (root mean square, after the rotation and "
-            f"translation that bring them nearest), or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain is the median of the "
+            f"translation that bring them nearest), or more than twice as far as the undisturbed run (taken as at most "
+            f"{100 * NOT_BACK / 2:g} %), or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain is the median of the "
             f"last second.</p>")
 
 
@@ -83,7 +84,7 @@ def section_of(title, cases, section):
         parts.append(table_html(_failed_table(failed)))
     if title in section.stills:
         parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that fail'><figcaption>The last "
-                     "frames of the runs that fail, one precision where both fail alike; coloured by stretch.</figcaption></figure>")
+                     "good frames of the red runs, and of one amber run of a case that has no red one; coloured by stretch.</figcaption></figure>")
     return "\n".join(parts)
 
 

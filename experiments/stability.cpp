@@ -14,9 +14,10 @@
 namespace bendlab {
 namespace {
 
-constexpr double recovered = 0.01;            // of the size
-constexpr double energy_rounding = 1e-6;      // of the scale: what float leaves of the difference of two sums
-constexpr double shut = 170;                  // degrees
+constexpr double recovered = 0.01;        // of the size
+constexpr double energy_rounding = 1e-6;  // of the scale: what float leaves of the difference of two sums
+constexpr double spin_rounding = 1e-6;    // of mass, size and speed: what float leaves of a sum that is zero
+constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
 Vector3 gravity_of(const std::vector<EffectSettings>& effects) {
@@ -113,7 +114,10 @@ void StabilityMeter::look(const Simulation& simulation) {
     const Motion motion = motion_of(scene_.input.mass, now_, velocities);
     const Vector3 velocity = motion.linear_momentum / mass_ - time_ * gravity_;
     spin_ = motion.angular_momentum.norm();
-    if (looks_ == 0) first_velocity_ = velocity, first_spin_ = spin_;
+    if (looks_ == 0) {
+      first_velocity_ = velocity, first_spin_ = spin_;
+      first_spin_scale_ = mass_ * size_ * std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());
+    }
     momentum_drift_ = std::max(momentum_drift_, (velocity - first_velocity_).norm());
   }
   look_at_energy(now_, velocities);
@@ -148,7 +152,7 @@ std::map<std::string, double> StabilityMeter::summary() {
     const SolverSettings& solver = scene_.input.settings;
     summary["momentum_drift"] = momentum_drift_;
     summary["rounding_speed"] = epsilon * farthest_ * solver.substeps / solver.dt;
-    if (first_spin_ > 0) summary["spin_kept"] = spin_ / first_spin_;
+    if (first_spin_ > spin_rounding * first_spin_scale_) summary["spin_kept"] = spin_ / first_spin_;
   }
   if (energy_scale_ > 0) {
     summary["energy_scale"] = energy_scale_;

@@ -55,7 +55,7 @@ class StabilityMeter {
          least_distance_ = 0;
   std::optional<double> recovered_at_;
   Vector3 first_velocity_ = Vector3::Zero();
-  double first_spin_ = 0, spin_ = 0, momentum_drift_ = 0;
+  double first_spin_ = 0, first_spin_scale_ = 0, spin_ = 0, momentum_drift_ = 0;
   double first_energy_ = 0, energy_ = 0, highest_energy_ = 0, energy_scale_ = 0;
   long looks_ = 0, rises_ = 0;
 };
