@@ -91,10 +91,11 @@ def criteria(run, control, case):
     seen = lambda name: run.summary.get(f"stability_{name}", np.nan)
     strain = run.summary.get("mean_strain", np.nan)
     calm = control.summary.get("mean_strain", np.nan) if control is not None and control.complete else np.nan
+    torn = max(TORN, float(run.metrics["mean_strain"][0]))  # a start that was torn may take longer to come back
     calm = min(max(calm, STRAIN_FLOOR), STRAIN_CEILING) if np.isfinite(calm) else STRAIN_FLOOR
     found = [Criterion("reach of all times", seen("reach"), 2 * max(seen("reach_start"), 1), "sizes", RED),
              Criterion("reach at the end", seen("reach_end"), FAR, "sizes", RED),
-             Criterion("mean strain", strain, TORN, "1", RED)]
+             Criterion("mean strain", strain, torn, "1", RED)]
     if "stability_momentum_drift" in run.summary:
         # Each projection rounds its (at most four) points, independently: a random walk, divided by the vertices.
         roundings = np.sqrt(4 * run.summary["projections"]) / run.summary["vertices"]
@@ -102,7 +103,7 @@ def criteria(run, control, case):
                                MOMENTUM * max(roundings, 1) * seen("rounding_speed"), "m/s", RED))
     if case.energy and "stability_energy_gain" in run.summary:
         found.append(Criterion("energy gained", seen("energy_gain"), ENERGY, "of the scale", RED))
-    if strain <= TORN:
+    if strain <= torn:
         found.append(Criterion("mean strain", strain, 2 * calm, "1", AMBER))
     if case.recovers:
         there = control.summary.get("stability_rest_distance", 0) if control is not None and control.complete else 0
@@ -183,14 +184,14 @@ SECTIONS = {
         *_of("iterations", "/solver/iterations", [("1", "1 iteration", 1)], 10, recovers=False, energy=True),
         *_of("iterations_slow", "/solver/iterations", [("1000", "1000 iterations", 1000)], 10, recovers=False, energy=True),
         *_of("stiff", "/bending/k", [("k = 1", "k = 1 everywhere", 1)], 0.5, recovers=False, energy=True)],
-    "Flawed meshes": [*_of("flaws", "/mesh/flaw", _flaws(), "none"), *_of("flaws_mended", "/mesh", _mended(), {"flaw": "none"})],
+    "Flawed meshes": [*_of("flaws", "/mesh/flaw", _flaws(), "none"), *_of("flaws_mended_slow", "/mesh", _mended(), {"flaw": "none"})],
     "Meshes and units": [
         *_of("meshes", "/mesh", [("strip", "a strip one triangle wide", {"cells": 64, "height": 0.015625}),
                                  ("delaunay", "irregular", {"generator": "delaunay", "cells": 32}),
                                  ("ball", "closed", BALL), ("shuffled 1", "numbered at random", {"shuffle": 1}),
                                  ("shuffled 2", "numbered at random again", {"shuffle": 2}),
                                  ("grid", "the plain grid", {"cells": 32})], {"cells": 32}),
-        *_of("order", "/mesh", [("1", "projected in random order", {"shuffle": 1}),
+        *_of("order_slow", "/mesh", [("1", "projected in random order", {"shuffle": 1}),
                                 ("2", "projected in another random order", {"shuffle": 2})], {"cells": 32}),
         *_of("units", "/mesh", [("mm", "a millimetre wide", {"cells": 64, "scale": 0.001}),
                                 ("km", "a kilometre wide", {"cells": 64, "scale": 1000}),

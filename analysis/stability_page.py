@@ -46,7 +46,7 @@ def rules():
     """By what a run is judged, for a reader."""
     return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever twice as far from the cloth's middle as at "
             f"the start (at least 2 sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, if the mean "
-            f"strain at the end is above {TORN:g}, if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
+            f"strain at the end is above {TORN:g} and above that of the start, if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
             f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
             f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "
             f"length or are elastic are looked at).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "

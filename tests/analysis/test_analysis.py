@@ -413,8 +413,8 @@ class StabilityTest(unittest.TestCase):
     CALM = dict(mean_strain=0.004, stability_reach=0.5, stability_reach_start=0.5, stability_reach_end=0.5, stability_rest_distance=0.001,
                 stability_energy_gain=0.0, stability_momentum_drift=1e-9, stability_rounding_speed=1e-7, projections=100, vertices=100)
 
-    def judged(self, status="complete", control=None, **summary):
-        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25]},
+    def judged(self, status="complete", control=None, start_strain=0.0, **summary):
+        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25], "mean_strain": [start_strain]},
                                                       complete=status == "complete", model="none")
         cell = stability_cases.judge(run(status, summary), control and run("complete", control), self.CASE)
         return cell.verdict, cell.worst.name
@@ -425,6 +425,7 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual(self.judged(mean_strain=0.03, control={"mean_strain": 0.02})[0], "green")  # twice the undisturbed
         self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")  # a torn control is no yardstick
         self.assertEqual(self.judged(mean_strain=3), ("red", "mean strain"))
+        self.assertEqual(self.judged(mean_strain=3, start_strain=50.0), ("amber", "mean strain"))
         self.assertEqual(self.judged(stability_rest_distance=0.02), ("amber", "distance from rest"))
         self.assertEqual(self.judged(stability_reach=9), ("red", "reach of all times"))
         self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5)[0], "green")
