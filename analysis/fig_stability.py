@@ -114,12 +114,12 @@ def _half(axes, column, place, precision, cell):
 
 
 def shown(cells, cases):
-    """The red cells of these cases, one of a model; the rest of what fails where none is red, one of a case."""
+    """The red cells of these cases, one of a model; of a case that has none the amber one that is farthest from its limit."""
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
         red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
-        found += [some[0] for some in red.values()] or of_case[:1]
+        found += [some[0] for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
     return found
 
 
@@ -138,7 +138,7 @@ def _still(axes, cell):
     run, frame = cell.run, cell.run.frames - 1
     positions = run.positions(frame)
     middle = np.median(positions, axis=0)
-    camera = render.camera_for([positions], middle, run.size, aspect=1.0, zoom=0.5)  # alike in all, a point too
+    camera = render.camera_for([positions], middle, run.size, aspect=1.0, zoom=0.42)  # alike in all, a point too
     style.draw_cloth(axes, (run, frame), camera, STILL_WIDTH)
     axes.set_title(f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, {cell.precision}", fontsize=6.5, pad=2)
     axes.text(0.5, -0.02, number_text(cell.worst), transform=axes.transAxes, ha="center", va="top", fontsize=6.5,

@@ -84,7 +84,7 @@ def section_of(title, cases, section):
         parts.append(table_html(_failed_table(failed)))
     if title in section.stills:
         parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that fail'><figcaption>The last "
-                     "good frames of the red runs, and of one amber run of a case that has no red one; coloured by stretch.</figcaption></figure>")
+                     "good frames of the red runs, and of the amber run farthest from its limit in a case that has no red one; coloured by stretch.</figcaption></figure>")
     return "\n".join(parts)
 
 
