@@ -8,7 +8,7 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
 from report import Table, rounded
-from stability_cases import AMBER, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
+from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
 KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
@@ -44,8 +44,8 @@ def body(section):
 
 def rules():
     """By what a run is judged, for a reader."""
-    return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever twice as far from the cloth's middle as at "
-            f"the start (at least 2 sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, if the mean "
+    return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever {APART:g} times as far from the cloth's middle as at "
+            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, if the mean "
             f"strain at the end is above {TORN:g} and above that of the start, if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
             f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
             f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "

@@ -50,8 +50,6 @@ REASONS = [
     Reason(("",), ("none",), _bent, "without bending any pose without strain is at rest"),
     Reason(("published",), (), _strained,
            "the gradient of the published shear vanishes as warp and weft become parallel: a projection throws the triangle"),
-    Reason(("units: mm",), (), _strained,
-           "in one step of 1/60 s gravity moves it by 2.7 mm, twice its size: the time step of 0.5 s of a metre's sheet"),
     Reason(("mass_hanging",), (), _strained,
            "a projection moves the light end alone: in ten rounds a few rows give way, and the heavy half falls almost freely"),
     Reason(("iterations: 1", "time_step"), (), _strained,
