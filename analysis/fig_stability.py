@@ -56,7 +56,8 @@ def _swept(experiment, pointer, value):
 def _at(experiment, where):
     """(model, precision) → the run at a place of the sweep."""
     here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == value for pointer, value in where.items())
-    return {(run.model, run.get("/solver/precision")): run for run in experiment.runs if here(run)}
+    return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
+            if run.status in ("complete", "diverged") and here(run)}
 
 
 def count(cells, verdict, model=None):

@@ -346,7 +346,9 @@ def swept_value(config, pointer, sweep):
 
 
 def _matches(actual, wanted):
-    """Equal; of a swept object the config has the settings that it names, and the defaults of all others."""
+    """Equal; of a swept object, or each of a list, the config has the settings that it names, and the defaults of all others."""
+    if isinstance(wanted, list):
+        return isinstance(actual, list) and len(actual) == len(wanted) and all(map(_matches, actual, wanted))
     if isinstance(wanted, dict):
         return isinstance(actual, dict) and all(_matches(actual.get(key), value) for key, value in wanted.items())
     return actual == wanted
