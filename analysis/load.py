@@ -5,6 +5,7 @@ Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
 import itertools
 import json
+import re
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -268,7 +269,9 @@ def typical_frame(runs, metric="pin_max_stretch"):
     return run, int(frame)
 
 
-CONFIGS = Path(__file__).resolve().parent.parent / "configs"
+ROOT = Path(__file__).resolve().parent.parent
+CONFIGS = ROOT / "configs"
+MODELS = re.findall(r"^BENDLAB_BENDING_MODEL\((\w+)\)", (ROOT / "lib/bendlab/bending/models.def").read_text(encoding="utf-8"), re.M)
 
 
 @dataclass
@@ -293,7 +296,7 @@ class Experiment:
 def load_experiment(results, config):
     """The runs of configs/<config>.json below `results`, with what is missing of its sweep."""
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
-    sweep = settings.get("sweep", {})
+    sweep = settings["sweep"] = {pointer: _listed(pointer, values) for pointer, values in settings.get("sweep", {}).items()}
     runs = [run for run in load_runs(Path(results) / settings["name"], list(sweep)) if _on_sweep(run.config, sweep)]
     if config.endswith("_full"):  # made on request only, so what is there may be of an older program than the rest
         sources = {run.source_hash for run in load_experiment(results, config.removesuffix("_full")).runs}
@@ -302,6 +305,15 @@ def load_experiment(results, config):
     wanted = dict.fromkeys(_place(_with(settings, point), sweep) for point in _points(sweep))
     missing = [", ".join(f"{pointer} {value}" for pointer, value in place) for place in wanted if place not in there]
     return Experiment(config, settings, runs, missing)
+
+
+def _listed(pointer, values):
+    """What is swept: "all" stands for every choice of a setting, and is used for bending models."""
+    if values != "all":
+        return values
+    if pointer != "/bending/model":
+        raise ValueError(f"'all' of {pointer} is not known here")
+    return MODELS
 
 
 def _points(sweep):
@@ -334,7 +346,9 @@ def swept_value(config, pointer, sweep):
 
 
 def _matches(actual, wanted):
-    """Equal; of a swept object the config has the settings that it names, and the defaults of all others."""
+    """Equal; of a swept object, or each of a list, the config has the settings that it names, and the defaults of all others."""
+    if isinstance(wanted, list):
+        return isinstance(actual, list) and len(actual) == len(wanted) and all(map(_matches, actual, wanted))
     if isinstance(wanted, dict):
         return isinstance(actual, dict) and all(_matches(actual.get(key), value) for key, value in wanted.items())
     return actual == wanted

@@ -9,6 +9,8 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/pins.hpp"
 
 namespace bendlab {
@@ -17,11 +19,12 @@ namespace {
 using enum ParameterType;
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 5> generators = {"grid", "equilateral", "delaunay", "disc", "tube"};
+constexpr std::array<std::string_view, 6> generators = {"grid", "equilateral", "delaunay",
+                                                        "disc", "tube",        "sphere"};
 constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "both"};
 constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
-constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
+constexpr std::array<std::string_view, 3> strain_forms = {"normalised", "green", "angle"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
 constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per_step", "compliance",
                                                                      "physical"};
@@ -33,7 +36,7 @@ constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending
 constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
 
 constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
-constexpr std::array<double, 3> default_warp = {1, 0, 0};
+constexpr std::array<double, 3> default_warp = {1, 0, 0}, zero_vector = {0, 0, 0}, ones = {1, 1, 1};
 constexpr std::span<const double> no_indices;
 
 constexpr double largest_seed = 4294967295;  // 2³² - 1: fits every generator
@@ -65,11 +68,13 @@ constexpr std::array top_level = {
               .minimum = 0},
 };
 
-constexpr std::array mesh = {
+// Not constexpr: the flaws' names come from the mesh room.
+const std::array mesh = {
     Parameter{.name = "generator", .type = text, .unit = "", .default_value = "grid",
               .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
                          "triangles; delaunay: irregular, seeded; disc: concentric rings, as many as cells; "
-                         "tube: the side of a cylinder or cone around z, with cells around it",
+                         "tube: the side of a cylinder or cone around z, with cells around it; sphere: closed, an octahedron "
+                         "whose edges are split into cells, blown up",
               .choices = generators},
     Parameter{.name = "file", .type = text, .unit = "", .default_value = {},
               .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
@@ -90,7 +95,7 @@ constexpr std::array mesh = {
               .meaning = "equilateral: direction of the rows of edges against the long side",
               .choices = row_directions},
     Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
-              .meaning = "disc: its radius; tube: that of its lower end",
+              .meaning = "disc, sphere: its radius; tube: that of its lower end",
               .minimum = 0, .above = true},
     Parameter{.name = "radius_top", .type = number, .unit = "m", .default_value = {},
               .meaning = "tube: radius of its upper end; absent: that of the lower end",
@@ -101,6 +106,24 @@ constexpr std::array mesh = {
     Parameter{.name = "scale", .type = number, .unit = "1", .default_value = 1.0,
               .meaning = "Factor on all coordinates, of a file's mesh too",
               .minimum = 0, .above = true},
+    Parameter{.name = "offset", .type = numbers, .unit = "m", .default_value = std::span<const double>(zero_vector),
+              .meaning = "Added to all coordinates after that, of a file's mesh too",
+              .length = 3},
+    Parameter{.name = "shuffle", .type = integer, .unit = "1", .default_value = {},
+              .meaning = "Seed by which vertices and triangles are numbered at random; absent: as the generator numbers them",
+              .minimum = 0, .maximum = largest_seed},
+    Parameter{.name = "flaw", .type = text, .unit = "", .default_value = "none",
+              .meaning = "What is wrong with the mesh, on purpose: about every twentieth place is a needle, a cap, "
+                         "without area, there twice, has a fin or touches in a point alone; or the mesh has vertices "
+                         "in no triangle, is cut in two, has triangles that run the other way round, or a hole",
+              .choices = mesh_flaws()},
+    Parameter{.name = "bad_triangles", .type = text, .unit = "", .default_value = "refuse",
+              .meaning = "What becomes of a mesh with triangles that have no area, are there twice or branch. refuse: "
+                         "the run ends with the first offenders; regularise: simulated as it is, a triangle without "
+                         "area with a small rest height; membrane_off: the same, but such a triangle has no strain "
+                         "constraint; repair: equal points united, triangles without area removed, branches cut, all "
+                         "oriented alike. 'bendlab mesh' says what each does to a file",
+              .choices = bad_triangles_names},
 };
 
 // Not constexpr: the names come from the mesh room.
@@ -130,6 +153,9 @@ constexpr std::array material = {
     Parameter{.name = "density", .type = number, .unit = "kg/m²", .default_value = 0.2,
               .meaning = "Mass per area",
               .minimum = 0, .above = true},
+    Parameter{.name = "density_ratio", .type = number, .unit = "1", .default_value = 1.0,
+              .meaning = "How many times as heavy the cloth is beyond the middle of its rest box along x",
+              .minimum = 0, .above = true},
     Parameter{.name = "coordinates", .type = text, .unit = "", .default_value = "warp",
               .meaning = "Material coordinates: warp_direction projected into each triangle's plane, or the "
                          "mesh file's texture coordinates",
@@ -143,8 +169,10 @@ constexpr std::array material = {
 
 constexpr std::array strain = {
     Parameter{.name = "form", .type = text, .unit = "", .default_value = "normalised",
-              .meaning = "normalised: stretch √S_ii - 1 and normalised shear; green: the entries of S "
-                         "themselves",
+              .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the entries of S "
+                         "themselves; angle (ours): stretch as normalised, and of shear the angle that warp and weft "
+                         "lack to a right one. The gradient of normalised shear vanishes as they become parallel, so that "
+                         "a projection throws a strongly sheared triangle many times its size; the angle's does not",
               .choices = strain_forms},
     Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
               .meaning = stiffness_meaning, .choices = stiffness_kinds},
@@ -249,6 +277,14 @@ constexpr std::array initial = {
     Parameter{.name = "fold_gap", .type = number, .unit = "m", .default_value = 0.01,
               .meaning = "Distance between the layers of the folded sheet",
               .minimum = 0, .above = true},
+    Parameter{.name = "creases", .type = integer, .unit = "1", .default_value = 0,
+              .meaning = "Into how many sharp folds the rest sheet is laid, each by 180 degrees, in equal columns along x "
+                         "flat on top of each other",
+              .minimum = 0, .maximum = 4096},
+    Parameter{.name = "scale", .type = numbers, .unit = "1", .default_value = std::span<const double>(ones),
+              .meaning = "Factors by which the free vertices start farther from the mean of the pins, or from the centre, "
+                         "along x, y and z: 0, 0, 0 is a point, 1, 0, 0 a line, -1, 1, 1 a mirror image",
+              .length = 3},
     Parameter{.name = "tilt", .type = number, .unit = "degrees", .default_value = 0.0,
               .meaning = "Rotation of the rest sheet about the x axis through its centre; 0 is horizontal, "
                          "gravity is along -z",
@@ -257,8 +293,18 @@ constexpr std::array initial = {
               .meaning = "Largest random displacement of a free vertex along each axis, relative to the "
                          "mesh's size",
               .minimum = 0, .maximum = 1},
+    Parameter{.name = "random", .type = number, .unit = "1", .default_value = 0.0,
+              .meaning = "Above 0, every free vertex starts anywhere in a box around the centre, this many sizes of the mesh "
+                         "wide",
+              .minimum = 0},
+    Parameter{.name = "velocity", .type = numbers, .unit = "m/s", .default_value = std::span<const double>(zero_vector),
+              .meaning = "Of all free vertices at the start",
+              .length = 3},
+    Parameter{.name = "spin", .type = numbers, .unit = "rad/s", .default_value = std::span<const double>(zero_vector),
+              .meaning = "Angular velocity at the start, about the centre of the rest box",
+              .length = 3},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "Seed of the perturbation",
+              .meaning = "Seed of the perturbation and of the random start",
               .minimum = 0, .maximum = largest_seed},
     Parameter{.name = "after", .type = texts, .unit = "", .default_value = {},
               .meaning = "The cloth starts at rest where the same run ends with these settings changed, each "
@@ -275,6 +321,9 @@ constexpr std::array output = {
     Parameter{.name = "stiffness", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether the summary says how stiff the cloth, a cantilever strip, is at the end of the run: "
                          "stiffness_flexural_rigidity and others, see 'bendlab stiffness'"},
+    Parameter{.name = "stability", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether the summary says how stable the run was, looked at after every step: how far it reached, "
+                         "whether momentum and energy stayed, how near the rest shape it came and when (stability_…)"},
     Parameter{.name = "drape", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether the summary has the drape_coefficient and drape_folds of the cloth at the end of the "
                          "run: a specimen that hangs over a round table, which is its pinned triangles"},
@@ -313,7 +362,8 @@ constexpr std::array lists = {
                "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}, each "
                "type at most once. Absent: gravity alone; an empty list: nothing"},
     ConfigList{"sweep",
-               "What to vary: {\"/json/pointer\": [values]}. One run per combination, the last pointer "
+               "What to vary: {\"/json/pointer\": [values]}, \"all\" instead of the list for every choice of "
+               "a setting. One run per combination, the last pointer "
                "fastest; a pointer may also name a whole object, or the whole list of effects"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
 };

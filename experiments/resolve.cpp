@@ -203,13 +203,13 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
 void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   if (!mesh.contains("file")) return;
   for (const std::string_view name : names_of(find_section("/mesh")->parameters)) {
-    if (name == "file" || name == "scale") continue;
+    if (name == "file" || name == "scale" || name == "offset") continue;
     const std::string pointer = child_pointer("/mesh", name);
     mesh.erase(std::string(name));
     if (value_at(given, pointer) != nullptr)
       problems.push_back(
           {pointer,
-           "does not go with /mesh/file, which brings the whole mesh (only scale does): remove "
+           "does not go with /mesh/file, which brings the whole mesh (only scale and offset do): remove "
            "one of the two; to vary meshes, sweep or set /mesh as a whole"});
   }
 }

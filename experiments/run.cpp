@@ -19,6 +19,7 @@
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/start_after.hpp"
+#include "experiments/stability.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -113,13 +114,26 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   return header;
 }
 
-std::string divergence_message(const Divergence& divergence) {
+// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without strain
+// constraints.
+std::string worst_triangle_text(const Divergence& divergence, const Triangles& triangles) {
+  const auto& [a, b, c] = divergence.triangle;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    if (triangles(t, 0) == a && triangles(t, 1) == b && triangles(t, 2) == c)
+      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest", t, a, b,
+                         c, divergence.stretch);
+  return "";
+}
+
+std::string divergence_message(const Divergence& divergence, const Scene& scene) {
+  const bool projects = scene.input.settings.method == Method::pbd;
+  const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
   return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m; the frames before it are kept. "
-      "A smaller "
-      "/solver/dt, more /solver/substeps or a lower stiffness may help",
-      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
-      divergence.position.z());
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are kept. "
+      "A smaller /solver/dt{}{} or a lower stiffness may help",
+      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(), divergence.position.z(),
+      worst_triangle_text(divergence, scene.rest.triangles()), projects ? ", more /solver/substeps" : "",
+      published_shear ? ", /material/strain/form: angle, the effect tethers" : "");
 }
 
 // Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
@@ -149,17 +163,20 @@ struct Stepping {
   std::optional<double> settled_at = std::nullopt;  // s
 };
 
-Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWriter& writer,
-                     const RunConfig& config, const RunControl& control) {
+Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder, FrameWriter& writer,
+                     std::optional<StabilityMeter>& stability, const RunConfig& config,
+                     const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
   const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
   writer.push(recorder.capture(simulation));
+  if (stability) stability->look(simulation);
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   for (std::int64_t step = 1; step <= steps; ++step) {
-    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
+    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence(), scene)};
+    if (stability) stability->look(simulation);
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
@@ -326,13 +343,16 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   check_drape(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder(scene);
+  std::optional<StabilityMeter> stability;
+  if (config.section("/output").boolean("stability"))
+    stability.emplace(scene, config.section("").number("duration"));
   const double set_up_s = thread_cpu_s() - cpu_start;
   RunOutcome outcome{.id = run_id(config), .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());
   FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame); });
-  const Stepping stepping = step_to_end(*simulation, recorder, writer, config, control);
+  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;
@@ -345,6 +365,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
+  if (stability) outcome.summary.merge(stability->summary());
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
   if (outcome.status != RunStatus::diverged) {
     if (strip) add_stiffness(*strip, *simulation, outcome);

@@ -2,11 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <random>
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/constraints/build.hpp"
@@ -14,9 +11,11 @@
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/delaunay.hpp"
 #include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
+#include "experiments/initial_pose.hpp"
 
 namespace bendlab {
 namespace {
@@ -27,6 +26,7 @@ TriangleMesh generate(const ParameterValues& mesh) {
   const std::string& generator = mesh.text("generator");
   const double radius = mesh.number("radius");
   if (generator == "disc") return disc(radius, cells);
+  if (generator == "sphere") return sphere(radius, cells);
   if (generator == "tube")
     return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
   if (generator == "delaunay")
@@ -42,11 +42,22 @@ TriangleMesh generate(const ParameterValues& mesh) {
                                    : Diagonal::alternating);
 }
 
-TriangleMesh generated_mesh(const ParameterValues& mesh) {
+// A generated mesh is sound until it is flawed.
+AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
+  TriangleMesh generated;
   try {
-    return generate(mesh);
+    generated = generate(mesh);
+    if (mesh.has("shuffle"))
+      generated = shuffled(generated, static_cast<std::uint64_t>(mesh.integer("shuffle")));
   } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
     throw ConfigError("mesh generator", {{"/mesh", error.what()}});
+  }
+  const std::string& flaw = mesh.text("flaw");
+  if (flaw == "none") return {.mesh = std::move(generated)};
+  try {
+    return accept(to_soup(with_flaw(std::move(generated), flaw)), policy);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(fmt::format("mesh with the flaw {}: {}", flaw, error.what()));
   }
 }
 
@@ -55,21 +66,28 @@ TriangleMesh generated_mesh(const ParameterValues& mesh) {
   throw RunFileError(error.what());
 }
 
-TriangleMesh mesh_from_file(const std::filesystem::path& file, std::vector<std::string>& notes) {
+BadTriangles policy_for_bad_triangles(const ParameterValues& mesh) {
+  const auto found = std::ranges::find(bad_triangles_names, mesh.text("bad_triangles"));
+  return static_cast<BadTriangles>(found - bad_triangles_names.begin());
+}
+
+AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
   try {
-    return read_mesh(file, &notes);
+    return read_mesh(file, policy);
   } catch (const MeshFileError& error) {
     rethrow(error);
   }
 }
 
-Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes) {
+Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
+             bool renumbered) {
   const ParameterValues values = config.section("/pins");
-  if (!mesh_notes.empty() && !values.numbers("indices").empty())
+  if (renumbered && !values.numbers("indices").empty())
     throw MeshError(fmt::format(
-        "{}: {}; /pins/indices would name other vertices than the file does. Remove them from the "
-        "file, or pin by name in /pins/vertices",
-        config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
+        "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
+        "by name in "
+        "/pins/vertices",
+        config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices")) try {
       for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
@@ -95,7 +113,10 @@ StiffnessKind stiffness_kind(const std::string& name) {
 }
 
 StrainStiffness strain_stiffness(const ParameterValues& values) {
-  return {.form = values.text("form") == "green" ? StrainForm::green : StrainForm::normalised,
+  const std::string& form = values.text("form");
+  return {.form = form == "green"   ? StrainForm::green
+                  : form == "angle" ? StrainForm::angle
+                                    : StrainForm::normalised,
           .kind = stiffness_kind(values.text("stiffness")),
           .warp = values.number("warp"),
           .weft = values.number("weft"),
@@ -146,50 +167,19 @@ SolverSettings solver_settings(const ParameterValues& values) {
           .threads = static_cast<int>(values.integer("threads"))};
 }
 
-// Uniform in [-1, 1], the same on every platform (the standard's distributions are not).
-double uniform(std::mt19937_64& generator) {
-  return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
-}
-
-// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
-Positions folded(const RestMesh& rest, int folds, double gap) {
-  const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
-  const double layer = (width - folds * turn) / (folds + 1);
-  if (layer <= 0)
-    throw ConfigError("initial pose", {{"/initial/fold_gap",
-                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
-                                                    "{:.3g} m wide: fewer folds or a smaller gap",
-                                                    folds, gap, folds * turn, width)}});
-  Positions positions = rest.positions();
-  for (int v = 0; v < rest.vertex_count(); ++v) {
-    const double along = positions(v, 0) - rest.box_min().x();
-    const int below = std::min(folds, static_cast<int>(along / (layer + turn)));
-    const double within = along - below * (layer + turn);  // its layer, then the turn that follows
-    const double angle = std::max(0.0, within - layer) / (0.5 * gap);
-    const double to_the_right = std::min(within, layer) - 0.5 * layer + 0.5 * gap * std::sin(angle);
-    positions(v, 0) = rest.centre().x() + (below % 2 == 0 ? to_the_right : -to_the_right);
-    positions(v, 2) += below * gap + 0.5 * gap * (1 - std::cos(angle));
+// Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
+std::vector<double> masses_of(const ParameterValues& material, const RestMesh& rest) {
+  const double density = material.number("density"), ratio = material.number("density_ratio");
+  std::vector<double> mass = lumped_masses(rest, density);
+  for (int t = 0; ratio != 1 && t < rest.triangle_count(); ++t) {
+    const auto corner = rest.triangles().row(t);
+    const double x = (rest.position(corner(0)) + rest.position(corner(1)) + rest.position(corner(2))).x() / 3;
+    if (x <= rest.centre().x()) continue;
+    for (const int v : corner)
+      mass[static_cast<std::size_t>(v)] +=
+          (ratio - 1) * density * rest.areas()[static_cast<std::size_t>(t)] / 3;
   }
-  return positions;
-}
-
-Positions initial_positions(const ParameterValues& values, const RestMesh& rest, const Pins& pins) {
-  const double tilt = values.number("tilt") * std::numbers::pi / 180;
-  const auto folds = static_cast<int>(values.integer("folds"));
-  Positions positions = folds > 0 ? folded(rest, folds, values.number("fold_gap")) : rest.positions();
-  if (tilt != 0) {
-    const Eigen::Matrix3d rotation = Eigen::AngleAxisd(tilt, Vector3::UnitX()).toRotationMatrix();
-    positions = ((positions.rowwise() - rest.centre().transpose()) * rotation.transpose()).rowwise() +
-                rest.centre().transpose();
-  }
-  const double amplitude = values.number("perturbation") * rest.size();
-  if (amplitude == 0) return positions;
-  std::mt19937_64 generator(static_cast<std::uint64_t>(values.integer("seed")));
-  for (int v = 0; v < rest.vertex_count(); ++v) {
-    const Eigen::RowVector3d offset(uniform(generator), uniform(generator), uniform(generator));
-    if (!pins.pinned(v)) positions.row(v) += amplitude * offset;
-  }
-  return positions;
+  return mass;
 }
 
 std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
@@ -259,21 +249,22 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
 
 }  // namespace
 
-TriangleMesh rest_mesh_of(const RunConfig& config, std::vector<std::string>& notes) {
+AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const ParameterValues values = config.section("/mesh");
-  TriangleMesh mesh =
-      config.mesh_file.empty() ? generated_mesh(values) : mesh_from_file(config.mesh_file, notes);
-  mesh.positions *= values.number("scale");
-  return mesh;
+  const BadTriangles policy = policy_for_bad_triangles(values);
+  AcceptedMesh accepted =
+      config.mesh_file.empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file, policy);
+  accepted.mesh.positions *= values.number("scale");
+  accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
+  return accepted;
 }
 
 Scene build_scene(const RunConfig& config) {
-  std::vector<std::string> mesh_notes;
-  TriangleMesh mesh = rest_mesh_of(config, mesh_notes);
-  Scene scene{.rest = RestMesh(std::move(mesh)), .mesh_notes = std::move(mesh_notes)};
+  AcceptedMesh accepted = rest_mesh_of(config);
+  Scene scene{.rest = RestMesh(std::move(accepted.mesh)), .mesh_notes = std::move(accepted.notes)};
   const RestMesh& rest = scene.rest;
   const ParameterValues material = config.section("/material"), solver = config.section("/solver");
-  scene.pins = pins_of(config, rest, scene.mesh_notes);
+  scene.pins = pins_of(config, rest, scene.mesh_notes, accepted.renumbered);
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
   scene.thresholds = quality_thresholds(config.section("/quality"));
@@ -282,16 +273,22 @@ Scene build_scene(const RunConfig& config) {
 
   SimulationInput& input = scene.input;
   input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
+  input.velocities = initial_velocities(config.section("/initial"), input.positions, rest.centre());
+  input.rest = rest.positions();
   input.origin = rest.centre();
   input.size = rest.size();
-  input.mass = lumped_masses(rest, material.number("density"));
+  input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
   input.place = local_numbering(rest);
   input.settings = solver_settings(solver);
   if (input.settings.method == Method::kang_cho)
     input.edges = edge_springs(rest, scene.pins);
   else
-    input.strain = strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()));
+    input.strain =
+        strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()),
+                           policy_for_bad_triangles(config.section("/mesh")) == BadTriangles::membrane_off
+                               ? dispensable_triangles(rest)
+                               : std::vector<char>{});
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/quality.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/solver/simulation.hpp"
@@ -25,7 +26,7 @@ enum class Precision { single_precision, double_precision };
 
 struct Scene {
   RestMesh rest;
-  std::vector<std::string> mesh_notes{};  ///< what was left out of the mesh file
+  std::vector<std::string> mesh_notes{};  ///< what was done about a bad mesh
   Pins pins{};
   std::vector<BendingFact> bending_facts;
   int springs_beyond_ring_1 = 0;  ///< distance constraints that are not edges of the mesh
@@ -36,9 +37,9 @@ struct Scene {
   QualityThresholds thresholds;
 };
 
-/// The rest mesh that a config describes, generated or read, scaled. Throws MeshError (refused) and
-/// RunFileError (unreadable).
-TriangleMesh rest_mesh_of(const RunConfig& config);
+/// The rest mesh that a config describes, generated or read, accepted by its policy for bad triangles, scaled. Throws
+/// MeshError (refused) and RunFileError (unreadable).
+AcceptedMesh rest_mesh_of(const RunConfig& config);
 
 Scene build_scene(const RunConfig& config);
 

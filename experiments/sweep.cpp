@@ -22,6 +22,15 @@ Json normalised(const Json& settings, const std::string& pointer, const Json& va
   return read ? json_of(*read) : value;
 }
 
+// What is swept: the list as it stands, or for "all" every choice of the setting.
+Json listed(const Json& settings, const std::string& pointer, const Json& values) {
+  const Parameter* row = values == "all" ? find_parameter(settings, pointer) : nullptr;
+  if (row == nullptr || row->choices.empty()) return values;
+  Json all = Json::array();
+  for (const std::string_view choice : row->choices) all.push_back(choice);
+  return all;
+}
+
 std::string axis_pointer(const std::string& pointer) {
   return child_pointer("/sweep", pointer);
 }
@@ -104,14 +113,16 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, ConfigProbl
   }
   const std::vector<std::string> known = known_pointers(settings);
   std::size_t points = 1;
-  for (const auto& [pointer, values] : sweep.items()) {
+  for (const auto& [pointer, given] : sweep.items()) {
+    const Json values = listed(settings, pointer, given);
     const auto contained =
         std::ranges::find_if(axes, [&](const Axis& a) { return lies_within(a.first, pointer); });
     if (std::ranges::find(known, pointer) == known.end())
       problems.push_back({axis_pointer(pointer), "cannot be swept: " + unknown_pointer_text(pointer, known)});
     else if (!values.is_array() || values.empty())
-      problems.push_back(
-          {axis_pointer(pointer), "expected a list of at least one value, because it is swept"});
+      problems.push_back({axis_pointer(pointer),
+                          "expected a list of at least one value, because it is swept, or \"all\" for every "
+                          "choice of a setting that has choices"});
     else if (contained != axes.end())
       problems.push_back(
           {axis_pointer(pointer), fmt::format("would overwrite '{}', which is swept before it: list it "

@@ -8,6 +8,7 @@
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <set>
 #include <thread>
 
 #include "experiments/cli/errors.hpp"
@@ -105,6 +106,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   Progress progress(costs);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;  // guards what follows
+  std::set<std::pair<const Experiment*, std::string>> said;
   std::vector<bool> over(runs.size(), false);
   std::size_t ready = 0;
   std::exception_ptr failure;  // of on_ready
@@ -113,8 +115,10 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     const CampaignRun& run = runs[index];
     progress.finish(index, run.outcome && !run.outcome->reused);
     const std::string& text = run.outcome ? run.outcome->message : run.error;
-    if (!text.empty()) progress.message(fmt::format("{}: {}", run_text(run), text));
     const std::lock_guard lock(mutex);
+    // What is the same in many runs, as a note on their mesh, is said of the first.
+    if (!text.empty() && said.emplace(run.experiment, text).second)
+      progress.message(fmt::format("{}: {}", run_text(run), text));
     over[index] = true;
     for (; ready < runs.size(); ++ready) {
       const std::size_t source = executed_as[ready];

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <functional>
 
+#include "bendlab/mesh/bad_triangles.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/errors.hpp"
 #include "experiments/nearest_name.hpp"
@@ -32,6 +33,7 @@ struct Arguments {
   std::filesystem::path mesh_file;
   ReproduceArguments reproduce;
   QualityThresholds thresholds;
+  std::string bad_triangles = "refuse";
   StiffnessArguments stiffness;
   BenchOptions bench;
   std::function<int()> command;
@@ -147,9 +149,13 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
 }
 
 void add_mesh_command(CLI::App& app, Arguments& a) {
-  CLI::App* mesh = add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
-                               [&a] { return mesh_command(a.mesh_file, a.thresholds, a.json); });
+  CLI::App* mesh =
+      add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
+                  [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.json); });
   mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
+  mesh->add_option("--bad-triangles", a.bad_triangles, "What becomes of a bad mesh, as /mesh/bad_triangles")
+      ->check(CLI::IsMember(std::vector<std::string>(bad_triangles_names.begin(), bad_triangles_names.end())))
+      ->capture_default_str();
   mesh->add_option("--needle-ratio", a.thresholds.needle_ratio,
                    "Longest to shortest edge from where a needle begins")
       ->check(CLI::Range(1.0, 1e9))

@@ -54,7 +54,9 @@ int stiffness_command(const std::string& run, const std::filesystem::path& folde
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
 int bench_command(const BenchOptions& options, bool list, bool json);
 
-/// Diagnosis and quality of a mesh file.
-int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds, bool json);
+/// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; of one that it refuses, what
+/// the others would make of it.
+int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds,
+                 std::string_view policy, bool json);
 
 }  // namespace bendlab

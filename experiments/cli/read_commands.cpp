@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -109,14 +110,47 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
   return exit_ok;
 }
 
-int mesh_command(const fs::path& file, const QualityThresholds& thresholds, bool json) {
-  std::vector<std::string> notes;
-  const TriangleMesh mesh = read_mesh(file, &notes);
-  for (const std::string& note : notes) fmt::print(stderr, "bendlab: {}\n", note);
-  if (json)
-    fmt::print("{}\n", mesh_report_json(mesh, file.string(), thresholds).dump());
-  else
-    fmt::print("{}", mesh_report(mesh, file.string(), thresholds));
+namespace {
+
+// What each policy would make of a file that was refused.
+std::string policies_text(const fs::path& file) try {
+  const PolygonSoup soup = read_polygon_soup(file);
+  std::string text = "\n/mesh/bad_triangles (here: --bad-triangles) would";
+  for (std::size_t p = 1; p < bad_triangles_names.size(); ++p) try {
+      const AcceptedMesh accepted = accept(soup, static_cast<BadTriangles>(p));
+      text += fmt::format("\n  {}: take it with {} vertices, {} triangles\n    {}", bad_triangles_names[p],
+                          accepted.mesh.vertex_count(), accepted.mesh.triangle_count(),
+                          fmt::join(accepted.notes, "\n    "));
+    } catch (const std::invalid_argument&) {
+      text += fmt::format("\n  {}: refuse it too", bad_triangles_names[p]);
+    }
+  return text;
+} catch (const MeshFileError&) {  // not a mesh at all
+  return "";
+}
+
+}  // namespace
+
+int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std::string_view policy,
+                 bool json) {
+  const auto chosen =
+      static_cast<BadTriangles>(std::ranges::find(bad_triangles_names, policy) - bad_triangles_names.begin());
+  AcceptedMesh accepted;
+  try {
+    accepted = read_mesh(file, chosen);
+  } catch (const MeshFileError& error) {
+    if (error.kind() != MeshFileError::Kind::refused) throw;
+    throw MeshFileError(error.kind(), error.what() + policies_text(file));
+  }
+  for (const std::string& note : accepted.notes) fmt::print(stderr, "bendlab: {}\n", note);
+  if (json) {
+    nlohmann::ordered_json report = mesh_report_json(accepted.mesh, file.string(), thresholds);
+    report["bad_triangles"] = policy;
+    report["notes"] = accepted.notes;
+    fmt::print("{}\n", report.dump());
+  } else {
+    fmt::print("{}", mesh_report(accepted.mesh, file.string(), thresholds));
+  }
   return exit_ok;
 }
 

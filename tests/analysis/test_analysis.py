@@ -22,6 +22,8 @@ import load  # noqa: E402
 import obstacles  # noqa: E402
 import page  # noqa: E402
 import render  # noqa: E402
+import stability_cases  # noqa: E402
+import stability_page  # noqa: E402
 import stiffness_page  # noqa: E402
 import strips  # noqa: E402
 import style  # noqa: E402
@@ -404,6 +406,62 @@ class FigureTest(unittest.TestCase):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
                          ["0.123", "12.3", "1234", "0", "∞", "–"])
         self.assertEqual(rounded({"a": [0.123456, np.inf, np.nan, True, "x"]}), {"a": [0.1235, "inf", None, True, "x"]})
+
+
+class StabilityTest(unittest.TestCase):
+    CASE = stability_cases.Case("fall: free", "falls", "fall", {}, {}, energy=True)
+    CALM = dict(mean_strain=0.004, stability_reach=0.5, stability_reach_start=0.5, stability_reach_end=0.5, stability_rest_distance=0.001,
+                stability_energy_gain=0.0, stability_momentum_drift=1e-9, stability_rounding_speed=1e-7, projections=100, vertices=100)
+
+    def judged(self, status="complete", control=None, start_strain=0.0, **summary):
+        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25], "mean_strain": [start_strain]},
+                                                      complete=status == "complete", model="none")
+        cell = stability_cases.judge(run(status, summary), control and run("complete", control), self.CASE)
+        return cell.verdict, cell.worst.name
+
+    def test_every_rule_has_its_colour(self):
+        self.assertEqual(self.judged()[0], "green")
+        self.assertEqual(self.judged(mean_strain=0.03), ("amber", "mean strain"))
+        self.assertEqual(self.judged(mean_strain=0.03, control={"mean_strain": 0.02})[0], "green")  # twice the undisturbed
+        self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")  # a torn control is no yardstick
+        self.assertEqual(self.judged(mean_strain=3), ("red", "mean strain"))
+        self.assertEqual(self.judged(mean_strain=3, start_strain=50.0), ("amber", "mean strain"))
+        self.assertEqual(self.judged(stability_rest_distance=0.02), ("amber", "distance from rest"))
+        self.assertEqual(self.judged(stability_reach=9), ("red", "reach of all times"))
+        self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5)[0], "green")
+        self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5, stability_reach_end=3), ("red", "reach at the end"))
+        self.assertEqual(self.judged(stability_energy_gain=0.1), ("red", "energy gained"))
+        self.assertEqual(self.judged(stability_momentum_drift=1e-3), ("red", "momentum gained, as a speed"))
+        self.assertEqual(self.judged(status="diverged"), ("red", "diverged after"))
+        self.assertEqual(self.judged(mean_strain=np.nan)[0], "red")
+
+    def test_every_place_of_every_sweep_is_a_case_or_what_one_is_compared_with(self):
+        canonical = lambda value: json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)  # 1 and 1.0 are equal
+
+        def places(sweep):
+            swept = {pointer: values for pointer, values in sweep.items() if pointer not in
+                     ("/bending/model", "/bending", "/solver/precision", "/solver/order")}
+            return [(pointer, canonical(index if pointer == "/effects" else value))
+                    for pointer, values in swept.items() for index, value in enumerate(values)]
+
+        for config in sorted(load.CONFIGS.glob("stability/*.json")):
+            used = {(pointer, canonical(value)) for case in stability_cases.CASES if case.config == config.stem
+                    for wanted in (case.where, case.control) for pointer, value in wanted.items()}
+            there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
+            self.assertEqual(used, there, config.stem)
+
+    def test_all_stands_for_every_registered_model(self):
+        self.assertIn("adaptive", load.MODELS)
+        self.assertEqual(len(load.MODELS), len(set(load.MODELS)))
+        with tempfile.TemporaryDirectory() as folder:
+            experiment = load.load_experiment(folder, "stability/mass")
+            self.assertEqual(len(experiment.missing), 2 * 2 * len(load.MODELS))
+
+    def test_a_page_without_runs_says_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            section = stability_page.main(Path(folder), Path(folder) / "page")
+            self.assertEqual(section.cells, {})
+            self.assertIn("Runs that are missing", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
 
 
 def lattice(rows, columns):

@@ -49,3 +49,33 @@ TEST_CASE("from a config to a figure", "[experiments]") {
   CHECK(claim.at("numbers").at("Fig. 4: LOD, t = 3: springs of the free vertex") == 18);
   fs::remove_all(folder);
 }
+
+TEST_CASE("from hard cases to their page", "[experiments]") {
+  const fs::path folder = fs::temp_directory_path() / "bendlab_hard_cases", page = folder / "page";
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  const fs::path source(BENDLAB_SOURCE_DIR);
+  // A crease that no bending sees, and the rest shape: two cases, two models, both precisions.
+  REQUIRE(run(quoted(BENDLAB_PROGRAM) + " run " + quoted(source / "configs/stability/start.json") +
+              R"( --set /duration=0.5 --set '/initial=[{"creases": 31}, {}]')"
+              R"( --set '/bending/model=["none", "dihedral"]' --out )" +
+              quoted(folder) + " >" + quoted(folder / "table")) == 0);
+  REQUIRE(run(quoted(BENDLAB_PYTHON) + " " + quoted(source / "analysis/stability_page.py") + " --results " +
+              quoted(folder) + " --out " + quoted(page) + " >" + quoted(folder / "where")) == 0);
+
+  CHECK(fs::file_size(page / "index.html") > 5000);
+  CHECK(fs::file_size(page / "fig_stability.png") > 5000);
+  CHECK(fs::exists(page / "fig_stability_start_poses.png"));  // something fails
+  const auto summary = nlohmann::json::parse(std::ifstream(page / "summary.json"));
+  REQUIRE(summary.size() == 8);
+  int judged = 0;
+  for (const auto& cell : summary) {
+    for (const char* key : {"case", "model", "precision", "verdict", "worst", "seconds", "why"})
+      CHECK(cell.contains(key));
+    if (cell.at("case") == "start: undisturbed" && ++judged > 0) CHECK(cell.at("verdict") == "green");
+    if (cell.at("case") == "start: creased" && cell.at("model") == "none" && ++judged > 0)
+      CHECK(cell.at("verdict") == "amber");  // folded without strain it stays
+  }
+  CHECK(judged == 6);
+  fs::remove_all(folder);
+}

@@ -10,7 +10,12 @@ using namespace bendlab;
 
 namespace {
 
-const std::filesystem::path folder = std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs" / "models";
+const std::filesystem::path configs = std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs",
+                            folder = configs / "models";
+
+bool joins_rings(const std::filesystem::path& file) {  // cases about rings, which only spring models have
+  return file.stem().string().starts_with("rings");
+}
 
 }  // namespace
 
@@ -35,4 +40,27 @@ TEST_CASE("the hanging sheet and the cantilever run every registered model") {
       CHECK(models.count(std::string(model->name)) == 1);
     }
   }
+}
+
+TEST_CASE("every hard case runs every registered model in both precisions, looked at after every step") {
+  int files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(configs / "stability")) {
+    const Experiment experiment = load_experiment(entry.path());
+    INFO(entry.path());
+    CHECK(experiment.name == "stability_" + entry.path().stem().string());
+    std::set<std::pair<std::string, std::string>> found;
+    for (const RunConfig& run : experiment.runs) {
+      CHECK(run.section("/output").boolean("stability"));
+      CHECK(run.section("/mesh").integer("cells") >=
+            (run.section("/pins").texts("vertices").empty() ? 16 : 32));
+      found.emplace(run.bending_model(), run.section("/solver").text("precision"));
+    }
+    for (const BendingModel* model : bending_models())
+      for (const char* precision : {"single", "double"}) {
+        INFO("lacks " << model->name << " in " << precision);
+        CHECK((joins_rings(entry.path()) || found.count({std::string(model->name), precision}) == 1));
+      }
+    ++files;
+  }
+  CHECK(files > 10);
 }

@@ -16,8 +16,8 @@ struct RestHinge {
   double area;                      ///< of both triangles, m²
 };
 
-/// One per interior edge that has a free vertex, in the order of the edges. A hinge on a triangle without area has no
-/// angle and is left out.
+/// One per interior edge that has a free vertex, in the order of the edges. A hinge on a degenerate triangle
+/// (see bad_triangles.hpp) has no angle and is left out.
 std::vector<RestHinge> rest_hinges(const RestMesh& rest, const Pins& pins);
 
 /// Angle constraints on them; `softness(hinge)` as in ElementList.

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bendlab/mesh/bad_triangles.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -185,8 +187,10 @@ UnitBend::UnitBend(const RestMesh& rest) : plane_(plane_coordinates(rest)) {
   if (plane_.empty())
     throw std::invalid_argument(
         "the shortening of springs is known for a flat rest shape only, and this mesh is not flat");
+  const std::vector<char> degenerate = triangles_without_area(rest.mesh());
   std::vector<TriangleBend> bends;
   for (int t = 0; t < rest.triangle_count(); ++t) {
+    if (degenerate[static_cast<std::size_t>(t)] != 0) continue;
     const auto corner = rest.triangles().row(t);
     bends.push_back(triangle_bend({corner(0), corner(1), corner(2)}, plane_));
   }

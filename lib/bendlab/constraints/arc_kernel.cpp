@@ -23,6 +23,15 @@ struct PackKernel<ArcSpring> {
     return result;
   }
 
+  template <class Real, Law law>
+  BENDLAB_INLINE static Pack<Real> when_collapsed(const std::array<PackPoints<Real>, 2>& p,
+                                                  const std::array<Pack<Real>, 1>& rest,
+                                                  std::integral_constant<Law, law>) {
+    const PackVector<Real> d = p[0].position - p[1].position;
+    const Pack<Real> shortest = collapsed_ratio<Real> * rest[0];
+    return dot(d, d) > shortest * shortest ? Pack<Real>{} : -rest[0];
+  }
+
   // A segment at ρ = r/L: its push p = P L²/k_b, and dp/dρ.
   template <class Real>
   struct Bent {

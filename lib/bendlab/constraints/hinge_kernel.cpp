@@ -22,11 +22,13 @@ struct PackKernel<HingeAngle> {
     const P squared = dot(e, e), s1 = dot(n1, n1), s2 = dot(n2, n2);
     const P least = broadcast(collapsed_ratio<Real> * collapsed_ratio<Real>);
     PackConstraint<Real, 4> result;
-    result.defined = (squared > least) & (s1 > least) & (s2 > least);
+    const P product = s1 * s2;
+    result.defined = (squared > least) & (s1 > least) & (s2 > least) &
+                     (product < overgrown_square<Real> * overgrown_square<Real>);
     const P per_edge = inverse_square_root(result.defined ? squared : one), length = squared * per_edge;
     // (n1 × n2)·e = -|e|² n1·d, because n1 is normal to e.
     const P angle = arc_tangent<Real>(-length * dot(n1, d), dot(n1, n2));
-    const P per_both = per_length / (result.defined ? s1 * s2 : one);  // one division for both normals
+    const P per_both = per_length / (result.defined ? product : one);  // one division for both normals
     const P i1 = per_both * s2, i2 = per_both * s1;
 
     P slope = one;

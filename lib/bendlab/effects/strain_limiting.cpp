@@ -18,6 +18,7 @@
 
 #include "bendlab/constraints/tolerances.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/material_coordinates.hpp"
 
 namespace bendlab {
@@ -135,12 +136,13 @@ bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Re
 template <class Real>
 std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
   const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());
+  const std::vector<char> degenerate = triangles_without_area(input.rest.mesh());
   std::vector<Triangle<Real>> triangles;
   for (int t = 0; t < input.rest.triangle_count(); ++t) {
     const auto corner = input.rest.triangles().row(t);
     const bool held =
         input.pins.pinned(corner(0)) && input.pins.pinned(corner(1)) && input.pins.pinned(corner(2));
-    if (held || !(input.rest.areas()[static_cast<std::size_t>(t)] > 0)) continue;
+    if (held || degenerate[static_cast<std::size_t>(t)] != 0) continue;
     Triangle<Real> triangle;
     for (std::size_t i = 0; i < 3; ++i)
       triangle.corners[i] = static_cast<std::uint32_t>(input.place_of(corner(static_cast<Eigen::Index>(i))));

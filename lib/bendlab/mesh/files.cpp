@@ -82,20 +82,19 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
   }
 }
 
-TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
+AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy) {
   const PolygonSoup soup = read_polygon_soup(path);
-  std::string refusal;
-  for (const MeshProblem& problem : diagnose(soup)) {
-    if (!problem.harmless())
-      refusal += "\n  " + describe(problem);
-    else if (notes != nullptr)
-      notes->push_back("left out, which shifts the indices of later vertices: " + describe(problem));
+  try {
+    return accept(soup, policy);
+  } catch (const std::invalid_argument& error) {
+    fail(Kind::refused, path, error.what());
   }
-  if (!refusal.empty())
-    fail(Kind::refused, path,
-         "can't be simulated until it is repaired, in a mesh editor for instance (indices count from 0):" +
-             refusal);
-  return to_mesh(soup);
+}
+
+TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
+  AcceptedMesh accepted = read_mesh(path, BadTriangles::refuse);
+  if (notes != nullptr) notes->insert(notes->end(), accepted.notes.begin(), accepted.notes.end());
+  return std::move(accepted.mesh);
 }
 
 void write_mesh(const std::filesystem::path& path, const TriangleMesh& mesh) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <random>
 #include <stdexcept>
@@ -285,6 +286,35 @@ TriangleMesh tube(double radius, double radius_top, double height, int cells) {
       builder.add_triangle(vertex(j, i), vertex(j, i + 1), vertex(j + 1, i + turned));
       builder.add_triangle(vertex(j + 1, i + 1), vertex(j + 1, i), vertex(j, i + 1 - turned));
     }
+  return builder.build();
+}
+
+TriangleMesh sphere(double radius, int cells) {
+  checked_size("radius", radius);
+  checked_count("cells", cells);
+  MeshBuilder builder;
+  std::map<std::array<int, 3>, int> known;  // lattice point with |i| + |j| + |k| = cells → vertex
+  const auto vertex = [&](const Eigen::Array3i& lattice) {
+    const auto [entry, is_new] = known.try_emplace({lattice.x(), lattice.y(), lattice.z()}, 0);
+    if (is_new) {
+      const Vector3 point = radius * lattice.cast<double>().matrix().normalized();
+      entry->second = builder.add_vertex(point.x(), point.y(), point.z());
+    }
+    return entry->second;
+  };
+  for (int octant = 0; octant < 8; ++octant) {
+    const Eigen::Array3i sign(octant & 1 ? -1 : 1, octant & 2 ? -1 : 1, octant & 4 ? -1 : 1);
+    const auto add = [&](Eigen::Array3i a, Eigen::Array3i b, const Eigen::Array3i& c) {
+      if (sign.prod() < 0) std::swap(a, b);  // a mirrored face runs the other way round
+      builder.add_triangle(vertex(sign * a), vertex(sign * b), vertex(sign * c));
+    };
+    for (int i = 0; i < cells; ++i)
+      for (int j = 0; i + j < cells; ++j) {
+        const int k = cells - 1 - i - j;
+        add({i + 1, j, k}, {i, j + 1, k}, {i, j, k + 1});
+        if (k > 0) add({i + 1, j + 1, k - 1}, {i, j + 1, k}, {i + 1, j, k});
+      }
+  }
   return builder.build();
 }
 

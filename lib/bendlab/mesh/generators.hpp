@@ -51,4 +51,8 @@ TriangleMesh disc(double radius, int rings);
 /// circle.
 TriangleMesh tube(double radius, double radius_top, double height, int cells);
 
+/// A closed ball: an octahedron with its edges split into `cells` and its vertices brought to `radius`, normals outward.
+/// 4 cells² + 2 vertices, 8 cells² triangles.
+TriangleMesh sphere(double radius, int cells);
+
 }  // namespace bendlab

@@ -7,16 +7,42 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bendlab/mesh/bad_triangles.hpp"
+
 namespace bendlab {
 namespace {
 
 struct RestTriangle {
   Vector3 e1, e2, normal;
 
-  RestTriangle(const TriangleMesh& mesh, Eigen::Index t)
+  // `least_height` is above 0 for a triangle that has no area.
+  RestTriangle(const TriangleMesh& mesh, Eigen::Index t, double least_height)
       : e1((mesh.positions.row(mesh.triangles(t, 1)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
         e2((mesh.positions.row(mesh.triangles(t, 2)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
-        normal(e1.cross(e2).normalized()) {}
+        normal(e1.cross(e2).normalized()) {
+    if (least_height > 0) regularise(least_height);
+  }
+
+  // Draws the three points to their line and moves the one between the others off it by the height; points at one place
+  // first become a line of that length. Which way is as good as any other: the first axis that is not the line's.
+  void regularise(double height) {
+    std::array<Vector3, 3> corner = {Vector3::Zero(), e1, e2};
+    std::size_t apex = 0;  // opposite the longest edge
+    double base = -1;
+    for (std::size_t c = 0; c < 3; ++c)
+      if (const double length = (corner[(c + 1) % 3] - corner[(c + 2) % 3]).norm(); length > base)
+        apex = c, base = length;
+    Vector3 &from = corner[(apex + 1) % 3], &to = corner[(apex + 2) % 3];
+    height = std::max(height, regular_height_of_edge * base);
+    const Vector3 along = base > 0 ? Vector3((to - from) / base) : Vector3::UnitX();
+    if (base < height) to = from + height * along, base = height;
+    Eigen::Index least;
+    along.cwiseAbs().minCoeff(&least);
+    const Vector3 across = along.cross(Vector3::Unit(least)).cross(along).normalized();
+    corner[apex] = from + std::clamp(along.dot(corner[apex] - from), 0.0, base) * along + height * across;
+    e1 = corner[1] - corner[0], e2 = corner[2] - corner[0];
+    normal = e1.cross(e2).normalized();
+  }
 
   // Q⁻¹ for the warp axis nearest to `warp` in the triangle's plane.
   InverseRest inverse_along(const Vector3& warp) const {
@@ -43,13 +69,25 @@ struct RestTriangle {
   }
 };
 
+// #T: 0, or the least height of a degenerate triangle's rest shape, m.
+std::vector<double> least_heights(const TriangleMesh& mesh) {
+  const std::vector<char> degenerate = triangles_without_area(mesh);
+  const double height = regular_height_of_size *
+                        (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm();
+  std::vector<double> heights;
+  for (const char is_degenerate : degenerate) heights.push_back(is_degenerate != 0 ? height : 0);
+  return heights;
+}
+
 }  // namespace
 
 std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction) {
   std::vector<InverseRest> inverses;
   inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
+  const std::vector<double> heights = least_heights(mesh);
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
-    inverses.push_back(RestTriangle(mesh, t).inverse_along(warp_direction));
+    inverses.push_back(
+        RestTriangle(mesh, t, heights[static_cast<std::size_t>(t)]).inverse_along(warp_direction));
   return inverses;
 }
 
@@ -61,8 +99,13 @@ std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
         "direction");
   std::vector<InverseRest> inverses;
   inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
+  const std::vector<double> heights = least_heights(mesh);
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
-    const RestTriangle triangle(mesh, t);
+    const RestTriangle triangle(mesh, t, heights[static_cast<std::size_t>(t)]);
+    if (heights[static_cast<std::size_t>(t)] > 0) {  // its texture is as degenerate as itself
+      inverses.push_back(triangle.inverse_along(triangle.e1));
+      continue;
+    }
     const auto corner = mesh.texture_coordinates.middleRows<3>(3 * t);
     Eigen::Matrix2d texture;
     texture.col(0) = (corner.row(1) - corner.row(0)).transpose();

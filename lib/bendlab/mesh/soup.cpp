@@ -232,13 +232,17 @@ std::vector<MeshProblem> diagnose(const PolygonSoup& soup) {
   return Diagnosis(soup).run();
 }
 
-std::vector<MeshProblem> diagnose(const TriangleMesh& mesh) {
+PolygonSoup to_soup(const TriangleMesh& mesh) {
   PolygonSoup soup;
   for (Eigen::Index v = 0; v < mesh.vertex_count(); ++v)
     soup.points.push_back({mesh.positions(v, 0), mesh.positions(v, 1), mesh.positions(v, 2)});
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t)
     soup.triangles.push_back({mesh.triangles(t, 0), mesh.triangles(t, 1), mesh.triangles(t, 2)});
-  return diagnose(soup);
+  return soup;
+}
+
+std::vector<MeshProblem> diagnose(const TriangleMesh& mesh) {
+  return diagnose(to_soup(mesh));
 }
 
 std::string describe(const MeshProblem& problem) {

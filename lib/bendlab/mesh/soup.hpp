@@ -59,6 +59,9 @@ std::vector<MeshProblem> diagnose(const TriangleMesh& mesh);
 /// "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)": a line, without line break.
 std::string describe(const MeshProblem& problem);
 
+/// A mesh's points and triangles, unchecked; without texture coordinates.
+PolygonSoup to_soup(const TriangleMesh& mesh);
+
 /// The soup without its isolated vertices (the others keep their order). Indices have to be in range.
 TriangleMesh to_mesh(const PolygonSoup& soup);
 

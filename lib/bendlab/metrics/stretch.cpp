@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bendlab/mesh/bad_triangles.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -29,7 +31,9 @@ double largest_of(std::span<const PrincipalStretches> stretches, const std::vect
 }  // namespace
 
 StretchMeter::StretchMeter(const RestMesh& rest, const Pins& pins)
-    : triangles_(rest.triangles()), inverse_rest_(inverse_rest_from_warp(rest.mesh(), Vector3::UnitX())) {
+    : triangles_(rest.triangles()),
+      inverse_rest_(inverse_rest_from_warp(rest.mesh(), Vector3::UnitX())),
+      degenerate_(triangles_without_area(rest.mesh())) {
   for (int t = 0; t < rest.triangle_count(); ++t) {
     const auto corner = triangles_.row(t);
     at_pin_.push_back(pins.pinned(corner(0)) || pins.pinned(corner(1)) || pins.pinned(corner(2)));
@@ -45,6 +49,10 @@ std::vector<PrincipalStretches> StretchMeter::measure(const Positions& positions
   std::vector<PrincipalStretches> stretches;
   stretches.reserve(inverse_rest_.size());
   for (std::size_t t = 0; t < inverse_rest_.size(); ++t) {
+    if (degenerate_[t] != 0) {
+      stretches.emplace_back();
+      continue;
+    }
     const auto corner = triangles_.row(static_cast<Eigen::Index>(t));
     const Vector3 p0 = positions.row(corner(0)).transpose();
     const Vector3 e1 = positions.row(corner(1)).transpose() - p0,

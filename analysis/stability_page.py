@@ -1,0 +1,108 @@
+"""Writes the page of the hard cases: index.html with the matrix, and summary.json with one object per run."""
+import argparse
+import json
+from pathlib import Path
+
+import fig_stability
+import style
+from html_parts import document, escape, section_html, table_html
+from load import MODELS, group
+from report import Table, rounded
+from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
+
+EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
+KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
+
+
+def main(results, out):
+    """Everything the page needs, from runs below `results` into `out`; returns the section."""
+    out.mkdir(parents=True, exist_ok=True)
+    section = fig_stability.main(results, out)
+    text = json.dumps([as_json(cell) for cell in section.cells.values()], indent=2, ensure_ascii=False)
+    (out / "summary.json").write_text(text + "\n", encoding="utf-8")
+    (out / "index.html").write_text(document("bendlab: what is stable?", body(section)), encoding="utf-8")
+    return section
+
+
+def as_json(cell):
+    return {"case": cell.case.name, "title": cell.case.title, "model": cell.model, "precision": cell.precision,
+            "verdict": cell.verdict, "worst": rounded(cell.worst.as_json()), "seconds": rounded(cell.run.cpu_s), "why": cell.why}
+
+
+def body(section):
+    """The page below its head."""
+    cells = section.cells
+    parts = ["<h1>What is stable?</h1>",
+             "<p class='lead'>Starts, loads, time steps and meshes on which cloth solvers fail, each with every bending model in both "
+             "precisions, and beside each the same scene undisturbed.</p>", overview(cells), rules(),
+             section_html(section, EVERYTHING)]
+    for title, cases in SECTIONS.items():
+        parts.append(section_of(title, cases, section))
+    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every run.</p>")
+    return "\n".join(parts)
+
+
+def rules():
+    """By what a run is judged, for a reader."""
+    return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever {APART:g} times as far from the cloth's middle as at "
+            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, if the mean "
+            f"strain at the end is above {TORN:g} and above that of the start, if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
+            f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
+            f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "
+            f"length or are elastic are looked at).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
+            f"above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}), or, where the rest shape can "
+            f"be reached, the cloth is still more than {100 * NEAR:g} % of its size away from it (root mean square, after the rotation and "
+            f"translation that bring them nearest), or more than twice as far as the undisturbed run (taken as at most "
+            f"{100 * NOT_BACK / 2:g} %), or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain is the median of the "
+            f"last second.</p>")
+
+
+def overview(cells):
+    """Verdicts per model."""
+    head = "<tr><th class='t'>model</th><th>green</th><th>amber</th><th>red</th></tr>"
+    rows = []
+    for model in MODELS:
+        numbers = [fig_stability.count(cells, verdict, model) for verdict in (GREEN, AMBER, RED)]
+        if sum(numbers):
+            rows.append(f"<tr><td class='t'>{escape(style.MODEL_NAMES.get(model, model))}</td>" + "".join(
+                f"<td><span class='verdict {KIND[verdict]}'>{number}</span></td>"
+                for verdict, number in zip((GREEN, AMBER, RED), numbers)) + "</tr>")
+    return f"<div class='scroll'><table class='overview'>{head}{''.join(rows)}</table></div>"
+
+
+def section_of(title, cases, section):
+    """One group of cases: their rules, what fails and why, and stills of it."""
+    cells = section.cells
+    here = [case for case in cases if any(key[0] == case.name for key in cells)]
+    if not here:
+        return ""
+    rows = [[case.title, case.config + ".json", *(sum(cell.verdict == verdict for key, cell in cells.items() if key[0] == case.name)
+                                                  for verdict in (GREEN, AMBER, RED)), case.rule] for case in here]
+    parts = [f"<h2>{escape(title)}</h2>", table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))]
+    failed = [cell for case in here for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
+    if failed:
+        parts.append(table_html(_failed_table(failed)))
+    if title in section.stills:
+        parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that fail'><figcaption>The last "
+                     "good frames of the red runs, and of the amber run farthest from its limit in a case that has no red one; coloured by stretch.</figcaption></figure>")
+    return "\n".join(parts)
+
+
+def _failed_table(failed):
+    """What is not green, both precisions in a row."""
+    rows = []
+    for (title, model), both in group(failed, lambda cell: (cell.case.title, cell.model)).items():
+        for verdict, some in group(both, lambda cell: cell.verdict).items():
+            worst = max(some, key=lambda cell: cell.worst.excess).worst
+            rows.append([title, model, " and ".join(cell.precision for cell in some), verdict, fig_stability.number_text(worst),
+                         style.number(worst.limit), some[0].why or "–"])
+    return Table("What is not green", ["case", "model", "precision", "verdict", "worst number", "its limit", "why"], rows)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
+    parser.add_argument("--out", type=Path, default=Path("results/stability"), help="folder for the page")
+    arguments = parser.parse_args()
+    main(arguments.results, arguments.out)
+    print(arguments.out / "index.html")

@@ -1,0 +1,126 @@
+#include "bendlab/mesh/bad_triangles.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+namespace bendlab {
+namespace {
+
+// What the policy does about a problem, for its note.
+std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
+  const bool mends = policy == BadTriangles::repair;
+  switch (kind) {
+    case MeshProblemKind::empty:
+      break;
+    case MeshProblemKind::non_finite_vertex:
+      return "left out with its triangles";
+    case MeshProblemKind::index_out_of_range:
+    case MeshProblemKind::repeated_vertex:
+      return "left out";
+    case MeshProblemKind::duplicate_triangle:
+      return "left out but for the first";
+    case MeshProblemKind::isolated_vertex:
+      return "left out, which shifts the indices of later vertices";
+    case MeshProblemKind::zero_area:
+      return mends ? "collapsed, or split along the vertex on its longest edge"
+             : policy == BadTriangles::membrane_off
+                 ? "without a strain constraint, or given a rest height where a "
+                   "vertex would have none, and without bending"
+                 : "given a rest height that can be simulated, and no bending";
+    case MeshProblemKind::non_manifold_edge:
+      return mends ? "cut, its vertices doubled" : "kept, without bending across it";
+    case MeshProblemKind::non_manifold_vertex:
+      return mends ? "cut, the vertex doubled" : "kept as one vertex";
+    case MeshProblemKind::inconsistent_orientation:
+      return mends ? "turned alike" : "kept: nothing that is simulated looks at it";
+  }
+  return {};
+}
+
+bool finite(const std::array<double, 3>& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
+// The soup without triangles that nothing can be made of, and without copies.
+PolygonSoup without_unusable(const PolygonSoup& soup) {
+  PolygonSoup usable{.points = soup.points, .triangles = {}, .texture_coordinates = {}};
+  std::set<std::array<std::int64_t, 3>> seen;
+  for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
+    auto corners = soup.triangles[t];
+    const bool named = std::ranges::all_of(corners, [&](std::int64_t v) {
+      return v >= 0 && v < static_cast<std::int64_t>(soup.points.size()) &&
+             finite(soup.points[static_cast<std::size_t>(v)]);
+    });
+    std::ranges::sort(corners);
+    if (!named || corners[0] == corners[1] || corners[1] == corners[2] || !seen.insert(corners).second)
+      continue;
+    usable.triangles.push_back(soup.triangles[t]);
+    for (std::size_t c = 3 * t; c < 3 * t + 3 && !soup.texture_coordinates.empty(); ++c)
+      usable.texture_coordinates.push_back(soup.texture_coordinates[c]);
+  }
+  // Points of no triangle may be anything; to_mesh() leaves them out.
+  return usable;
+}
+
+std::string lines_of(const std::vector<MeshProblem>& problems) {
+  std::string lines;
+  for (const MeshProblem& problem : problems)
+    if (!problem.harmless()) lines += "\n  " + describe(problem);
+  return lines;
+}
+
+}  // namespace
+
+AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy) {
+  const std::vector<MeshProblem> problems = diagnose(soup);
+  const std::string refusal = lines_of(problems);
+  if (!refusal.empty() && (policy == BadTriangles::refuse || soup.triangles.empty()))
+    throw std::invalid_argument(
+        "can't be simulated until it is repaired, in a mesh editor for instance or by /mesh/bad_triangles: "
+        "repair, "
+        "regularise or membrane_off (indices count from 0):" +
+        refusal);
+  AcceptedMesh accepted;
+  for (const MeshProblem& problem : problems)
+    accepted.notes.push_back(fmt::format("{}: {}", remedy(problem.kind, policy), describe(problem)));
+  PolygonSoup usable = policy == BadTriangles::refuse ? soup : without_unusable(soup);
+  if (policy == BadTriangles::repair) {
+    const std::size_t used = static_cast<std::size_t>(to_mesh(usable).vertex_count());
+    usable = repaired(usable);
+    const std::size_t left = static_cast<std::size_t>(to_mesh(usable).vertex_count());
+    if (used != left) accepted.notes.push_back(fmt::format("repaired: {} vertices became {}", used, left));
+  }
+  if (usable.triangles.empty())
+    throw std::invalid_argument(
+        "can't be simulated: no usable triangle is left; repair it in a mesh editor (indices count from 0):" +
+        refusal);
+  accepted.mesh = to_mesh(usable);
+  if (!((accepted.mesh.positions.colwise().maxCoeff() - accepted.mesh.positions.colwise().minCoeff()).norm() >
+        0))
+    throw std::invalid_argument("can't be simulated: all its vertices are at one place");
+  accepted.renumbered =
+      policy == BadTriangles::repair
+          ? !problems.empty() || accepted.mesh.vertex_count() != static_cast<Eigen::Index>(soup.points.size())
+          : accepted.mesh.vertex_count() != static_cast<Eigen::Index>(soup.points.size());
+  return accepted;
+}
+
+std::vector<char> triangles_without_area(const TriangleMesh& mesh) {
+  std::vector<char> degenerate;
+  degenerate.reserve(static_cast<std::size_t>(mesh.triangle_count()));
+  const double thickness = zero_area_thickness *
+                           (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm();
+  for (const auto& corner : mesh.triangles.rowwise()) {
+    const Vector3 p = mesh.positions.row(corner(0)), q = mesh.positions.row(corner(1)),
+                  r = mesh.positions.row(corner(2));
+    const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
+    degenerate.push_back((q - p).cross(r - p).norm() <= thickness * longest);
+  }
+  return degenerate;
+}
+
+}  // namespace bendlab

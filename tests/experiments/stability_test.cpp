@@ -1,0 +1,187 @@
+// Hard scenes as configs ask for them, and what the runner says of how stable a run was.
+#include "experiments/stability.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+Scene scene_of(const std::string& rest, const std::string& effects = "[]") {
+  return build_scene(parse_experiment(R"({"name": "hard", "mesh": {"cells": 8}, "pins": {"vertices": []}, )" +
+                                          rest + R"(, "effects": )" + effects + "}",
+                                      "test")
+                         .runs.front());
+}
+
+std::map<std::string, double> looked_at(const Scene& scene, double duration) {
+  StabilityMeter meter(scene, duration);
+  const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+  meter.look(*simulation);
+  while (simulation->time() < duration - 1e-9 && simulation->step()) meter.look(*simulation);
+  return meter.summary();
+}
+
+}  // namespace
+
+TEST_CASE("start poses: scaled about the centre or the pins", "[experiments]") {
+  const Scene point = scene_of(R"("initial": {"scale": [0, 0, 0]})");
+  CHECK(point.input.positions.isZero(0));
+  const Scene mirrored = scene_of(R"("initial": {"scale": [-1, 1, 1]})");
+  CHECK(mirrored.input.positions.col(0) == -mirrored.rest.positions().col(0));
+  const Scene held = build_scene(
+      parse_experiment(
+          R"({"name": "held", "mesh": {"cells": 8}, "pins": {"vertices": ["upper_right"], "ring": 1},
+                           "initial": {"scale": [2, 2, 1]}})",
+          "test")
+          .runs.front());
+  const Eigen::RowVector3d corner(0.5, 0.5, 0);
+  for (int v = 0; v < held.rest.vertex_count(); ++v) {
+    const Eigen::RowVector3d from_pin = held.rest.positions().row(v) - corner;
+    CHECK(held.input.positions.row(v) == corner + (held.pins.pinned(v) ? 1 : 2) * from_pin);
+  }
+}
+
+TEST_CASE("start poses: creases lay every column on the one before, and stretch nothing", "[experiments]") {
+  const Scene scene = scene_of(R"("initial": {"creases": 7})");
+  const Positions& start = scene.input.positions;
+  CHECK_THAT(start.col(0).maxCoeff() - start.col(0).minCoeff(), WithinRel(1.0 / 8, 1e-12));
+  for (const auto& edge : scene.rest.edges().rowwise())
+    CHECK_THAT((start.row(edge(0)) - start.row(edge(1))).norm(),
+               WithinRel((scene.rest.position(edge(0)) - scene.rest.position(edge(1))).norm(), 1e-12));
+  int shut = 0;
+  for (const Hinge& hinge : scene.rest.hinges()) {
+    const Vector3 edge = start.row(hinge.edge[1]) - start.row(hinge.edge[0]);
+    const Vector3 n0 = edge.cross(Vector3(start.row(hinge.opposite[0]) - start.row(hinge.edge[0]))),
+                  n1 = -edge.cross(Vector3(start.row(hinge.opposite[1]) - start.row(hinge.edge[0])));
+    if (n0.dot(n1) < 0) ++shut;
+  }
+  CHECK(shut == 7 * 8);  // the edges along y between 8 columns
+  CHECK_THROWS_AS(scene_of(R"("initial": {"creases": 3, "folds": 2})"), ConfigError);
+}
+
+TEST_CASE("start poses: at random in a box, the same for the same seed", "[experiments]") {
+  const auto start = [](int seed) {
+    return scene_of(R"("initial": {"random": 10, "seed": )" + std::to_string(seed) + "}").input.positions;
+  };
+  const double half = 5 * std::numbers::sqrt2;
+  CHECK(start(1).cwiseAbs().maxCoeff() <= half);
+  CHECK(start(1).cwiseAbs().maxCoeff() > 0.9 * half);  // of 243 uniform numbers all are below with 10⁻¹¹
+  CHECK(start(1) == start(1));
+  CHECK(start(1) != start(2));
+}
+
+TEST_CASE("start velocities: a translation and a turn about the centre", "[experiments]") {
+  const Scene scene = scene_of(R"("initial": {"velocity": [1, 2, 3], "spin": [0, 0, 4]})");
+  for (int v = 0; v < scene.rest.vertex_count(); ++v) {
+    const Vector3 p = scene.rest.position(v);
+    CHECK(scene.input.velocities.row(v) == Eigen::RowVector3d(1 - 4 * p.y(), 2 + 4 * p.x(), 3));
+  }
+  CHECK(scene_of(R"("duration": 1)").input.velocities.rows() == 0);
+}
+
+TEST_CASE("one half of the cloth as heavy as asked for", "[experiments]") {
+  const Scene scene = scene_of(R"("material": {"density": 0.2, "density_ratio": 1000000})");
+  double left = 0, right = 0;  // beside the seam, where vertices belong to both
+  for (int v = 0; v < scene.rest.vertex_count(); ++v) {
+    const double x = scene.rest.position(v).x(), mass = scene.input.mass[static_cast<std::size_t>(v)];
+    if (x < -0.01) left += mass;
+    if (x > 0.01) right += mass;
+  }
+  CHECK_THAT(right / left, WithinRel(1e6, 1e-9));
+  CHECK_THAT(left, WithinRel(0.2 * (0.5 - 1.0 / 16), 1e-2));  // the seam keeps about half a column's mass
+}
+
+TEST_CASE("a mesh far from the origin and a flawed one", "[experiments]") {
+  const Scene far = build_scene(
+      parse_experiment(R"({"name": "far", "mesh": {"cells": 4, "scale": 2, "offset": [1000000, 0, -5]}})",
+                       "test")
+          .runs.front());
+  CHECK(far.rest.centre() == Vector3(1e6, 0, -5));
+  const auto flawed = [](const std::string& policy) {
+    return build_scene(
+        parse_experiment(
+            R"({"name": "flawed", "mesh": {"flaw": "degenerate", "bad_triangles": ")" + policy + R"("}})",
+            "test")
+            .runs.front());
+  };
+  CHECK_THROWS_AS(flawed("refuse"), MeshError);
+  CHECK(flawed("regularise").rest.triangle_count() == 2048);
+}
+
+TEST_CASE("a sweep over all choices of a setting", "[experiments]") {
+  std::set<std::string> models;
+  for (const RunConfig& run :
+       parse_experiment(R"({"name": "all", "sweep": {"/bending/model": "all"}})", "test").runs)
+    models.insert(run.bending_model());
+  CHECK(models.size() == bending_models().size());
+  CHECK_THROWS_WITH(parse_experiment(R"({"name": "all", "sweep": {"/mesh/cells": "all"}})", "test"),
+                    ContainsSubstring("/sweep/~1mesh~1cells"));
+}
+
+TEST_CASE("stability: a free fall keeps everything, as the step has it in closed form", "[experiments]") {
+  // v = g h n, x = g h² n (n + 1) / 2 after n steps: the energy per mass falls by g² h² / 2 in each.
+  const int steps = 60;
+  const double h = 1.0 / 60, g = 9.81, size = std::numbers::sqrt2;
+  const auto seen =
+      looked_at(scene_of(R"("bending": {"model": "dihedral"}, "solver": {"precision": "double"})",
+                         R"([{"type": "gravity"}])"),
+                1);
+  CHECK(seen.at("stability_steps") == steps);
+  CHECK_THAT(seen.at("stability_reach"), WithinRel(0.5, 1e-9));
+  CHECK(seen.at("stability_recovered_at") == 0);
+  CHECK_THAT(seen.at("stability_rest_distance"), WithinAbs(0, 1e-12));
+  CHECK(seen.at("stability_momentum_drift") < 1e-10);
+  CHECK_THAT(seen.at("stability_energy_gain"), WithinAbs(0, 1e-12));
+  CHECK(seen.at("stability_energy_rises") == 0);
+  CHECK_THAT(seen.at("stability_energy_scale"), WithinRel(0.2 * g * size, 1e-9));
+  const auto fallen = [&](int n) { return g * h * h * n * (n + 1) / 2; };
+  CHECK_THAT(seen.at("stability_creep"), WithinRel((fallen(60) - fallen(30)) / size, 1e-9));
+  CHECK(seen.at("stability_shut_hinges") == 0);
+}
+
+TEST_CASE("stability: what stays folded, stays away and is pinned", "[experiments]") {
+  // Without bending a creased sheet has no strain and no force: it stays as it is.
+  const auto folded = looked_at(scene_of(R"("initial": {"creases": 7}, "bending": {"model": "none"})"), 0.5);
+  const double interior = 3 * 8 * 8 - 2 * 8;
+  CHECK_THAT(folded.at("stability_shut_hinges"), WithinRel(7 * 8 / interior, 1e-9));
+  CHECK(folded.at("stability_rest_distance") > 0.1);
+  CHECK(folded.count("stability_recovered_at") == 0);
+  CHECK(folded.at("stability_creep") == 0);
+
+  const Scene pinned =
+      build_scene(parse_experiment(R"({"name": "pinned", "mesh": {"cells": 8}})", "test").runs.front());
+  const auto held = looked_at(pinned, 0.5);
+  CHECK(held.count("stability_momentum_drift") == 0);  // pins take momentum
+  CHECK(held.count("stability_energy_gain") == 1);
+}
+
+TEST_CASE("stability: a tumbling sheet's energy is elastic, kinetic and never more than at the start",
+          "[experiments]") {
+  const auto seen = looked_at(
+      scene_of(
+          R"("initial": {"spin": [5, 0, 0]}, "bending": {"model": "discrete_shells", "stiffness": "compliance",
+                  "compliance": 100000}, "material": {"strain": {"stiffness": "compliance", "compliance": 0.001}},
+                  "solver": {"substeps": 8, "precision": "double"})"),
+      1);
+  // The sheet starts flat: what there is at the start is ½ I ω², I = ρ h ∫ y² of point masses on lines 1/8 apart.
+  double inertia = 0;
+  for (int row = 0; row <= 8; ++row) {
+    const double y = -0.5 + row / 8.0, mass = 0.2 / 8 * (row == 0 || row == 8 ? 0.5 : 1);
+    inertia += mass * y * y;
+  }
+  CHECK_THAT(seen.at("stability_energy_scale"), WithinRel(0.5 * inertia * 25, 1e-9));
+  CHECK(seen.at("stability_energy_gain") < 0.01);
+  CHECK(seen.at("stability_spin_kept") > 0.5);
+  CHECK(seen.at("stability_spin_kept") < 1.001);
+}
+
+}  // namespace bendlab
