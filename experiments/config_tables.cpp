@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 5> generators = {"grid", "equilateral", "
 constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "both"};
 constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
-constexpr std::array<std::string_view, 2> strain_forms = {"normalised", "green"};
+constexpr std::array<std::string_view, 3> strain_forms = {"normalised", "green", "angle"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
 constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per_step", "compliance",
                                                                      "physical"};
@@ -151,8 +151,10 @@ constexpr std::array material = {
 
 constexpr std::array strain = {
     Parameter{.name = "form", .type = text, .unit = "", .default_value = "normalised",
-              .meaning = "normalised: stretch √S_ii - 1 and normalised shear; green: the entries of S "
-                         "themselves",
+              .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the entries of S "
+                         "themselves; angle (ours): stretch as normalised, and of shear the angle that warp and weft "
+                         "lack to a right one. The gradient of normalised shear vanishes as they become parallel, so that "
+                         "a projection throws a strongly sheared triangle many times its size; the angle's does not",
               .choices = strain_forms},
     Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
               .meaning = stiffness_meaning, .choices = stiffness_kinds},

@@ -112,13 +112,28 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   return header;
 }
 
-std::string divergence_message(const Divergence& divergence) {
+// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without strain
+// constraints.
+std::string worst_triangle_text(const Divergence& divergence, const Triangles& triangles) {
+  const auto& [a, b, c] = divergence.triangle;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    if (triangles(t, 0) == a && triangles(t, 1) == b && triangles(t, 2) == c)
+      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest",
+                         t, a, b, c, divergence.stretch);
+  return "";
+}
+
+std::string divergence_message(const Divergence& divergence, const Scene& scene) {
+  const bool projects = scene.input.settings.method == Method::pbd;
+  const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
   return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m; the frames before it are kept. "
-      "A smaller "
-      "/solver/dt, more /solver/substeps or a lower stiffness may help",
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
+      "kept. "
+      "A smaller /solver/dt{}{} or a lower stiffness may help",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
-      divergence.position.z());
+      divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
+      projects ? ", more /solver/substeps" : "",
+      published_shear ? ", /material/strain/form: angle, the effect tethers" : "");
 }
 
 // Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
@@ -148,8 +163,8 @@ struct Stepping {
   std::optional<double> settled_at = std::nullopt;  // s
 };
 
-Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWriter& writer,
-                     const RunConfig& config, const RunControl& control) {
+Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
+                     FrameWriter& writer, const RunConfig& config, const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
@@ -158,7 +173,7 @@ Stepping step_to_end(Simulation& simulation, const Recorder& recorder, FrameWrit
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   for (std::int64_t step = 1; step <= steps; ++step) {
-    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence())};
+    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence(), scene)};
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
@@ -329,7 +344,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
 
   make_folder(file.parent_path());
   FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame); });
-  const Stepping stepping = step_to_end(*simulation, recorder, writer, config, control);
+  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, config, control);
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;

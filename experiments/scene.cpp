@@ -101,7 +101,10 @@ StiffnessKind stiffness_kind(const std::string& name) {
 }
 
 StrainStiffness strain_stiffness(const ParameterValues& values) {
-  return {.form = values.text("form") == "green" ? StrainForm::green : StrainForm::normalised,
+  const std::string& form = values.text("form");
+  return {.form = form == "green"   ? StrainForm::green
+                  : form == "angle" ? StrainForm::angle
+                                    : StrainForm::normalised,
           .kind = stiffness_kind(values.text("stiffness")),
           .warp = values.number("warp"),
           .weft = values.number("weft"),
@@ -288,6 +291,7 @@ Scene build_scene(const RunConfig& config) {
 
   SimulationInput& input = scene.input;
   input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
+  input.rest = rest.positions();
   input.origin = rest.centre();
   input.size = rest.size();
   input.mass = lumped_masses(rest, material.number("density"));

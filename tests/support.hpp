@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cfenv>
 #include <random>
 
 #include "bendlab/bending/model.hpp"
@@ -11,6 +12,18 @@
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab::test {
+
+/// Suspends floating-point traps (CMake option BENDLAB_TRAPS) where a test means infinities and NaNs to arise.
+class WithoutTraps {
+ public:
+  WithoutTraps() { std::feholdexcept(&environment_); }
+  ~WithoutTraps() { std::fesetenv(&environment_); }
+  WithoutTraps(const WithoutTraps&) = delete;
+  WithoutTraps& operator=(const WithoutTraps&) = delete;
+
+ private:
+  std::fenv_t environment_;
+};
 
 inline double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);
@@ -26,6 +39,7 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   const BendingModel& bending = *find_bending_model(model);
   SimulationInput input;
   input.positions = rest.positions();
+  input.rest = rest.positions();
   input.origin = rest.centre();
   input.size = rest.size();
   input.mass = lumped_masses(rest, density);

@@ -87,7 +87,7 @@ TEST_CASE("strain gradients agree with differences", "[constraints]") {
   std::mt19937_64 random(2);
   for (int trial = 0; trial < 100; ++trial) {
     const auto [p, q] = random_triangle(random);
-    for (const StrainForm form : {StrainForm::normalised, StrainForm::green}) {
+    for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
       for (const int axis : {0, 1})
         check_gradient<3>([&](const Corners<3>& x) { return stretch_constraint(x, q, axis, form); }, p);
       check_gradient<3>([&](const Corners<3>& x) { return shear_constraint(x, q, form); }, p);
@@ -140,7 +140,7 @@ TEST_CASE("strain constraints vanish at rest and under rigid motion", "[constrai
   const Eigen::Matrix3d rotation = Eigen::Quaterniond(0.3, -0.5, 0.7, 0.1).normalized().toRotationMatrix();
   const Vector3 shift = test::random_vector(random);
   const Corners<3> p = {shift, shift + rotation * Vector3(1, 0, 0), shift + rotation * Vector3(0.25, 0.5, 0)};
-  for (const StrainForm form : {StrainForm::normalised, StrainForm::green}) {
+  for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
     // Rounding of rotated unit coordinates.
     CHECK_THAT(stretch_constraint(p, q, 0, form).value, Catch::Matchers::WithinAbs(0, 1e-14));
     CHECK_THAT(stretch_constraint(p, q, 1, form).value, Catch::Matchers::WithinAbs(0, 1e-14));

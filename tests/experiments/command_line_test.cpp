@@ -90,6 +90,34 @@ TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or wr
   CHECK(here.run("run small.json --json >/dev/full") == 5);
 }
 
+TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was done", "[command line]") {
+  Workplace here;
+  // A cap on the boundary, a triangle twice, and a third triangle at the diagonal.
+  here.write("bad.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.5 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 2 3\nf "
+             "1 3 6\n");
+  here.write("bad.json",
+             R"({"name": "bad", "duration": 0.2, "mesh": {"file": "bad.obj"}, "pins": {"ring": 0}})");
+  CHECK(here.run("run bad.json") == 4);
+  CHECK_THAT(here.err(), ContainsSubstring("1 triangle with zero area: triangle 2 (1, 4, 2)") &&
+                             ContainsSubstring("bad_triangles"));
+  CHECK(here.run("mesh bad.obj") == 4);
+  CHECK_THAT(here.err(), ContainsSubstring("regularise: take it with 6 vertices, 4 triangles") &&
+                             ContainsSubstring("repair: take it with"));
+  for (const char* policy : {"regularise", "membrane_off", "repair"})
+    for (const char* precision : {"single", "double"}) {
+      INFO(policy << ", " << precision);
+      REQUIRE(here.run(std::string("run bad.json --json --set /mesh/bad_triangles=") + policy +
+                       " --set /solver/precision=" + precision) == 0);
+      const json run = here.out_lines().at(0);
+      CHECK(run.at("status") == "complete");
+      CHECK_THAT(run.at("message").get<std::string>(), ContainsSubstring("1 triangle with zero area"));
+      CHECK(run.at("summary").at("mean_strain") < 0.2);
+      CHECK(here.run(std::string("mesh bad.obj --json --bad-triangles ") + policy) == 0);
+      CHECK(here.out_lines().at(0).at("notes").size() == (policy[0] == 'r' && policy[2] == 'p' ? 4 : 3));
+    }
+}
+
 TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[command line]") {
   Workplace here;
   here.write("small.json", small);
@@ -201,8 +229,9 @@ TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other
   const std::vector<json> runs = here.out_lines();
   REQUIRE(runs.size() == 2);
   CHECK(runs[0].at("status") == "diverged");
-  CHECK_THAT(runs[0].at("message").get<std::string>(),
-             ContainsSubstring("diverged at t = ") && ContainsSubstring("vertex"));
+  CHECK_THAT(runs[0].at("message").get<std::string>(), ContainsSubstring("diverged at t = ") &&
+                                                           ContainsSubstring("vertex") &&
+                                                           ContainsSubstring("the most stretched"));
   CHECK(runs[0].at("summary").contains("mean_strain"));  // of the frames before
   CHECK(runs[1].at("status") == "complete");
   CHECK(here.run("run wild.json --json") == 6);  // found, not computed again

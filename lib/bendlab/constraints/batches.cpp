@@ -46,7 +46,7 @@ DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOr
                                              : vertex_count + static_cast<int>(lane)));
     }
   batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
-  batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::infinity(),
+  batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::max(),
                                         [&](std::size_t c) { return list.rest_length[c]; });
   if (!list.softness.empty())
     batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });

@@ -33,7 +33,8 @@ struct BatchOrder {
   std::size_t run_count() const { return runs.size() - 1; }
 };
 
-/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
+/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice. Where they lie
+/// changes nothing, but that a lane whose dummies lie at one point is looked at as if it had collapsed, which takes time.
 inline constexpr int dummy_points = 4 * max_lanes;
 
 template <class Real>
@@ -41,18 +42,23 @@ struct DistanceBatch {
   BatchOrder order;
   LargeArray<int> a;             ///< max_lanes per run: offset_of() the star's centre
   LargeArray<int> b;             ///< offset_of() the other end
-  LargeArray<Real> rest_length;  ///< infinite in a padded lane: never long enough to be corrected
+  LargeArray<Real> rest_length;  ///< the largest number in a padded lane: never long enough to be corrected
   LargeArray<Real> softness;     ///< by lane, or empty: 1
   LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< times softness: α, m/N
   std::size_t count = 0;
+  const Point<Real>* rest_points =
+      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
 };
 
 enum class StrainForm {
   normalised,  ///< √S_ii - 1 and S_ij / (|f_i| |f_j|) (SBD 2014, eqs. 14 and 15)
   green,       ///< S_ii - 1 and S_ij (SBD 2014, eqs. 9 and 10)
+  /// Ours: √S_ii - 1, and of shear the angle that lacks to a right one, asin(S_ij / (|f_i| |f_j|)). Its gradient is 1 / |f|
+  /// whatever the angle, where that of the cosine vanishes for parallel warp and weft and a projection overshoots.
+  angle,
 };
 
 template <class Real>
@@ -66,6 +72,8 @@ struct StrainBatch {
   Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)
   Real compliance = 0;  ///< inverse membrane stiffness, m/N; a triangle's α is compliance / rest area
   std::size_t count = 0;
+  const Point<Real>* rest_points =
+      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
 };
 
 /// Batches from lists, in the given order. `vertex_count` is where the dummies begin.

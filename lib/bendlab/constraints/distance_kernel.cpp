@@ -7,16 +7,41 @@ namespace {
 // the processor has no stream to go on with (measured at a million vertices: 8 % of a spring).
 constexpr std::size_t ahead = 512;
 
+// The springs of a pack in the rest shape.
+template <class Real>
+struct RestEnds {
+  const Point<Real>* points;  // null: none
+  const int *a, *b;           // offsets, a lane each
+
+  // Gives d that direction and the length, where `collapsed`.
+  BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
+                           const Pack<Real>& length) const {
+    if (points == nullptr) return;
+    const PackVector<Real> along = gather(points, a).position - gather(points, b).position;
+    const Pack<Real> squared = dot(along, along), one = broadcast<Real>(1);
+    const auto opens = collapsed & (squared > Pack<Real>{});
+    const Pack<Real> scale = (opens ? length : one) * inverse_square_root(opens ? squared : one);
+    d = select(opens, scaled<Real>(scale, along), d);
+  }
+};
+
 //   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n
-//        n = (p_a - p_b) / |p_a - p_b|
+//        n = (p_a - p_b) / |p_a - p_b|, of a collapsed spring as in the rest shape: there as if |p_a - p_b| were just
+//        long enough to have a direction
 template <class Real, bool compliant>
 BENDLAB_INLINE void project_pack(PackPoints<Real>& a, PackPoints<Real>& b, const Pack<Real>& rest, Real k,
-                                 const Pack<Real>& alpha, Real* multipliers) {
+                                 const Pack<Real>& alpha, Real* multipliers, const RestEnds<Real>& at_rest) {
   using P = Pack<Real>;
-  const P zero{}, one = broadcast<Real>(1), shortest = collapsed_ratio<Real> * rest;
-  const PackVector<Real> d = a.position - b.position;
-  const P squared = dot(d, d), sum = compliant ? a.w + b.w + alpha : a.w + b.w;
-  const auto acts = (squared > shortest * shortest) & (sum > zero);
+  const P zero{}, one = broadcast<Real>(1), shortest = collapsed_ratio<Real> * rest, weight = a.w + b.w;
+  PackVector<Real> d = a.position - b.position;
+  P squared = dot(d, d);
+  const P sum = compliant ? weight + alpha : weight;
+  auto acts = (squared > shortest * shortest) & (sum > zero);
+  if (any(~acts & (weight > zero))) [[unlikely]] {
+    at_rest.open(d, ~acts & (weight > zero), 2 * shortest);
+    squared = dot(d, d);
+    acts = (squared > shortest * shortest) & (sum > zero);
+  }
   const P inverse_length = inverse_square_root(acts ? squared : one), inverse_sum = one / (acts ? sum : one);
   P step;  // of the correction along d, per inverse mass
   if constexpr (compliant) {
@@ -52,7 +77,8 @@ void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t f
         PackPoints<Real> b = gather(points, &batch.b[lane]);
         if constexpr (kind == Alpha::own) alpha = compliance_over_h2 * load(&batch.softness[lane]);
         project_pack<Real, compliant>(a, b, load(&batch.rest_length[lane]), batch.k, alpha,
-                                      compliant ? &batch.multiplier[lane] : nullptr);
+                                      compliant ? &batch.multiplier[lane] : nullptr,
+                                      {batch.rest_points, centres, &batch.b[lane]});
         scatter(points, &batch.b[lane], b);
       }
       scatter(points, centres, a);

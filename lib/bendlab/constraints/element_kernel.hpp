@@ -9,9 +9,6 @@
 
 namespace bendlab {
 
-template <class Real>
-using PackMask = decltype(Pack<Real>{} < Pack<Real>{});
-
 /// ConstraintValue for the lanes of a pack.
 template <class Real, std::size_t N>
 struct PackConstraint {
@@ -24,6 +21,9 @@ struct PackConstraint {
 template <auto... laws>
 struct LawList {};
 
+/// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest, law)`, there the
+/// value to be corrected by, and elsewhere 0 (see ConstraintValue).
+///
 /// Of a kind: `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
 /// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
 /// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
@@ -63,6 +63,31 @@ BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>&
   return sum;
 }
 
+// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
+template <class Kind, class Real, class Law>
+BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kind::arity> c,
+                                                        const std::array<PackPoints<Real>, Kind::arity>& p,
+                                                        const std::array<Pack<Real>, Kind::rest_values>& rest,
+                                                        Law law, const ElementBatch<Real, Kind>& batch,
+                                                        std::size_t lane) {
+  std::array<PackVector<Real>, Kind::arity> gradient{};
+  PackMask<Real> opens{};
+  if constexpr (requires { PackKernel<Kind>::template when_collapsed<Real>(p, rest, law); }) {
+    if (batch.rest_points != nullptr) {
+      const auto at_rest = PackKernel<Kind>::template evaluate<Real>(
+          gather_corners<Real>(batch.rest_points, batch.corner, lane), rest, law);
+      const Pack<Real> value = PackKernel<Kind>::template when_collapsed<Real>(p, rest, law);
+      opens = ~c.defined & at_rest.defined & (value != Pack<Real>{});
+      c.value = opens ? value : c.value;
+      for (std::size_t i = 0; i < Kind::arity; ++i)
+        gradient[i] = select(opens, at_rest.gradient[i], gradient[i]);
+    }
+  }
+  for (std::size_t i = 0; i < Kind::arity; ++i) c.gradient[i] = select(c.defined, c.gradient[i], gradient[i]);
+  c.defined = c.defined | opens;
+  return c;
+}
+
 template <class Real, class Kind, typename Kind::Law law, bool compliant>
 void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
                    Real compliance_over_h2) {
@@ -71,8 +96,10 @@ void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::si
        lane += static_cast<std::size_t>(lanes<Real>)) {
     auto p = gather_corners<Real>(points, batch.corner, lane);
     const auto rest = load_rest(batch.rest, lane);
-    const PackConstraint<Real, Kind::arity> c =
-        PackKernel<Kind>::template evaluate<Real>(p, rest, std::integral_constant<typename Kind::Law, law>{});
+    constexpr std::integral_constant<typename Kind::Law, law> this_law;
+    PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
+    if (any(~c.defined)) [[unlikely]]
+      c = opened<Kind>(c, p, rest, this_law, batch, lane);
     Pack<Real> sum = weighted_square<Real>(p, c.gradient), alpha{};
     if constexpr (compliant) {
       alpha = compliance_over_h2 * load(&batch.softness[lane]);
@@ -85,9 +112,8 @@ void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::si
     if constexpr (compliant) {
       const Pack<Real> multiplier = load(&batch.multiplier[lane]);
       if constexpr (OneSided<Kind>)
-        change = acts ? PackKernel<Kind>::template change<Real>(
-                            c.value, rest, std::integral_constant<typename Kind::Law, law>{}, divisor, alpha,
-                            multiplier)
+        change = acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha,
+                                                                multiplier)
                       : zero;
       else
         change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
@@ -109,8 +135,11 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
        lane += static_cast<std::size_t>(lanes<Real>)) {
     const auto p = gather_corners<Real>(points, batch.corner, lane);
     auto v = gather_corners<Real>(velocities, batch.corner, lane);
-    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
+    PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
         p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    if (any(~c.defined)) [[unlikely]]
+      for (PackVector<Real>& gradient : c.gradient)
+        gradient = select(c.defined, gradient, PackVector<Real>{});
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
     const Pack<Real> sum = weighted_square<Real>(p, c.gradient);

@@ -34,7 +34,7 @@ struct HingeAngle {
 };
 
 /// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined where the edge or
-/// a triangle's height has collapsed against the edge's rest length.
+/// a triangle's height has collapsed against the edge's rest length: its strain is what opens it.
 template <class Real>
 ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real per_rest_edge) {
   const Vector3Of<Real> e = (p[1] - p[0]) * per_rest_edge;
@@ -43,7 +43,8 @@ ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Re
   const Vector3Of<Real> n1 = a.cross(b), n2 = c.cross(d);
   const Real length = e.norm(), s1 = n1.squaredNorm(), s2 = n2.squaredNorm();
   const Real least = collapsed_ratio<Real>;
-  if (!(length > least && s1 > least * least && s2 > least * least))
+  if (!(length > least && s1 > least * least && s2 > least * least &&
+        s1 * s2 < overgrown_square<Real> * overgrown_square<Real>))
     return {.gradient = {}, .defined = false};
   const Vector3Of<Real> u1 = n1 / s1 * per_rest_edge, u2 = n2 / s2 * per_rest_edge;
   return {std::atan2(n1.cross(n2).dot(e) / length, n1.dot(n2)),
@@ -67,12 +68,12 @@ ConstraintValue<Real, 4> HingeAngle::value(const std::array<Vector3Of<Real>, 4>&
   // With δ = (θ - θ0)/2: V = 2 sin(θ0/2) (sin δ - δ) + 4 cos(θ0/2) sin²(δ/2).
   const Real delta = change / 2, sine = std::sin(delta / 2), cosine = std::cos(delta / 2);
   Real slope;
-  if (std::abs(delta) < std::sqrt(std::numeric_limits<Real>::epsilon())) {
+  const Real twice_energy = 4 * rest[2] * (2 * sine * cosine - delta) + 8 * rest[3] * sine * sine;
+  if (std::abs(delta) < std::sqrt(std::numeric_limits<Real>::epsilon()) || twice_energy <= 0) {
     c.value = delta * std::sqrt(2 * rest[3]);
     slope = std::sqrt(rest[3] / 2);
   } else {
-    const Real twice_energy = 4 * rest[2] * (2 * sine * cosine - delta) + 8 * rest[3] * sine * sine;
-    c.value = std::copysign(std::sqrt(std::max(twice_energy, Real(0))), delta);
+    c.value = std::copysign(std::sqrt(twice_energy), delta);
     slope = 2 * (rest[3] * cosine - rest[2] * sine) * sine / c.value;
   }
   for (Vector3Of<Real>& gradient : c.gradient) gradient *= slope;

@@ -22,11 +22,13 @@ struct PackKernel<HingeAngle> {
     const P squared = dot(e, e), s1 = dot(n1, n1), s2 = dot(n2, n2);
     const P least = broadcast(collapsed_ratio<Real> * collapsed_ratio<Real>);
     PackConstraint<Real, 4> result;
-    result.defined = (squared > least) & (s1 > least) & (s2 > least);
+    const P product = s1 * s2;
+    result.defined = (squared > least) & (s1 > least) & (s2 > least) &
+                     (product < overgrown_square<Real> * overgrown_square<Real>);
     const P per_edge = inverse_square_root(result.defined ? squared : one), length = squared * per_edge;
     // (n1 × n2)·e = -|e|² n1·d, because n1 is normal to e.
     const P angle = arc_tangent<Real>(-length * dot(n1, d), dot(n1, n2));
-    const P per_both = per_length / (result.defined ? s1 * s2 : one);  // one division for both normals
+    const P per_both = per_length / (result.defined ? product : one);  // one division for both normals
     const P i1 = per_both * s2, i2 = per_both * s1;
 
     P slope = one;
@@ -37,10 +39,11 @@ struct PackKernel<HingeAngle> {
       result.value = change < -pi ? change + 2 * pi : change;
     } else {
       const P delta = Real(0.5) * change, s = sine<Real>(Real(0.5) * delta);
-      const P cosine = square_root(one - s * s), size = delta < P{} ? -delta : delta;
-      const auto tiny = size < std::sqrt(std::numeric_limits<Real>::epsilon());
+      const P rest_of_one = one - s * s, size = delta < P{} ? -delta : delta;
+      const P cosine = square_root(rest_of_one > P{} ? rest_of_one : P{});  // s may round to above 1
       const P twice_energy = 4 * rest[2] * (2 * s * cosine - delta) + 8 * rest[3] * s * s;
-      const P root = square_root(twice_energy > P{} ? twice_energy : P{});
+      const auto tiny = (size < std::sqrt(std::numeric_limits<Real>::epsilon())) | (twice_energy <= P{});
+      const P root = square_root(tiny ? one : twice_energy);
       const P signed_root = delta < P{} ? -root : root;
       result.value = tiny ? delta * square_root(2 * rest[3]) : signed_root;
       slope = tiny ? square_root(Real(0.5) * rest[3])

@@ -103,9 +103,33 @@ BENDLAB_INLINE Pack<double> inverse_square_root(const Pack<double>& x) {
 }
 
 template <class Real>
+using PackMask = decltype(Pack<Real>{} < Pack<Real>{});
+
+/// Whether a lane of a comparison is true.
+template <class Mask>
+BENDLAB_INLINE bool any(const Mask& mask) {
+#if defined(__AVX512F__)
+  return _mm512_test_epi32_mask((__m512i)mask, (__m512i)mask) != 0;
+#else
+  std::array<unsigned long long, sizeof(Mask) / sizeof(unsigned long long)> words;
+  std::memcpy(words.data(), &mask, sizeof(mask));
+  unsigned long long all = 0;
+  for (const unsigned long long word : words) all |= word;
+  return all != 0;
+#endif
+}
+
+template <class Real>
 struct PackVector {
   Pack<Real> x, y, z;
 };
+
+/// By lanes, `a` where the mask is true, else `b`.
+template <class Real, class Mask>
+BENDLAB_INLINE PackVector<Real> select(const Mask& mask, const PackVector<Real>& a,
+                                       const PackVector<Real>& b) {
+  return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
+}
 
 template <class Real>
 BENDLAB_INLINE PackVector<Real> operator-(const PackVector<Real>& a, const PackVector<Real>& b) {

@@ -16,7 +16,7 @@ struct PackKernel<QuadraticBend> {
                                   scaled<Real>(rest[3], p[3].position - p[0].position);
     const P squared = dot(bend, bend), one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[5];
     PackConstraint<Real, 4> result;
-    result.defined = squared > least * least;
+    result.defined = (squared > least * least) & (squared < overgrown_square<Real> * rest[5] * rest[5]);
     if constexpr (law == QuadraticBend::Law::norm) {
       const P per_norm = inverse_square_root(result.defined ? squared : one);
       result.value = squared * per_norm - rest[4];
@@ -26,6 +26,19 @@ struct PackKernel<QuadraticBend> {
       for (std::size_t i = 0; i < 4; ++i) result.gradient[i] = scaled<Real>(rest[i], bend);
     }
     return result;
+  }
+
+  template <class Real, QuadraticBend::Law law>
+  BENDLAB_INLINE static Pack<Real> when_collapsed(const std::array<PackPoints<Real>, 4>& p,
+                                                  const std::array<Pack<Real>, 6>& rest,
+                                                  std::integral_constant<QuadraticBend::Law, law>) {
+    using P = Pack<Real>;
+    const PackVector<Real> bend = scaled<Real>(rest[1], p[1].position - p[0].position) +
+                                  scaled<Real>(rest[2], p[2].position - p[0].position) +
+                                  scaled<Real>(rest[3], p[3].position - p[0].position);
+    const P least = collapsed_ratio<Real> * rest[5];
+    const P value = law == QuadraticBend::Law::norm ? -rest[4] : -Real(0.5) * rest[4] * rest[4];
+    return dot(bend, bend) > least * least ? P{} : value;
   }
 };
 

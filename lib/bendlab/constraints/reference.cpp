@@ -48,6 +48,23 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
+// A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if any.
+template <class Real, std::size_t N, class ValueAt>
+ConstraintValue<Real, N> opening(const std::array<Point<Real>*, N>& p,
+                                 const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
+  ConstraintValue<Real, N> c = value_at(vectors_of<Real>(p));
+  if (c.defined || c.value == 0 || rest[0] == nullptr) return c;
+  const ConstraintValue<Real, N> at_rest = value_at(vectors_of<Real>(rest));
+  return {c.value, at_rest.gradient, at_rest.defined};
+}
+
+template <class Real, class... Offsets>
+std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real>* rest_points,
+                                                                Offsets... offsets) {
+  if (rest_points == nullptr) return {};
+  return {&point_at(rest_points, offsets)...};
+}
+
 // XPBD where the kind itself says how the multiplier changes.
 template <class Real, OneSided Kind, std::size_t N>
 void project_one_sided(const std::array<Point<Real>*, N>& p, const ConstraintValue<Real, N>& c,
@@ -73,8 +90,10 @@ void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real sub
     const std::array<Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
                                            &point_at(points, batch.b[lane])};
     const bool compliant = batch.kind == StiffnessKind::compliance;
-    project_reference(p, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), batch.k,
-                      compliant ? &batch.multiplier[lane] : nullptr, compliant ? alpha : Real(0));
+    const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
+                           [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
+    project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
+                      compliant ? alpha : Real(0));
   });
 }
 
@@ -89,15 +108,34 @@ void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real subst
     // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
     const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
-    const auto apply = [&](std::size_t term, const ConstraintValue<Real, 3>& c, Real k, Real term_alpha) {
+    const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
+    const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at) {
       if (k == 0) return;
-      project_reference(p, c, k, compliant ? &batch.multiplier[term * count + lane] : nullptr,
+      project_reference(p, opening(p, rest, value_at), k,
+                        compliant ? &batch.multiplier[term * count + lane] : nullptr,
                         compliant ? term_alpha : Real(0));
     };
-    apply(0, stretch_constraint(vectors_of<Real>(p), q, 0, batch.form), batch.warp, stretch_alpha);
-    apply(1, stretch_constraint(vectors_of<Real>(p), q, 1, batch.form), batch.weft, stretch_alpha);
-    apply(2, shear_constraint(vectors_of<Real>(p), q, batch.form), batch.shear, alpha);
-    apply(3, area_constraint(vectors_of<Real>(p), q), batch.area, alpha);
+    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever that term has
+    // made of f.
+    const auto start = vectors_of<Real>(p);
+    const auto stretch = [&](int axis) {
+      const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };
+      const ConstraintValue<Real, 3> before = constraint(start);
+      const bool opens = !before.defined && before.value != 0 && rest[0] != nullptr;
+      const auto which = static_cast<std::size_t>(axis);
+      return [&, axis, which, opens](const auto& x) {
+        if (!opens) return stretch_constraint(x, q, axis, batch.form);
+        auto c = stretch_constraint(vectors_of<Real>(rest), q, axis, StrainForm::normalised);
+        c.value =
+            deformation_gradient(x, q)[which].dot(deformation_gradient(vectors_of<Real>(rest), q)[which]) - 1;
+        return c;
+      };
+    };
+    const auto warp = stretch(0), weft = stretch(1);
+    apply(0, batch.warp, stretch_alpha, warp);
+    apply(1, batch.weft, stretch_alpha, weft);
+    apply(2, batch.shear, alpha, [&](const auto& x) { return shear_constraint(x, q, batch.form); });
+    apply(3, batch.area, alpha, [&](const auto& x) { return area_constraint(x, q); });
   });
 }
 
@@ -137,7 +175,9 @@ void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Rea
     const auto p = corners_of<Kind>(points, batch, lane);
     const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
     const auto rest = rest_of(batch, lane);
-    const auto c = Kind::value(vectors_of<Real>(p), rest, batch.law);
+    std::array<const Point<Real>*, Kind::arity> at_rest{};
+    if (batch.rest_points != nullptr) at_rest = corners_of<Kind>(batch.rest_points, batch, lane);
+    const auto c = opening(p, at_rest, [&](const auto& x) { return Kind::value(x, rest, batch.law); });
     if constexpr (OneSided<Kind>) {
       if (compliant)
         project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane]);

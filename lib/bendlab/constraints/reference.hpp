@@ -16,7 +16,8 @@ template <class Real>
 ConstraintValue<Real, 2> distance_constraint(const std::array<Vector3Of<Real>, 2>& p, Real rest_length) {
   const Vector3Of<Real> d = p[0] - p[1];
   const Real length = d.norm();
-  if (!(length > collapsed_ratio<Real> * rest_length)) return {.gradient = {}, .defined = false};
+  if (!(length > collapsed_ratio<Real> * rest_length))
+    return {.value = -rest_length, .gradient = {}, .defined = false};
   const Vector3Of<Real> n = d / length;
   return {length - rest_length, {n, -n}};
 }
@@ -42,31 +43,41 @@ ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>
                                             const std::array<Real, 4>& q, int i, StrainForm form) {
   const Vector3Of<Real> f = deformation_gradient(p, q)[static_cast<std::size_t>(i)];
   const Real length = f.norm();
-  if (!(length > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
-  const bool normalised = form == StrainForm::normalised;
+  if (!(length > collapsed_ratio<Real>)) return {.value = -1, .gradient = {}, .defined = false};
+  if (!(length * length < overgrown_square<Real>)) return {.gradient = {}, .defined = false};
+  const bool normalised = form != StrainForm::green;
   const Vector3Of<Real> direction = normalised ? Vector3Of<Real>(f / length) : Vector3Of<Real>(2 * f);
   const auto column = static_cast<std::size_t>(i);
   return {normalised ? length - 1 : length * length - 1,
           detail::with_first_from_rest<Real>(q[column] * direction, q[2 + column] * direction)};
 }
 
-/// Shear: S_12 / (|f1| |f2|) (SBD 2014, eq. 15) or S_12 (eq. 10).
+/// Shear: S_12 / (|f1| |f2|) (SBD 2014, eq. 15), S_12 (eq. 10) or the arcsine of the first.
 template <class Real>
 ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                           const std::array<Real, 4>& q, StrainForm form) {
   const auto [f1, f2] = deformation_gradient(p, q);
   if (form == StrainForm::green) {
     const Real scale = f1.squaredNorm() + f2.squaredNorm();
-    if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+    if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real> && scale < overgrown_square<Real>))
+      return {.gradient = {}, .defined = false};
+    if (!(f1.cross(f2).squaredNorm() > parallel_sine_squared<Real> * f1.squaredNorm() * f2.squaredNorm()))
+      return {.value = f1.dot(f2), .gradient = {}, .defined = false};
     return {f1.dot(f2), detail::with_first_from_rest<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
   }
   const Real l1 = f1.norm(), l2 = f2.norm();
-  if (!(l1 > collapsed_ratio<Real> && l2 > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+  if (!(l1 > collapsed_ratio<Real> && l2 > collapsed_ratio<Real> && l1 * l1 < overgrown_square<Real> &&
+        l2 * l2 < overgrown_square<Real>))
+    return {.gradient = {}, .defined = false};
   const Vector3Of<Real> n1 = f1 / l1, n2 = f2 / l2;
-  const Real cosine = n1.dot(n2);
-  if (!(1 - cosine * cosine > parallel_sine_squared<Real>)) return {.gradient = {}, .defined = false};
-  const Vector3Of<Real> a1 = (n2 - cosine * n1) / l1, a2 = (n1 - cosine * n2) / l2;
-  return {cosine, detail::with_first_from_rest<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
+  const Real cosine = n1.dot(n2), sine = n1.cross(n2).norm();
+  const bool is_angle = form == StrainForm::angle;
+  const Real value = is_angle ? std::atan2(cosine, sine) : cosine;
+  if (!(1 - cosine * cosine > parallel_sine_squared<Real>))
+    return {.value = value, .gradient = {}, .defined = false};
+  const Real slope = is_angle ? 1 / sine : Real(1);
+  const Vector3Of<Real> a1 = slope * (n2 - cosine * n1) / l1, a2 = slope * (n1 - cosine * n2) / l2;
+  return {value, detail::with_first_from_rest<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
 }
 
 /// Area ratio: A / A0 - 1 (SBD 2014, eqs. 17 and 19).
@@ -75,7 +86,10 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
                                          const std::array<Real, 4>& q) {
   const Vector3Of<Real> e1 = p[1] - p[0], e2 = p[2] - p[0], normal = e1.cross(e2);
   const Real twice_area = normal.norm(), inverse_rest = std::abs(q[0] * q[3] - q[1] * q[2]);
-  if (!(twice_area * inverse_rest > collapsed_ratio<Real>)) return {.gradient = {}, .defined = false};
+  if (!(twice_area * inverse_rest > collapsed_ratio<Real>))
+    return {.value = -1, .gradient = {}, .defined = false};
+  if (!(twice_area * twice_area * inverse_rest * inverse_rest < overgrown_square<Real>))
+    return {.gradient = {}, .defined = false};
   const Vector3Of<Real> n = normal / twice_area;
   return {twice_area * inverse_rest - 1,
           detail::with_first_from_rest<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};

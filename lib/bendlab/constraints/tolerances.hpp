@@ -17,4 +17,9 @@ inline constexpr Real collapsed_ratio = 16 * std::numeric_limits<Real>::epsilon(
 template <class Real>
 inline constexpr Real parallel_sine_squared = Real(1e-6);
 
+/// Above this square of its ratio to its rest value an element is not corrected: a billion times too large in float, and
+/// the powers of it that projections take would overflow.
+template <class Real>
+inline constexpr Real overgrown_square = sizeof(Real) == 4 ? Real(1e18) : Real(1e150);
+
 }  // namespace bendlab

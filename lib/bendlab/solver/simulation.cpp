@@ -125,6 +125,7 @@ class PbdStep final : public TimeStep<Real> {
     DistanceBatch<Real>& distance = constraints_.distance;
     distance = batch_of(input.distance, star_order, make_distance_batch<Real>, distance_tiles_);
     const BendingStiffness& d = input.bending_stiffness;
+    strain.rest_points = distance.rest_points = this->rest_points();
     distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
     distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
     if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
@@ -134,6 +135,7 @@ class PbdStep final : public TimeStep<Real> {
       batch = batch_of(list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
                        element_tiles_[kind_index<Kind>]);
       batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
+      batch.rest_points = this->rest_points();
       batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
       if (d.kind == StiffnessKind::compliance)
         batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);

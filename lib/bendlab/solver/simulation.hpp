@@ -100,6 +100,7 @@ struct BendingStiffness {
 struct SimulationInput {
   Positions positions;   ///< #V by 3, m: where the cloth starts
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
+  Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
   Vector3 origin;        ///< coordinates are kept relative to it, m
   double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;     ///< #V, kg
@@ -122,11 +123,14 @@ struct PassStatistics {
   std::uint64_t acted = 0;  ///< sum of what its calls say they changed (vertices, pairs …); of effects only
 };
 
-/// What stopped a simulation.
+/// What stopped a simulation: its worst vertex and triangle.
 struct Divergence {
-  double time = 0;  ///< s
-  int vertex = 0;
+  double time = 0;   ///< s
+  int vertex = 0;    ///< the first without a finite position, else the farthest
   Vector3 position;  ///< m, may be non-finite
+  std::array<int, 3> triangle = {-1, -1,
+                                 -1};  ///< vertices of the most stretched; -1 without strain constraints
+  double stretch = 1;                  ///< its larger principal stretch, may be non-finite
 };
 
 class Simulation {

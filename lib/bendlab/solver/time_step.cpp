@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace bendlab {
 namespace {
@@ -37,7 +38,17 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
     if (free && input.velocities.rows() > 0)
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
+  // A padded lane's corners are 0 and the three unit vectors: it is never collapsed.
+  for (int corner = 1; corner < 4; ++corner)
+    for (int lane = 0; lane < max_lanes; ++lane)
+      state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
+          Vector3Of<Real>::Unit(corner - 1));
   state_.previous = state_.position;
+  if (input.rest.rows() == 0) return;
+  rest_.resize(count + dummy_points);
+  for (std::size_t v = 0; v < count; ++v)
+    rest_[place_of(v)].set(
+        (input.rest.row(static_cast<Eigen::Index>(v)).transpose() - input.origin).template cast<Real>());
 }
 
 template <class Real>
@@ -84,10 +95,44 @@ void TimeStep<Real>::find_divergence() {
   for (int v = 0; v < state_.vertex_count; ++v)
     inside &= within_bound(state_.position[static_cast<std::size_t>(v)]);
   if (inside) return;
-  std::size_t vertex = 0;
-  while (within_bound(state_.position[place_of(vertex)])) ++vertex;
-  divergence_.vertex = static_cast<int>(vertex);
-  divergence_.position = state_.position[place_of(vertex)].vector().template cast<double>() + state_.origin;
+  double farthest = -1;
+  for (std::size_t vertex = 0; vertex < static_cast<std::size_t>(state_.vertex_count); ++vertex) {
+    const Vector3 position = state_.position[place_of(vertex)].vector().template cast<double>();
+    const double distance = position.allFinite() ? position.norm() : std::numeric_limits<double>::infinity();
+    if (!(distance > farthest)) continue;
+    farthest = distance;
+    divergence_.vertex = static_cast<int>(vertex);
+    divergence_.position = position + state_.origin;
+  }
+  name_worst_triangle();
+}
+
+template <class Real>
+void TimeStep<Real>::name_worst_triangle() {
+  const StrainBatch<Real>& batch = constraints_.strain;
+  std::vector<int> vertex_at(static_cast<std::size_t>(state_.vertex_count));
+  for (std::size_t v = 0; v < vertex_at.size(); ++v) vertex_at[place_of(v)] = static_cast<int>(v);
+  double worst = 0;
+  for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size(); ++lane) {
+    if (batch.order.constraint_of_lane[lane] < 0) continue;
+    const std::array<int, 3> offset = {batch.a[lane], batch.b[lane], batch.c[lane]};
+    const auto at = [&](std::size_t c) -> Vector3 {
+      return point_at(state_.position.data(), offset[c]).vector().template cast<double>();
+    };
+    const Vector3 e1 = at(1) - at(0), e2 = at(2) - at(0);
+    Eigen::Matrix<double, 3, 2> f;
+    f.col(0) = e1 * batch.q00[lane] + e2 * batch.q10[lane];
+    f.col(1) = e1 * batch.q01[lane] + e2 * batch.q11[lane];
+    const Eigen::Matrix2d s = f.transpose() * f;
+    const double half = 0.5 * (s(0, 0) + s(1, 1)), away = std::hypot(0.5 * (s(0, 0) - s(1, 1)), s(0, 1));
+    const double largest = std::sqrt(half + away);
+    if (largest <= worst) continue;  // a NaN is not
+    for (std::size_t c = 0; c < 3; ++c)
+      divergence_.triangle[c] = vertex_at[static_cast<std::size_t>(offset[c] / offset_of(1))];
+    divergence_.stretch = largest;
+    if (!std::isfinite(largest)) return;
+    worst = largest;
+  }
 }
 
 template <class Real>

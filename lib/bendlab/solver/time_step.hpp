@@ -64,12 +64,18 @@ class TimeStep : public Simulation {
   State<Real> state_;
   Constraints<Real> constraints_;
 
+  /// The rest shape in the order of state_.position, or null.
+  const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }
+
  private:
   void fill_state(const SimulationInput& input);
   bool within_bound(const Point<Real>& p) const;
   Positions to_rows(const Points<Real>& points, const Vector3& origin) const;
 
+  void name_worst_triangle();
+
   Real bound_;
+  Points<Real> rest_;
   std::vector<PassStatistics> statistics_;
   std::uint64_t substeps_done_ = 0;
   Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};

@@ -1,0 +1,252 @@
+// What each policy makes of each kind of bad mesh, counted by hand.
+#include "bendlab/mesh/bad_triangles.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/material_coordinates.hpp"
+#include "bendlab/metrics/stretch.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+constexpr double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+//  3 --- 2
+//  |   / |
+//  | /   |
+//  0 --- 1
+PolygonSoup square() {
+  return {.points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
+          .triangles = {{0, 1, 2}, {0, 2, 3}},
+          .texture_coordinates = {}};
+}
+
+double area_of(const TriangleMesh& mesh) {
+  const RestMesh rest(mesh);
+  double sum = 0;
+  for (const double area : rest.areas()) sum += area;
+  return sum;
+}
+
+struct Case {
+  const char* name;
+  PolygonSoup soup;
+  int kept_vertices, kept_triangles;          // under regularise and membrane_off
+  int repaired_vertices, repaired_triangles;  // under repair
+};
+
+std::vector<Case> cases() {
+  std::vector<Case> all;
+  const auto add = [&](const char* name, std::array<int, 4> counts, const auto& change) {
+    PolygonSoup soup = square();
+    change(soup);
+    all.push_back({name, soup, counts[0], counts[1], counts[2], counts[3]});
+  };
+  add("a vertex that is not finite", {4, 2, 4, 2}, [](PolygonSoup& s) {
+    s.points.push_back({0, nan_value, 0});
+    s.triangles.push_back({1, 2, 4});
+  });
+  add("an index out of range", {4, 2, 4, 2}, [](PolygonSoup& s) {
+    s.triangles.push_back({1, 2, 4});
+    s.triangles.push_back({-1, 2, 1});
+  });
+  add("a repeated vertex", {4, 2, 4, 2}, [](PolygonSoup& s) { s.triangles.push_back({1, 2, 1}); });
+  add("a duplicate triangle", {4, 2, 4, 2}, [](PolygonSoup& s) { s.triangles.push_back({1, 0, 2}); });
+  add("an isolated vertex", {4, 2, 4, 2}, [](PolygonSoup& s) { s.points.push_back({5, 5, 5}); });
+  // A cap on the diagonal, whose halves then share its middle: both triangles are split there.
+  add("a cap without height", {5, 3, 5, 4}, [](PolygonSoup& s) {
+    s.points.push_back({0.5, 0.5, 0});
+    s.triangles = {{0, 1, 2}, {0, 4, 2}, {0, 2, 3}};
+  });
+  // Its third vertex becomes one of the boundary.
+  add("a cap beyond the boundary", {5, 3, 5, 3}, [](PolygonSoup& s) {
+    s.points.push_back({1, 0.25, 0});
+    s.triangles.push_back({1, 4, 2});
+  });
+  // Nothing lies beyond its longest edge: it goes, and the two that it joined touch in a point.
+  add("a cap whose long edge is free", {5, 3, 6, 2}, [](PolygonSoup& s) {
+    s.points[2] = {1, 0.5, 0}, s.points[1] = {2, 0.5, 0};
+    s.points[0] = {0, 0.5, 0}, s.points[3] = {1, 1, 0};
+    s.points.push_back({2, 1, 0});
+    s.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 4}};
+  });
+  // Vertex 4 is vertex 2 once more.
+  add("a needle without width", {5, 3, 4, 2}, [](PolygonSoup& s) {
+    s.points.push_back({1, 1, 0});
+    s.triangles = {{0, 1, 2}, {0, 2, 4}, {0, 4, 3}};
+  });
+  add("a triangle at a point", {6, 3, 4, 2}, [](PolygonSoup& s) {
+    s.points.push_back({1, 1, 0});
+    s.points.push_back({1, 1, 0});
+    s.triangles.push_back({2, 4, 5});
+  });
+  add("equal points of two pieces", {6, 2, 4, 2}, [](PolygonSoup& s) {
+    s.points.push_back({0, 0, 0});
+    s.points.push_back({1, 1, 0});
+    s.triangles = {{0, 1, 2}, {4, 5, 3}};
+  });
+  // Cut into three single triangles.
+  add("three triangles at an edge", {5, 3, 9, 3}, [](PolygonSoup& s) {
+    s.points.push_back({0.5, 0.5, 1});
+    s.triangles.push_back({0, 2, 4});
+  });
+  add("a bow tie", {6, 3, 7, 3}, [](PolygonSoup& s) {
+    s.points.insert(s.points.end(), {{2, 1, 0}, {2, 2, 0}});
+    s.triangles.push_back({2, 4, 5});
+  });
+  add("mixed orientation", {4, 2, 4, 2}, [](PolygonSoup& s) { s.triangles[1] = {0, 3, 2}; });
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("every policy but refuse takes what can be simulated", "[mesh][bad]") {
+  for (const Case& c : cases())
+    for (const BadTriangles policy :
+         {BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair}) {
+      INFO(c.name << ", " << bad_triangles_names[static_cast<std::size_t>(policy)]);
+      const bool repairs = policy == BadTriangles::repair;
+      const AcceptedMesh accepted = accept(c.soup, policy);
+      for (const std::string& note : accepted.notes) UNSCOPED_INFO(note);
+      CHECK(accepted.mesh.vertex_count() == (repairs ? c.repaired_vertices : c.kept_vertices));
+      CHECK(accepted.mesh.triangle_count() == (repairs ? c.repaired_triangles : c.kept_triangles));
+      CHECK((repairs ? diagnose(accepted.mesh).empty() : true));
+      CHECK((std::string(c.name).starts_with("equal points") && !repairs) == accepted.notes.empty());
+    }
+}
+
+TEST_CASE("refuse takes only a sound mesh", "[mesh][bad]") {
+  for (const Case& c : cases()) {
+    INFO(c.name);
+    bool harmful = false;
+    for (const MeshProblem& problem : diagnose(c.soup)) harmful |= !problem.harmless();
+    if (harmful)
+      CHECK_THROWS_AS(accept(c.soup, BadTriangles::refuse), std::invalid_argument);
+    else
+      CHECK(accept(c.soup, BadTriangles::refuse).mesh.triangle_count() == 2);
+  }
+}
+
+TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
+  const TriangleMesh mesh = delaunay(1, 1, 8, 3);
+  PolygonSoup soup;
+  for (const auto& p : mesh.positions.rowwise()) soup.points.push_back({p(0), p(1), p(2)});
+  for (const auto& t : mesh.triangles.rowwise()) soup.triangles.push_back({t(0), t(1), t(2)});
+  for (const BadTriangles policy :
+       {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair}) {
+    const AcceptedMesh accepted = accept(soup, policy);
+    CHECK(accepted.mesh.positions == mesh.positions);
+    CHECK(accepted.mesh.triangles == mesh.triangles);
+    CHECK(accepted.notes.empty());
+    CHECK_FALSE(accepted.renumbered);
+  }
+}
+
+TEST_CASE("nothing to simulate is refused by every policy", "[mesh][bad]") {
+  const PolygonSoup nothing,
+      only_bad{.points = {{0, 0, 0}, {1, 0, 0}, {nan_value, 0, 0}},
+               .triangles = {{0, 1, 2}, {0, 0, 1}},
+               .texture_coordinates = {}},
+      a_point{
+          .points = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, .triangles = {{0, 1, 2}}, .texture_coordinates = {}};
+  for (const BadTriangles policy :
+       {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair})
+    for (const PolygonSoup& soup : {nothing, only_bad, a_point})
+      CHECK_THROWS_AS(accept(soup, policy), std::invalid_argument);
+}
+
+TEST_CASE("repair splits a cap's neighbours and keeps area and texture", "[mesh][bad]") {
+  PolygonSoup soup = square();
+  soup.points.push_back({0.5, 0.5, 0});
+  soup.triangles = {{0, 1, 2}, {0, 4, 2}, {0, 2, 3}};
+  for (const auto& t : soup.triangles)
+    for (const std::int64_t v : t) {
+      const auto& p = soup.points[static_cast<std::size_t>(v)];
+      soup.texture_coordinates.push_back({2 * p[0], 3 * p[1]});
+    }
+  const TriangleMesh mesh = accept(soup, BadTriangles::repair).mesh;
+  CHECK_THAT(area_of(mesh), WithinRel(1, 1e-15));
+  REQUIRE(mesh.texture_coordinates.rows() == 12);
+  for (int t = 0; t < 4; ++t)
+    for (int c = 0; c < 3; ++c) {
+      const auto p = mesh.positions.row(mesh.triangles(t, c));
+      CHECK(mesh.texture_coordinates(3 * t + c, 0) == 2 * p(0));
+      CHECK(mesh.texture_coordinates(3 * t + c, 1) == 3 * p(1));
+    }
+}
+
+// A band of ten quadrilaterals with half a turn in it.
+TEST_CASE("repair cuts a Möbius band open", "[mesh][bad]") {
+  PolygonSoup soup;
+  constexpr int around = 10;
+  for (int i = 0; i < around; ++i) {
+    const double turn = 2 * 3.14159265358979 * i / around;
+    for (const double side : {-0.2, 0.2}) {
+      const double radius = 1 + side * std::cos(turn / 2);
+      soup.points.push_back({radius * std::cos(turn), radius * std::sin(turn), side * std::sin(turn / 2)});
+    }
+  }
+  for (int i = 0; i < around; ++i) {
+    const bool seam = i + 1 == around;
+    const int a = 2 * i, b = a + 1, c = seam ? 1 : a + 2, d = seam ? 0 : a + 3;
+    soup.triangles.push_back({a, c, b});
+    soup.triangles.push_back({c, d, b});
+  }
+  CHECK_FALSE(diagnose(soup).empty());
+  const TriangleMesh mesh = accept(soup, BadTriangles::repair).mesh;
+  CHECK(diagnose(mesh).empty());
+  CHECK(mesh.vertex_count() == 2 * around + 2);  // the cut edge has two more ends
+  CHECK(mesh.triangle_count() == 2 * around);
+}
+
+TEST_CASE("a triangle without area gets a rest shape of a thousandth of its length", "[mesh][bad]") {
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    PolygonSoup soup = square();
+    soup.points.push_back({1, 0.25, 0});
+    soup.triangles.push_back({1, 4, 2});
+    for (auto& p : soup.points)
+      for (double& x : p) x *= scale;
+    const TriangleMesh mesh = accept(soup, BadTriangles::regularise).mesh;
+    CHECK(triangles_without_area(mesh) == std::vector<char>{0, 0, 1});
+    const InverseRest q = inverse_rest_from_warp(mesh, Vector3::UnitX())[2];
+    // Base 1, height 1/1000: |det Q⁻¹| = 1 / 0.001 and the foot of the height where vertex 4 is.
+    CHECK_THAT(std::abs(q[0] * q[3] - q[1] * q[2]), WithinRel(1000 / (scale * scale), 1e-9));
+  }
+}
+
+TEST_CASE("what has no area still has mass and a place in the membrane", "[mesh][bad]") {
+  PolygonSoup soup = square();
+  soup.points.push_back({1, 0.25, 0});   // held by the cap alone
+  soup.points.push_back({0.5, 0.5, 0});  // on the diagonal, in two more triangles
+  soup.triangles = {{0, 1, 2}, {0, 2, 3}, {1, 4, 2}, {0, 5, 2}, {0, 5, 3}};
+  const TriangleMesh mesh = accept(soup, BadTriangles::membrane_off).mesh;
+  const RestMesh rest(mesh);
+  const std::vector<double> mass = lumped_masses(rest, 1);
+  for (const double m : mass) CHECK(m > 0);
+  // Areas ½, ½ and ¼; the first five sixths of a mean mass for the sixth vertex is what its sound triangle gives.
+  const double mean = (0.5 + 0.5 + 0.25) / 6;
+  CHECK_THAT(mass[4], WithinRel(0.01 * mean, 1e-12));
+  CHECK_THAT(mass[5], WithinRel(0.25 / 3, 1e-12));
+
+  // Without the cap at the boundary vertex 4 would be in no constraint; the one on the diagonal can go.
+  CHECK(dispensable_triangles(rest) == std::vector<char>{0, 0, 0, 1, 0});
+  const Pins none = make_pins(rest, {}, 0);
+  const auto inverse = inverse_rest_from_warp(mesh, Vector3::UnitX());
+  CHECK(strain_constraints(rest, none, inverse).size() == 5);
+  CHECK(strain_constraints(rest, none, inverse, dispensable_triangles(rest)).size() == 4);
+  for (const InverseRest& q : inverse)
+    for (const double entry : q) CHECK(std::isfinite(entry));
+
+  // It has no stretch to be measured, however it is deformed.
+  const StretchMeter meter(rest, none);
+  Positions moved = mesh.positions;
+  moved(4, 2) += 7;
+  CHECK(meter.measure(moved)[2].largest == 1);
+}
