@@ -18,8 +18,8 @@
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
-#include "experiments/start_after.hpp"
 #include "experiments/stability.hpp"
+#include "experiments/start_after.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -120,8 +120,8 @@ std::string worst_triangle_text(const Divergence& divergence, const Triangles& t
   const auto& [a, b, c] = divergence.triangle;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     if (triangles(t, 0) == a && triangles(t, 1) == b && triangles(t, 2) == c)
-      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest", t, a, b,
-                         c, divergence.stretch);
+      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest",
+                         t, a, b, c, divergence.stretch);
   return "";
 }
 
@@ -129,10 +129,12 @@ std::string divergence_message(const Divergence& divergence, const Scene& scene)
   const bool projects = scene.input.settings.method == Method::pbd;
   const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
   return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are kept. "
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
+      "kept. "
       "A smaller /solver/dt{}{} or a lower stiffness may help",
-      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(), divergence.position.z(),
-      worst_triangle_text(divergence, scene.rest.triangles()), projects ? ", more /solver/substeps" : "",
+      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
+      divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
+      projects ? ", more /solver/substeps" : "",
       published_shear ? ", /material/strain/form: angle, the effect tethers" : "");
 }
 
@@ -163,8 +165,8 @@ struct Stepping {
   std::optional<double> settled_at = std::nullopt;  // s
 };
 
-Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder, FrameWriter& writer,
-                     std::optional<StabilityMeter>& stability, const RunConfig& config,
+Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
+                     FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
                      const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");

@@ -24,18 +24,20 @@ struct ClothKind {
   std::string scalar;
   int threads = 1;
   bool oracle = false;
-  double compliance = 0;  // of bending; 0: k
+  double compliance = 0;            // of bending; 0: k
+  std::string form = "normalised";  // of strain
   bool operator==(const ClothKind&) const = default;
 };
 
 RunConfig config_of(const ClothKind& kind) {
   const std::string text = fmt::format(
-      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}}, "initial": {{"perturbation": 1e-6}},
+      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}},
+          "material": {{"strain": {{"form": "{}"}}}}, "initial": {{"perturbation": 1e-6}},
           "solver": {{"iterations": {}, "precision": "{}", "threads": {}, "order": "{}"}}}})",
       kind.cells, kind.model,
       kind.compliance > 0 ? fmt::format(R"(, "stiffness": "compliance", "compliance": {})", kind.compliance)
                           : std::string(),
-      iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
+      kind.form, iterations, kind.scalar == "float" ? "single" : "double", kind.threads,
       kind.oracle ? "mesh" : "colour");
   return parse_experiment(text, "bench").runs.front();
 }
@@ -112,7 +114,8 @@ std::string name_of(Part part, const ClothKind& kind) {
                      : part == Part::step       ? "step"
                      : kind.model == "adaptive" ? "dense"
                                                 : kind.model.c_str();
-  return fmt::format("{}{}{}/{}", what, kind.compliance > 0 ? "_compliance" : "",
+  const std::string form = kind.form == "normalised" ? "" : "_" + kind.form;
+  return fmt::format("{}{}{}{}/{}", what, form, kind.compliance > 0 ? "_compliance" : "",
                      kind.oracle ? "_oracle" : "", kind.cells);
 }
 
@@ -192,6 +195,9 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
                                                    : Sizes{128, 1024})
         add_all({.cells = cells, .model = model, .scalar = scalar});
     }
+    add(Part::strain,
+        {.cells = usual, .model = "crossover", .scalar = scalar, .oracle = true, .form = "angle"});
+    add(Part::strain, {.cells = usual, .model = "crossover", .scalar = scalar, .form = "angle"});
     // Solved by Newton's method instead; its oracle bisects, for comparison too slow. k_b 10⁻⁷ N m².
     add(Part::bending, {.cells = usual, .model = "choi_ko", .scalar = scalar, .compliance = 1e7});
     for (const int threads : options.threads)

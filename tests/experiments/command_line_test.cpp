@@ -94,8 +94,10 @@ TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was don
   Workplace here;
   // A cap on the boundary, a triangle twice, and a third triangle at the diagonal.
   here.write("bad.obj",
-             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.5 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 2 3\nf 1 3 6\n");
-  here.write("bad.json", R"({"name": "bad", "duration": 0.2, "mesh": {"file": "bad.obj"}, "pins": {"ring": 0}})");
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.5 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 2 3\nf "
+             "1 3 6\n");
+  here.write("bad.json",
+             R"({"name": "bad", "duration": 0.2, "mesh": {"file": "bad.obj"}, "pins": {"ring": 0}})");
   CHECK(here.run("run bad.json") == 4);
   CHECK_THAT(here.err(), ContainsSubstring("1 triangle with zero area: triangle 2 (1, 4, 2)") &&
                              ContainsSubstring("bad_triangles"));
@@ -227,9 +229,9 @@ TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other
   const std::vector<json> runs = here.out_lines();
   REQUIRE(runs.size() == 2);
   CHECK(runs[0].at("status") == "diverged");
-  CHECK_THAT(runs[0].at("message").get<std::string>(),
-             ContainsSubstring("diverged at t = ") && ContainsSubstring("vertex") &&
-                 ContainsSubstring("the most stretched"));
+  CHECK_THAT(runs[0].at("message").get<std::string>(), ContainsSubstring("diverged at t = ") &&
+                                                           ContainsSubstring("vertex") &&
+                                                           ContainsSubstring("the most stretched"));
   CHECK(runs[0].at("summary").contains("mean_strain"));  // of the frames before
   CHECK(runs[1].at("status") == "complete");
   CHECK(here.run("run wild.json --json") == 6);  // found, not computed again

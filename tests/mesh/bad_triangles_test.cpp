@@ -29,8 +29,9 @@ PolygonSoup square() {
 }
 
 double area_of(const TriangleMesh& mesh) {
+  const RestMesh rest(mesh);
   double sum = 0;
-  for (const double area : RestMesh(mesh).areas()) sum += area;
+  for (const double area : rest.areas()) sum += area;
   return sum;
 }
 
@@ -64,10 +65,17 @@ std::vector<Case> cases() {
     s.points.push_back({0.5, 0.5, 0});
     s.triangles = {{0, 1, 2}, {0, 4, 2}, {0, 2, 3}};
   });
-  // On the boundary there is nothing beyond to split: it goes.
-  add("a cap at the boundary", {5, 3, 4, 2}, [](PolygonSoup& s) {
+  // Its third vertex becomes one of the boundary.
+  add("a cap beyond the boundary", {5, 3, 5, 3}, [](PolygonSoup& s) {
     s.points.push_back({1, 0.25, 0});
     s.triangles.push_back({1, 4, 2});
+  });
+  // Nothing lies beyond its longest edge: it goes, and the two that it joined touch in a point.
+  add("a cap whose long edge is free", {5, 3, 6, 2}, [](PolygonSoup& s) {
+    s.points[2] = {1, 0.5, 0}, s.points[1] = {2, 0.5, 0};
+    s.points[0] = {0, 0.5, 0}, s.points[3] = {1, 1, 0};
+    s.points.push_back({2, 1, 0});
+    s.triangles = {{0, 1, 2}, {0, 2, 3}, {2, 1, 4}};
   });
   // Vertex 4 is vertex 2 once more.
   add("a needle without width", {5, 3, 4, 2}, [](PolygonSoup& s) {
@@ -131,8 +139,8 @@ TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
   PolygonSoup soup;
   for (const auto& p : mesh.positions.rowwise()) soup.points.push_back({p(0), p(1), p(2)});
   for (const auto& t : mesh.triangles.rowwise()) soup.triangles.push_back({t(0), t(1), t(2)});
-  for (const BadTriangles policy : {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off,
-                                    BadTriangles::repair}) {
+  for (const BadTriangles policy :
+       {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair}) {
     const AcceptedMesh accepted = accept(soup, policy);
     CHECK(accepted.mesh.positions == mesh.positions);
     CHECK(accepted.mesh.triangles == mesh.triangles);
@@ -142,12 +150,14 @@ TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
 }
 
 TEST_CASE("nothing to simulate is refused by every policy", "[mesh][bad]") {
-  const PolygonSoup nothing, only_bad{.points = {{0, 0, 0}, {1, 0, 0}, {nan_value, 0, 0}},
-                                      .triangles = {{0, 1, 2}, {0, 0, 1}},
-                                      .texture_coordinates = {}},
-      a_point{.points = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, .triangles = {{0, 1, 2}}, .texture_coordinates = {}};
-  for (const BadTriangles policy : {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off,
-                                    BadTriangles::repair})
+  const PolygonSoup nothing,
+      only_bad{.points = {{0, 0, 0}, {1, 0, 0}, {nan_value, 0, 0}},
+               .triangles = {{0, 1, 2}, {0, 0, 1}},
+               .texture_coordinates = {}},
+      a_point{
+          .points = {{1, 2, 3}, {1, 2, 3}, {1, 2, 3}}, .triangles = {{0, 1, 2}}, .texture_coordinates = {}};
+  for (const BadTriangles policy :
+       {BadTriangles::refuse, BadTriangles::regularise, BadTriangles::membrane_off, BadTriangles::repair})
     for (const PolygonSoup& soup : {nothing, only_bad, a_point})
       CHECK_THROWS_AS(accept(soup, policy), std::invalid_argument);
 }

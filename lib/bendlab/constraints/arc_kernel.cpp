@@ -43,7 +43,7 @@ struct PackKernel<ArcSpring> {
   //     load - yielding (1 - ρ) = p(ρ)
   //
   // where `load` is the push that would hold the segment straight and `yielding` what shortening by L takes off it.
-  // Lanes that need no solution compute one all the same, of whatever value.
+  // Lanes that need no solution compute one all the same, of a load that has one.
   template <class Real, Law law>
   BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const std::array<Pack<Real>, 1>& rest,
                                           std::integral_constant<Law, law>, const Pack<Real>& w,
@@ -51,18 +51,24 @@ struct PackKernel<ArcSpring> {
     using P = Pack<Real>;
     const P length = rest[0], per_both = 1 / (length * w), per_w = length * per_both;
     const P straight = multiplier - value * per_w, to_push = alpha * length * length;
-    const P load = to_push * straight, yielding = to_push * length * per_w, shortened = -value * per_both * w;
-    Bent<Real> bent;
     P limit;  // of the load that a straight segment bears
-    if constexpr (law == Law::exact) {
-      bent = arc<Real>(load, yielding), limit = broadcast<Real>(12);
-    } else {
-      bent = quartic<Real>(load, yielding), limit = quartic_at<Real>(broadcast<Real>(1)).push;
-    }
+    if constexpr (law == Law::exact)
+      limit = broadcast<Real>(12);
+    else
+      limit = quartic_at<Real>(broadcast<Real>(1)).push;
+    const P whole_load = to_push * straight;
+    const auto buckles = whole_load > limit;
+    const P load = buckles ? whole_load : 2 * limit, yielding = to_push * length * per_w,
+            shortened = -value * per_both * w;
+    Bent<Real> bent;
+    if constexpr (law == Law::exact)
+      bent = arc<Real>(load, yielding);
+    else
+      bent = quartic<Real>(load, yielding);
     // The last step, in ρ: it is exact to rounding both where the push changes the length much and where little.
     const P held = to_push * multiplier;
     const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
-    const P buckled = load > limit ? step * length * per_w : -value * per_w;
+    const P buckled = buckles ? step * length * per_w : -value * per_w;
     return straight < P{} ? -multiplier : buckled;
   }
 

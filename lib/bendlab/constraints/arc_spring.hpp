@@ -50,7 +50,8 @@ struct ArcSpring {
                                         const std::array<Real, 1>& rest, Law) {
     const Vector3Of<Real> d = p[0] - p[1];
     const Real length = d.norm();
-    if (!(length > collapsed_ratio<Real> * rest[0])) return {.value = -rest[0], .gradient = {}, .defined = false};
+    if (!(length > collapsed_ratio<Real> * rest[0]))
+      return {.value = -rest[0], .gradient = {}, .defined = false};
     return {length - rest[0], {d / length, -d / length}};
   }
 

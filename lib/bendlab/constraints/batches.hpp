@@ -33,7 +33,8 @@ struct BatchOrder {
   std::size_t run_count() const { return runs.size() - 1; }
 };
 
-/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
+/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice. Where they lie
+/// changes nothing, but that a lane whose dummies lie at one point is looked at as if it had collapsed, which takes time.
 inline constexpr int dummy_points = 4 * max_lanes;
 
 template <class Real>
@@ -48,7 +49,8 @@ struct DistanceBatch {
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< times softness: α, m/N
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points =
+      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
 };
 
 enum class StrainForm {
@@ -70,7 +72,8 @@ struct StrainBatch {
   Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)
   Real compliance = 0;  ///< inverse membrane stiffness, m/N; a triangle's α is compliance / rest area
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points =
+      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
 };
 
 /// Batches from lists, in the given order. `vertex_count` is where the dummies begin.

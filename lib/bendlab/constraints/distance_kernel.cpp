@@ -14,7 +14,8 @@ struct RestEnds {
   const int *a, *b;           // offsets, a lane each
 
   // Gives d that direction and the length, where `collapsed`.
-  BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed, const Pack<Real>& length) const {
+  BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
+                           const Pack<Real>& length) const {
     if (points == nullptr) return;
     const PackVector<Real> along = gather(points, a).position - gather(points, b).position;
     const Pack<Real> squared = dot(along, along), one = broadcast<Real>(1);

@@ -65,10 +65,11 @@ BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>&
 
 // Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
 template <class Kind, class Real, class Law>
-BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(
-    PackConstraint<Real, Kind::arity> c, const std::array<PackPoints<Real>, Kind::arity>& p,
-    const std::array<Pack<Real>, Kind::rest_values>& rest, Law law, const ElementBatch<Real, Kind>& batch,
-    std::size_t lane) {
+BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kind::arity> c,
+                                                        const std::array<PackPoints<Real>, Kind::arity>& p,
+                                                        const std::array<Pack<Real>, Kind::rest_values>& rest,
+                                                        Law law, const ElementBatch<Real, Kind>& batch,
+                                                        std::size_t lane) {
   std::array<PackVector<Real>, Kind::arity> gradient{};
   PackMask<Real> opens{};
   if constexpr (requires { PackKernel<Kind>::template when_collapsed<Real>(p, rest, law); }) {
@@ -82,8 +83,7 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(
         gradient[i] = select(opens, at_rest.gradient[i], gradient[i]);
     }
   }
-  for (std::size_t i = 0; i < Kind::arity; ++i)
-    c.gradient[i] = select(c.defined, c.gradient[i], gradient[i]);
+  for (std::size_t i = 0; i < Kind::arity; ++i) c.gradient[i] = select(c.defined, c.gradient[i], gradient[i]);
   c.defined = c.defined | opens;
   return c;
 }
@@ -138,7 +138,8 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
     PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
         p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
     if (any(~c.defined)) [[unlikely]]
-      for (PackVector<Real>& gradient : c.gradient) gradient = select(c.defined, gradient, PackVector<Real>{});
+      for (PackVector<Real>& gradient : c.gradient)
+        gradient = select(c.defined, gradient, PackVector<Real>{});
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
     const Pack<Real> sum = weighted_square<Real>(p, c.gradient);

@@ -56,7 +56,8 @@ struct ElementBatch {
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< times softness: α
   std::size_t count = 0;
-  const Point<Real>* rest_points = nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points =
+      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
 };
 
 /// A batch from a list, in the given order. `vertex_count` is where the dummies begin.

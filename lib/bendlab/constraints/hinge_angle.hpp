@@ -68,12 +68,12 @@ ConstraintValue<Real, 4> HingeAngle::value(const std::array<Vector3Of<Real>, 4>&
   // With δ = (θ - θ0)/2: V = 2 sin(θ0/2) (sin δ - δ) + 4 cos(θ0/2) sin²(δ/2).
   const Real delta = change / 2, sine = std::sin(delta / 2), cosine = std::cos(delta / 2);
   Real slope;
-  if (std::abs(delta) < std::sqrt(std::numeric_limits<Real>::epsilon())) {
+  const Real twice_energy = 4 * rest[2] * (2 * sine * cosine - delta) + 8 * rest[3] * sine * sine;
+  if (std::abs(delta) < std::sqrt(std::numeric_limits<Real>::epsilon()) || twice_energy <= 0) {
     c.value = delta * std::sqrt(2 * rest[3]);
     slope = std::sqrt(rest[3] / 2);
   } else {
-    const Real twice_energy = 4 * rest[2] * (2 * sine * cosine - delta) + 8 * rest[3] * sine * sine;
-    c.value = std::copysign(std::sqrt(std::max(twice_energy, Real(0))), delta);
+    c.value = std::copysign(std::sqrt(twice_energy), delta);
     slope = 2 * (rest[3] * cosine - rest[2] * sine) * sine / c.value;
   }
   for (Vector3Of<Real>& gradient : c.gradient) gradient *= slope;

@@ -39,10 +39,11 @@ struct PackKernel<HingeAngle> {
       result.value = change < -pi ? change + 2 * pi : change;
     } else {
       const P delta = Real(0.5) * change, s = sine<Real>(Real(0.5) * delta);
-      const P cosine = square_root(one - s * s), size = delta < P{} ? -delta : delta;
-      const auto tiny = size < std::sqrt(std::numeric_limits<Real>::epsilon());
+      const P rest_of_one = one - s * s, size = delta < P{} ? -delta : delta;
+      const P cosine = square_root(rest_of_one > P{} ? rest_of_one : P{});  // s may round to above 1
       const P twice_energy = 4 * rest[2] * (2 * s * cosine - delta) + 8 * rest[3] * s * s;
-      const P root = square_root(twice_energy > P{} ? twice_energy : P{});
+      const auto tiny = (size < std::sqrt(std::numeric_limits<Real>::epsilon())) | (twice_energy <= P{});
+      const P root = square_root(tiny ? one : twice_energy);
       const P signed_root = delta < P{} ? -root : root;
       result.value = tiny ? delta * square_root(2 * rest[3]) : signed_root;
       slope = tiny ? square_root(Real(0.5) * rest[3])

@@ -126,7 +126,8 @@ struct PackVector {
 
 /// By lanes, `a` where the mask is true, else `b`.
 template <class Real, class Mask>
-BENDLAB_INLINE PackVector<Real> select(const Mask& mask, const PackVector<Real>& a, const PackVector<Real>& b) {
+BENDLAB_INLINE PackVector<Real> select(const Mask& mask, const PackVector<Real>& a,
+                                       const PackVector<Real>& b) {
   return {mask ? a.x : b.x, mask ? a.y : b.y, mask ? a.z : b.z};
 }
 

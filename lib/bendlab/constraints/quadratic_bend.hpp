@@ -27,8 +27,10 @@ struct QuadraticBend {
     const Vector3Of<Real> bend = rest[1] * (p[1] - p[0]) + rest[2] * (p[2] - p[0]) + rest[3] * (p[3] - p[0]);
     const Real norm = bend.norm();
     if (!(norm > collapsed_ratio<Real> * rest[5]))
-      return {.value = law == Law::norm ? -rest[4] : -rest[4] * rest[4] / 2, .gradient = {}, .defined = false};
-    if (!(norm * norm < overgrown_square<Real> * rest[5] * rest[5])) return {.gradient = {}, .defined = false};
+      return {
+          .value = law == Law::norm ? -rest[4] : -rest[4] * rest[4] / 2, .gradient = {}, .defined = false};
+    if (!(norm * norm < overgrown_square<Real> * rest[5] * rest[5]))
+      return {.gradient = {}, .defined = false};
     const Vector3Of<Real> direction = law == Law::norm ? Vector3Of<Real>(bend / norm) : bend;
     const Real value = law == Law::norm ? norm - rest[4] : (norm * norm - rest[4] * rest[4]) / 2;
     return {value, {rest[0] * direction, rest[1] * direction, rest[2] * direction, rest[3] * direction}};

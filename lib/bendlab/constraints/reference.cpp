@@ -59,7 +59,8 @@ ConstraintValue<Real, N> opening(const std::array<Point<Real>*, N>& p,
 }
 
 template <class Real, class... Offsets>
-std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real>* rest_points, Offsets... offsets) {
+std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real>* rest_points,
+                                                                Offsets... offsets) {
   if (rest_points == nullptr) return {};
   return {&point_at(rest_points, offsets)...};
 }
@@ -91,8 +92,8 @@ void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real sub
     const bool compliant = batch.kind == StiffnessKind::compliance;
     const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
-    project_reference(p, c, batch.k,
-                      compliant ? &batch.multiplier[lane] : nullptr, compliant ? alpha : Real(0));
+    project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
+                      compliant ? alpha : Real(0));
   });
 }
 
@@ -114,10 +115,25 @@ void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real subst
                         compliant ? &batch.multiplier[term * count + lane] : nullptr,
                         compliant ? term_alpha : Real(0));
     };
-    apply(0, batch.warp, stretch_alpha,
-          [&](const auto& x) { return stretch_constraint(x, q, 0, batch.form); });
-    apply(1, batch.weft, stretch_alpha,
-          [&](const auto& x) { return stretch_constraint(x, q, 1, batch.form); });
+    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever that term has
+    // made of f.
+    const auto start = vectors_of<Real>(p);
+    const auto stretch = [&](int axis) {
+      const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };
+      const ConstraintValue<Real, 3> before = constraint(start);
+      const bool opens = !before.defined && before.value != 0 && rest[0] != nullptr;
+      const auto which = static_cast<std::size_t>(axis);
+      return [&, axis, which, opens](const auto& x) {
+        if (!opens) return stretch_constraint(x, q, axis, batch.form);
+        auto c = stretch_constraint(vectors_of<Real>(rest), q, axis, StrainForm::normalised);
+        c.value =
+            deformation_gradient(x, q)[which].dot(deformation_gradient(vectors_of<Real>(rest), q)[which]) - 1;
+        return c;
+      };
+    };
+    const auto warp = stretch(0), weft = stretch(1);
+    apply(0, batch.warp, stretch_alpha, warp);
+    apply(1, batch.weft, stretch_alpha, weft);
     apply(2, batch.shear, alpha, [&](const auto& x) { return shear_constraint(x, q, batch.form); });
     apply(3, batch.area, alpha, [&](const auto& x) { return area_constraint(x, q); });
   });

@@ -61,6 +61,8 @@ ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& 
     const Real scale = f1.squaredNorm() + f2.squaredNorm();
     if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real> && scale < overgrown_square<Real>))
       return {.gradient = {}, .defined = false};
+    if (!(f1.cross(f2).squaredNorm() > parallel_sine_squared<Real> * f1.squaredNorm() * f2.squaredNorm()))
+      return {.value = f1.dot(f2), .gradient = {}, .defined = false};
     return {f1.dot(f2), detail::with_first_from_rest<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
   }
   const Real l1 = f1.norm(), l2 = f2.norm();
@@ -70,9 +72,10 @@ ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& 
   const Vector3Of<Real> n1 = f1 / l1, n2 = f2 / l2;
   const Real cosine = n1.dot(n2), sine = n1.cross(n2).norm();
   const bool is_angle = form == StrainForm::angle;
-  const Real value = is_angle ? std::atan2(cosine, sine) : cosine, slope = is_angle ? 1 / sine : Real(1);
+  const Real value = is_angle ? std::atan2(cosine, sine) : cosine;
   if (!(1 - cosine * cosine > parallel_sine_squared<Real>))
     return {.value = value, .gradient = {}, .defined = false};
+  const Real slope = is_angle ? 1 / sine : Real(1);
   const Vector3Of<Real> a1 = slope * (n2 - cosine * n1) / l1, a2 = slope * (n1 - cosine * n2) / l2;
   return {value, detail::with_first_from_rest<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
 }
@@ -83,7 +86,8 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
                                          const std::array<Real, 4>& q) {
   const Vector3Of<Real> e1 = p[1] - p[0], e2 = p[2] - p[0], normal = e1.cross(e2);
   const Real twice_area = normal.norm(), inverse_rest = std::abs(q[0] * q[3] - q[1] * q[2]);
-  if (!(twice_area * inverse_rest > collapsed_ratio<Real>)) return {.value = -1, .gradient = {}, .defined = false};
+  if (!(twice_area * inverse_rest > collapsed_ratio<Real>))
+    return {.value = -1, .gradient = {}, .defined = false};
   if (!(twice_area * twice_area * inverse_rest * inverse_rest < overgrown_square<Real>))
     return {.gradient = {}, .defined = false};
   const Vector3Of<Real> n = normal / twice_area;

@@ -52,7 +52,7 @@ struct ScaledTriangle {
 };
 
 double cotangent(double degrees) {
-  return 1 / std::tan(degrees * std::numbers::pi / 180);
+  return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : infinity;
 }
 
 // What percentiles are taken of, in the order of `measures`: monotone in the measure and cheaper. The edge

@@ -22,10 +22,10 @@ PrincipalStretches principal_stretches(const Vector3& f1, const Vector3& f2) {
 }
 
 double largest_of(std::span<const PrincipalStretches> stretches, const std::vector<char>& counted) {
-  double largest = std::numeric_limits<double>::quiet_NaN();
+  double largest = -1;
   for (std::size_t t = 0; t < stretches.size(); ++t)
     if (counted[t] && !(stretches[t].largest <= largest)) largest = stretches[t].largest;
-  return largest;
+  return largest < 0 ? std::numeric_limits<double>::quiet_NaN() : largest;
 }
 
 }  // namespace

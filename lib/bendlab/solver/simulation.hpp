@@ -126,11 +126,12 @@ struct PassStatistics {
 
 /// What stopped a simulation: its worst vertex and triangle.
 struct Divergence {
-  double time = 0;  ///< s
-  int vertex = 0;   ///< the first without a finite position, else the farthest
-  Vector3 position;                        ///< m, may be non-finite
-  std::array<int, 3> triangle = {-1, -1, -1};  ///< vertices of the most stretched; -1 without strain constraints
-  double stretch = 1;                      ///< its larger principal stretch, may be non-finite
+  double time = 0;   ///< s
+  int vertex = 0;    ///< the first without a finite position, else the farthest
+  Vector3 position;  ///< m, may be non-finite
+  std::array<int, 3> triangle = {-1, -1,
+                                 -1};  ///< vertices of the most stretched; -1 without strain constraints
+  double stretch = 1;                  ///< its larger principal stretch, may be non-finite
 };
 
 class Simulation {
