@@ -105,17 +105,17 @@ def remedy(run):
         ("nearest to the pin first", solver["order"] == "pins"),
         ("bending first", solver["first"] == "bending"),
         ("plain shear and stretch", strain["form"] == "green"),
+        ("shear as an angle", strain["form"] == "angle"),
         (f"shear k = {strain['shear']:g}", strain["shear"] < 1),
-        (f"corrections limited to {strain.get('limit', 0):g}", strain.get("limit", 0) > 0),
         ("tethers", any(effect["type"] == "tethers" for effect in run.get("/effects")))] if has]
     return ", ".join(parts) or "as published"
 
 
 def main(results, out):
     section = Section("Is the degenerate triangle the cause?", "pin")
-    stories = [story(run) for name in ("pin_bending", "pin_solver", "pin_tethers", "pin_strain")
-               for run in section.uses(load_experiment(results, f"stability/{name}"))]
-    force = [story(run) for run in section.uses(load_experiment(results, "stability/pin_force"))]
+    stories = [story(run) for name in ("bending", "solver", "tethers", "strain")
+               for run in section.uses(load_experiment(results, f"one_pin/{name}"))]
+    force = [story(run) for run in section.uses(load_experiment(results, "one_pin/force"))]
     section.text = (
         "A sheet of 64 × 64 cells hangs from one vertex, as published: ten iterations, k = 0.5, one step of 1/60 s. Within "
         f"{NEAR} rings of the pin each frame is asked for its worst triangle: its stretch, its shape, and how far constraints "

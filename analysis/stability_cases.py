@@ -130,7 +130,7 @@ def judge(run, control, case):
 
 
 def _of(config, pointer, rows, control, **also):
-    return [Case(f"{config}: {name}", title, config, {pointer: value}, {pointer: control}, **also) for name, title, value in rows]
+    return [Case(f"{config.removesuffix('_slow')}: {name}", title, config, {pointer: value}, {pointer: control}, **also) for name, title, value in rows]
 
 
 def _flaws():
@@ -167,14 +167,14 @@ SECTIONS = {
         ("compressed twice", "compressed to 1 % both ways", {"scale": [0.01, 0.01, 1]}),
         ("random", "at random in a box of its size", {"random": 1}), ("random 10", "at random in a box of 10 sizes", {"random": 10}),
         ("undisturbed", "the rest shape", {})], {}),
-    "Curved rest shape": _of("curved", "/initial", [
+    "Curved rest shape": _of("curved_slow", "/initial", [
         ("flattened", "a tube, flattened", {"scale": [1, 0, 1]}), ("mirrored", "a tube, mirrored", {"scale": [-1, 1, 1]}),
         ("inverted", "a tube, scaled by −0.1", {"scale": [-0.1, -0.1, -0.1]}), ("undisturbed", "a tube at rest", {})], {}),
     "Pins and loads": [
         *_of("pins", "/pins", [("one", "one corner and its ring", ONE), ("one bare", "one vertex", {**ONE, "ring": 0, "distance": 0}),
                                ("two", "two corners", TWO), ("side", "a whole side", SIDE)], SIDE, recovers=False, energy=True),
         *_of("pins", "/pins", [("all", "all pinned", {"vertices": ["upper_right"], "ring": 0, "distance": 2})], SIDE, energy=True),
-        *_of("published", "/pins", [("one", "one corner, strain as published", ONE),
+        *_of("published_slow", "/pins", [("one", "one corner, strain as published", ONE),
                                     ("two", "two corners, strain as published", TWO)], SIDE, recovers=False, energy=True),
         Case("pulled: apart", "corners pulled to twice their distance", "pulled", {"/effects": 0}, {"/effects": 1}, recovers=False),
         Case("gust: gale", "a gale of 100× the weight", "gust", {"/effects": 0}, {"/effects": 1}, recovers=False),
@@ -182,7 +182,7 @@ SECTIONS = {
         *_of("mass_hanging", "/material/density_ratio", [("hanging", "… hanging from the light half", 1e6)], 1, recovers=False)],
     "Solver": [
         *_of("time_step", "/solver/dt", [("0.1 s", "dt 0.1 s", 0.1), ("1 s", "dt 1 s", 1)], 1 / 60, recovers=False, energy=True),
-        *_of("iterations", "/solver/iterations", [("1", "1 iteration", 1)], 10, recovers=False, energy=True),
+        *_of("iterations", "/solver/iterations", [("one", "1 iteration", 1)], 10, recovers=False, energy=True),
         *_of("iterations_slow", "/solver/iterations", [("1000", "1000 iterations", 1000)], 10, recovers=False, energy=True),
         *_of("stiff", "/bending/k", [("k = 1", "k = 1 everywhere", 1)], 0.5, recovers=False, energy=True)],
     "Flawed meshes": [*_of("flaws", "/mesh/flaw", _flaws(), "none"), *_of("flaws_mended_slow", "/mesh", _mended(), {"flaw": "none"})],
@@ -194,7 +194,7 @@ SECTIONS = {
                                  ("grid", "the plain grid", {"cells": 32})], {"cells": 32}),
         *_of("order_slow", "/mesh", [("1", "projected in random order", {"shuffle": 1}),
                                 ("2", "projected in another random order", {"shuffle": 2})], {"cells": 32}),
-        *_of("units", "/mesh", [("mm", "a millimetre wide", {"cells": 32, "scale": 0.001}),
+        *_of("units_slow", "/mesh", [("mm", "a millimetre wide", {"cells": 32, "scale": 0.001}),
                                 ("km", "a kilometre wide", {"cells": 32, "scale": 1000}),
                                 ("far", "10⁶ m from the origin", {"cells": 32, "offset": [1e6, 1e6, 1e6]})],
              {"cells": 32}),
@@ -206,7 +206,7 @@ SECTIONS = {
                                      ("flying", "falling, flying", {"velocity": [3, 2, 1]}), ("falling", "falling", {})],
              {}, energy=True),
         *_of("falling", "/initial", [("tumbling", "falling, tumbling", {"spin": [5, 0, 0]})], {}, recovers=False, energy=True),
-        *_of("energy", "/initial", [("stretched", "elastic, stretched", {"scale": [1.2, 1.2, 1]}),
+        *_of("energy_slow", "/initial", [("stretched", "elastic, stretched", {"scale": [1.2, 1.2, 1]}),
                                     ("crumpled", "elastic, crumpled", {"perturbation": 0.02}),
                                     ("tumbling", "elastic, tumbling", {"spin": [3, 0, 0]})], {}, recovers=False, energy=True),
         Case("rest_slow: ten minutes", "a curtain for ten minutes", "rest_slow", {}, {}, recovers=False, energy=True, creep=True)],

@@ -4,6 +4,7 @@ import json
 from pathlib import Path
 
 import fig_stability
+import fig_stability_pin
 import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
@@ -20,7 +21,8 @@ def main(results, out):
     section = fig_stability.main(results, out)
     text = json.dumps([as_json(cell) for cell in section.cells.values()], indent=2, ensure_ascii=False)
     (out / "summary.json").write_text(text + "\n", encoding="utf-8")
-    (out / "index.html").write_text(document("bendlab: what is stable?", body(section)), encoding="utf-8")
+    pin = fig_stability_pin.main(results, out)
+    (out / "index.html").write_text(document("bendlab: what is stable?", body(section, pin)), encoding="utf-8")
     return section
 
 
@@ -29,7 +31,7 @@ def as_json(cell):
             "verdict": cell.verdict, "worst": rounded(cell.worst.as_json()), "seconds": rounded(cell.run.cpu_s), "why": cell.why}
 
 
-def body(section):
+def body(section, pin):
     """The page below its head."""
     cells = section.cells
     parts = ["<h1>What is stable?</h1>",
@@ -38,6 +40,7 @@ def body(section):
              section_html(section, EVERYTHING)]
     for title, cases in SECTIONS.items():
         parts.append(section_of(title, cases, section))
+    parts.append(section_html(pin, EVERYTHING))
     parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every run.</p>")
     return "\n".join(parts)
 

@@ -52,7 +52,7 @@ REASONS = [
            "the gradient of the published shear vanishes as warp and weft become parallel: a projection throws the triangle"),
     Reason(("mass_hanging",), (), _strained,
            "a projection moves the light end alone: in ten rounds a few rows give way, and the heavy half falls almost freely"),
-    Reason(("iterations: 1", "time_step"), (), _strained,
+    Reason(("iterations: one", "time_step"), (), _strained,
            "a correction gets a row farther in each round: far from the pins the sheet still falls freely"),
     Reason(("gust", "pulled", "pins", "falling"), (), _strained, "ten rounds a step do not reach through the sheet: the load is not carried yet"),
     Reason(("",), SPRINGS, _bent, "springs between vertices resist bending as κ³ only: nearly flat they are limp"),

@@ -203,14 +203,14 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
 void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   if (!mesh.contains("file")) return;
   for (const std::string_view name : names_of(find_section("/mesh")->parameters)) {
-    if (name == "file" || name == "scale" || name == "offset") continue;
+    if (name == "file" || name == "scale" || name == "offset" || name == "bad_triangles") continue;
     const std::string pointer = child_pointer("/mesh", name);
     mesh.erase(std::string(name));
     if (value_at(given, pointer) != nullptr)
-      problems.push_back(
-          {pointer,
-           "does not go with /mesh/file, which brings the whole mesh (only scale and offset do): remove "
-           "one of the two; to vary meshes, sweep or set /mesh as a whole"});
+      problems.push_back({pointer,
+                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset and "
+                          "bad_triangles do): "
+                          "remove one of the two; to vary meshes, sweep or set /mesh as a whole"});
   }
 }
 
@@ -251,9 +251,8 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   if (model->name == "none") return;
   if (!model->springs_only || model->prestressed) {
     if (quartic)
-      report(
-          "quartic_coefficient",
-          "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");
+      report("quartic_coefficient",
+             "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");
     else if (!rigidity)
       report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
   } else if (quartic && rigidity) {

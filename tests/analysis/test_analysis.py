@@ -524,7 +524,7 @@ class StripTest(unittest.TestCase):
         self.assertTrue(checks)
         self.assertEqual({check["holds"] for check in checks}, {None})
         self.assertEqual(set(checks[0]), {"check", "model", "mesh", "expected", "measured", "tolerance", "source", "holds", "note"})
-        self.assertIn("configs/stiffness/hinges.json: 32 runs", text)
+        self.assertIn("configs/stiffness/hinges.json: 48 runs", text)
         self.assertIn("no runs", text)
 
 

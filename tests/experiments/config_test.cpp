@@ -199,7 +199,7 @@ TEST_CASE("config: the name names a folder") {
 TEST_CASE("config: a mesh file takes the place of the generator") {
   const RunConfig run = single_run(with(R"("mesh": {"file": "shirt.obj", "scale": 0.001})"));
   CHECK(run.section("/mesh").text("file") == "shirt.obj");
-  CHECK(run.resolved["mesh"].size() == 2);
+  CHECK(run.resolved["mesh"].size() == 4);  // the file, its scale, offset and what is done with bad triangles
   CHECK(single_run(with(R"("mesh": {"file": null})")).section("/mesh").text("generator") == "grid");
   CHECK_THAT(only_problem(with(R"("mesh": {"file": "shirt.obj", "generator": "grid"})"), "/mesh/generator"),
              Catch::Matchers::ContainsSubstring("does not go with /mesh/file"));

@@ -77,7 +77,8 @@ TEST_CASE("sweep: points that are the same run are merged, their label names wha
 TEST_CASE("sweep: whole objects, lists, effects and their settings can be swept") {
   const Experiment objects =
       experiment(R"("mesh": {"cells": 5}, "sweep": {"/mesh": [{"generator": "disc"}, {"file": "a.obj"}]})");
-  CHECK(values(objects, "/mesh").at(1) == R"({"file":"a.obj","scale":1.0})");
+  CHECK(values(objects, "/mesh").at(1) ==
+        R"({"file":"a.obj","scale":1.0,"offset":[0.0,0.0,0.0],"bad_triangles":"refuse"})");
   CHECK(objects.runs.at(0).section("/mesh").integer("cells") == 32);  // the object is replaced as a whole
   CHECK(objects.runs.at(0).mesh_file.empty());
   CHECK(objects.runs.at(1).mesh_file == "a.obj");
