@@ -61,7 +61,8 @@ ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& 
     const Real scale = f1.squaredNorm() + f2.squaredNorm();
     if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real> && scale < overgrown_square<Real>))
       return {.gradient = {}, .defined = false};
-    if (!(f1.cross(f2).squaredNorm() > parallel_sine_squared<Real> * f1.squaredNorm() * f2.squaredNorm()))
+    const Real product = f1.squaredNorm() * f2.squaredNorm();
+    if (!(f1.cross(f2).squaredNorm() > parallel_sine_squared<Real> * product || product > open_product<Real>))
       return {.value = f1.dot(f2), .gradient = {}, .defined = false};
     return {f1.dot(f2), detail::with_first_from_rest<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
   }

@@ -135,7 +135,7 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const R
     return {s12,
             one,
             {combination<Real>(q.q00, f2, q.q01, f1), combination<Real>(q.q10, f2, q.q11, f1)},
-            in_bounds<Real>(s11 + s22) & aslant};
+            in_bounds<Real>(s11 + s22) & (aslant | (product > broadcast<Real>(open_product<Real>)))};
   } else {
     const auto defined = in_bounds<Real>(s11) & in_bounds<Real>(s22) & aslant;
     const Pack<Real> inverse = one / (defined ? product : one);

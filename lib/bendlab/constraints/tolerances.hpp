@@ -17,6 +17,11 @@ inline constexpr Real collapsed_ratio = 16 * std::numeric_limits<Real>::epsilon(
 template <class Real>
 inline constexpr Real parallel_sine_squared = Real(1e-6);
 
+/// S_11 S_22 up to which plain shear of parallel warp and weft opens along its rest shape. Above it the value, |S_12|, is
+/// that of a stretched triangle, and the rest shape's gradient would throw it by as much.
+template <class Real>
+inline constexpr Real open_product = 4;
+
 /// Above this square of its ratio to its rest value an element is not corrected: a billion times too large in float, and
 /// the powers of it that projections take would overflow.
 template <class Real>
