@@ -129,7 +129,7 @@ class Equilibrium final : public TimeStep<double> {
 
   // So that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
-    const VectorXd& forces = loads_.norm() > 0 ? loads_ : residual_;
+    const VectorXd& forces = starts_near_ && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
     inverse_tau_squared_ = acceleration / (0.05 * size_);
   }

@@ -25,7 +25,8 @@ class TimeStep : public Simulation {
   const Divergence& divergence() const final { return divergence_; }
   const std::vector<PassStatistics>& passes() const final { return statistics_; }
   double helper_seconds() const final { return workers_.helper_seconds(); }
-  std::uint64_t projections() const final { return substeps_done_ * projections_per_substep(); }
+  std::uint64_t projections() const final { return substeps() * projections_per_substep(); }
+  std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
 
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
@@ -63,6 +64,7 @@ class TimeStep : public Simulation {
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;
+  std::uint64_t cut_substeps_ = 0;  ///< beyond those of the settings
 
   /// The rest shape in the order of state_.position, or null.
   const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }
