@@ -26,6 +26,8 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+// CGAL's repair of a soup renumbers what it leaves alone and knows no texture, and a NaN in a point that nothing uses
+// merges points that differ; its remove_degenerate_faces() sees no area only where it is exactly zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
