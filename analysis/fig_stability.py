@@ -148,7 +148,7 @@ def _stills(title, failed, out):
     axes.imshow(sheet, interpolation="none", extent=(0, width, height, 0))
     axes.set_axis_off()
     name = "fig_stability_" + title.lower().replace(" ", "_")
-    return style.save(figure, out, name, dpi=DPI)
+    return style.save(figure, out, name, dpi=DPI, tight=False)
 
 
 def _still(axes, sheet, cell, left, top):
