@@ -25,6 +25,7 @@ import page  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_page  # noqa: E402
+import stability_reasons  # noqa: E402
 import stiffness_page  # noqa: E402
 import strips  # noqa: E402
 import style  # noqa: E402
@@ -467,6 +468,24 @@ class StabilityTest(unittest.TestCase):
         self.assertIn("no bending, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
         self.assertEqual(text.count("it slips"), 1)
         self.assertIn(f"<li>{stability_page.UNKNOWN}</li>", text)
+
+    def test_every_reason_is_of_a_case_and_names_a_number(self):
+        names = [case.name for case in stability_cases.CASES]
+        for one in stability_reasons.REASONS:
+            self.assertRegex(one.text, r"\d")
+            for beginning in one.cases:
+                self.assertTrue(any(name.startswith(beginning) for name in names), beginning)
+            self.assertLessEqual(set(one.models), set(load.MODELS))
+
+    def test_a_reason_needs_its_number(self):
+        cell = lambda name, status="complete", **numbers: SimpleNamespace(
+            case=SimpleNamespace(name=name), model="none", run=SimpleNamespace(status=status, summary=numbers))
+        folded = stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.3))
+        self.assertIn("fold", folded)
+        self.assertEqual(stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.0)), "")
+        self.assertEqual(stability_reasons.reason(cell("start: creased", "diverged", stability_shut_hinges=0.3)), "")
+        bare, ring = (stability_reasons.reason(cell(name, mean_strain=0.5)) for name in ("pins: one bare", "pins: one"))
+        self.assertNotEqual(bare, ring)  # one name begins with the other
 
     def test_every_place_of_every_sweep_is_a_case_or_what_one_is_compared_with(self):
         canonical = lambda value: json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)  # 1 and 1.0 are equal
