@@ -11,7 +11,6 @@ NEAR = 0.01  # RMS distance from the rest shape from which on a cloth counts as 
 NOT_BACK = 0.05  # an undisturbed run that ends farther away is no yardstick
 APART = 5.0  # times the reach at the start, at least a size: a cloth that ever reaches farther has flown apart
 FAR = 2.0  # at the end; at rest a cloth reaches half a size from its middle
-TORN = 1.05  # mean strain: triangles squeezed to nothing have 1
 STRAIN_FLOOR, STRAIN_CEILING = 0.01, 0.1  # a control below the one or above the other is no yardstick
 ENERGY = 1e-3  # of the energy scale
 CREEP = 1e-3  # in the second half of ten minutes
@@ -92,11 +91,10 @@ def criteria(run, control, case):
     seen = lambda name: run.summary.get(f"stability_{name}", np.nan)
     strain = run.summary.get("mean_strain", np.nan)
     calm = control.summary.get("mean_strain", np.nan) if control is not None and control.complete else np.nan
-    torn = max(TORN, float(run.metrics["mean_strain"][0]))  # a start that was torn may take longer to come back
     calm = min(max(calm, STRAIN_FLOOR), STRAIN_CEILING) if np.isfinite(calm) else STRAIN_FLOOR
     found = [Criterion("reach of all times", seen("reach"), APART * max(seen("reach_start"), 1), "sizes", RED),
              Criterion("reach at the end", seen("reach_end"), FAR, "sizes", RED),
-             Criterion("mean strain", strain, torn, "1", RED)]
+             Criterion("mean strain", strain, 2 * calm, "1", AMBER if np.isfinite(strain) else RED)]
     if "stability_momentum_drift" in run.summary:
         # Each projection rounds its (at most four) points, independently: a random walk, divided by the vertices.
         roundings = np.sqrt(4 * run.summary["projections"]) / run.summary["vertices"]
@@ -104,8 +102,6 @@ def criteria(run, control, case):
                                MOMENTUM * max(roundings, 1) * seen("rounding_speed"), "m/s", RED))
     if case.energy and "stability_energy_gain" in run.summary:
         found.append(Criterion("energy gained", seen("energy_gain"), ENERGY, "of the scale", RED))
-    if strain <= torn:
-        found.append(Criterion("mean strain", strain, 2 * calm, "1", AMBER))
     if case.recovers:
         there = control.summary.get("stability_rest_distance", 0) if control is not None and control.complete else 0
         found.append(Criterion("distance from rest", seen("rest_distance"), min(max(NEAR, 2 * there), NOT_BACK), "sizes", AMBER))
