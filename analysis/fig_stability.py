@@ -39,12 +39,12 @@ def cells_of(results, section):
     """(case name, model, precision) → cell of every run that is there."""
     cells, experiments = {}, {}
     for case in CASES:
-        if case.config not in experiments:
-            experiments[case.config] = load_experiment(results, f"{FOLDER}/{case.config}")
-            section.uses(experiments[case.config])
-        experiment = experiments[case.config]
-        place = lambda wanted: {pointer: _swept(experiment, pointer, value) for pointer, value in wanted.items()}
-        runs, controls = _at(experiment, place(case.where)), _at(experiment, place(case.control))
+        for config in (case.config, case.control_config or case.config):
+            if config not in experiments:
+                experiments[config] = load_experiment(results, f"{FOLDER}/{config}")
+                section.uses(experiments[config])
+        runs = _at(experiments[case.config], case.where)
+        controls = _at(experiments[case.control_config or case.config], case.control)
         for key, run in runs.items():
             cell = judge(run, controls.get(key), case)
             cell.why = reason(cell) if cell.verdict != GREEN else ""
@@ -59,7 +59,8 @@ def _swept(experiment, pointer, value):
 
 def _at(experiment, where):
     """(model, precision) → the run at a place of the sweep."""
-    here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == value for pointer, value in where.items())
+    here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == _swept(experiment, pointer, value)
+                           for pointer, value in where.items())
     return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
             if run.status in ("complete", "diverged") and here(run)}
 

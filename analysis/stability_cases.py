@@ -30,6 +30,7 @@ class Case:
     energy: bool = False  # whether nothing drives it, and energy is all known
     creep: bool = False
     models: tuple = ()  # those it is made for; empty: all
+    control_config: str = ""  # where the undisturbed runs are, if not in its own
 
     @property
     def rule(self):
@@ -174,11 +175,17 @@ SECTIONS = {
                                     ("two", "two corners, strain as published", TWO)], SIDE, recovers=False, energy=True),
         Case("pulled: apart", "corners pulled to twice their distance", "pulled", {"/effects": 0}, {"/effects": 1}, recovers=False),
         Case("gust: gale", "a gale of 100× the weight", "gust", {"/effects": 0}, {"/effects": 1}, recovers=False),
+        Case("gust_cut: gale", "… with its flight limited", "gust_cut_slow", {"/effects": 0}, {"/effects": 1}, recovers=False),
         *_of("mass", "/material/density_ratio", [("free", "one half 10⁶ times as heavy", 1e6)], 1),
-        *_of("mass_hanging", "/material/density_ratio", [("hanging", "… hanging from the light half", 1e6)], 1, recovers=False)],
+        *_of("mass_hanging", "/material/density_ratio", [("hanging", "… hanging from the light half", 1e6)], 1, recovers=False),
+        *_of("mass_tethered", "/material/density_ratio", [("hanging", "… with tethers", 1e6)], 1, recovers=False)],
     "Solver": [
         *_of("time_step", "/solver/dt", [("0.1 s", "dt 0.1 s", 0.1), ("1 s", "dt 1 s", 1)], 1 / 60, recovers=False, energy=True),
+        *_of("time_step_cut_slow", "/solver/dt", [("0.1 s", "dt 0.1 s, flight limited", 0.1), ("1 s", "dt 1 s, flight limited", 1)], 1 / 60,
+             recovers=False, energy=True, control_config="time_step"),
         *_of("iterations", "/solver/iterations", [("one", "1 iteration", 1)], 10, recovers=False, energy=True),
+        *_of("iterations_cut_slow", "/solver/iterations", [("one", "1 iteration, flight limited", 1)], 10, recovers=False, energy=True,
+             control_config="iterations"),
         *_of("iterations_slow", "/solver/iterations", [("1000", "1000 iterations", 1000)], 10, recovers=False, energy=True),
         *_of("stiff", "/bending/k", [("k = 1", "k = 1 everywhere", 1)], 0.5, recovers=False, energy=True)],
     "Flawed meshes": [*_of("flaws", "/mesh/flaw", _flaws(), "none"), *_of("flaws_mended_slow", "/mesh", _mended(), {"flaw": "none"})],

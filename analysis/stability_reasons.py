@@ -63,7 +63,7 @@ REASONS = [
            "the shear as an angle, 0.064 with a hundred rounds"),
     Reason(("published",), (), _strained, ROUNDS + "6.6 → 0.064 (dihedral, two corners), 18 → 0.063 (one corner)"),
     Reason(("pulled",), (), _strained, ROUNDS + "1.18 → 0.070 (dihedral), 1.06 → 0.074 (no bending)"),
-    Reason(("gust",), (), _strained, ROUNDS + "26 → 0.081 (dihedral), 26 → 0.18 (no bending), 1.9 → 0.027 (adaptive)"),
+    Reason(("gust: ",), (), _strained, ROUNDS + "26 → 0.081 (dihedral), 26 → 0.18 (no bending), 1.9 → 0.027 (adaptive)"),
     Reason(("stiff",), (), _strained, ROUNDS + "1.05 → 0.067 (dihedral), 0.94 → 0.059 (no bending)"),
     Reason(("falling: spinning",), (), _strained, ROUNDS + "0.024 → 0.0012 (Choi-Ko)"),
     Reason(("falling: tumbling",), (), _strained, ROUNDS + "0.021 → 0.006 (Choi-Ko)"),

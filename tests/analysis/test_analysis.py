@@ -497,8 +497,9 @@ class StabilityTest(unittest.TestCase):
                     for pointer, values in swept.items() for index, value in enumerate(values)]
 
         for config in sorted(load.CONFIGS.glob("stability/*.json")):
-            used = {(pointer, canonical(value)) for case in stability_cases.CASES if case.config == config.stem
-                    for wanted in (case.where, case.control) for pointer, value in wanted.items()}
+            used = {(pointer, canonical(value)) for case in stability_cases.CASES
+                    for of, wanted in ((case.config, case.where), (case.control_config or case.config, case.control))
+                    if of == config.stem for pointer, value in wanted.items()}
             there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
             self.assertEqual(used, there, config.stem)
 
