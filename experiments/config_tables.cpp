@@ -251,9 +251,10 @@ constexpr std::array solver = {
               .meaning = "Rounds over all constraints per substep",
               .minimum = 1, .maximum = 100000},
     Parameter{.name = "flight_limit", .type = number, .unit = "1", .default_value = 0.0,
-              .meaning = "Largest change of a triangle's deformation gradient while the cloth flies freely from one substep "
-                         "to the next; a substep that would exceed it is cut into shorter ones, at most 100. 0: none is "
-                         "cut. 0.2 costs little where nothing is wrong",
+              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, at pins for "
+                         "example, before anything is projected; a substep in which they do more is cut into equal parts, at "
+                         "most 1000. 0: none is cut. Of gravity at a pinned row of triangles of height a it is g h² / a: 0.17 "
+                         "for 64 cells a metre and 1/60 s",
               .minimum = 0},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
               .meaning = "Each iteration visits the constraints forward, or (symmetric) forward and then "

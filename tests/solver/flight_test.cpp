@@ -15,18 +15,23 @@ namespace {
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-// Of a flat sheet that moves by v = A x + (1, 2, 3) m/s.
+// Of a flat sheet that gains v = A x + (1, 2, 3) m/s.
 template <class Real>
 double gradient_of(const Eigen::Matrix3d& a) {
   const RestMesh rest(grid(1, 1, 5, 3));
   const SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   const StrainBatch<Real> batch = make_strain_batch<Real>(
       input.strain, colour_order<3>(input.strain.vertices, rest.vertex_count()), rest.vertex_count());
-  Points<Real> velocities(static_cast<std::size_t>(rest.vertex_count() + dummy_points));
-  for (int v = 0; v < rest.vertex_count(); ++v)
-    velocities[static_cast<std::size_t>(v)].set(
-        (a * rest.positions().row(v).transpose() + Vector3(1, 2, 3)).template cast<Real>());
-  return static_cast<double>(largest_velocity_gradient(velocities.data(), batch));
+  Points<Real> before(static_cast<std::size_t>(rest.vertex_count() + dummy_points));
+  std::mt19937_64 random(4);
+  for (Point<Real>& velocity : before) velocity.set(test::random_vector(random).cast<Real>());
+  Points<Real> after = before;
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const Vector3 gained = a * rest.positions().row(v).transpose() + Vector3(1, 2, 3);
+    Point<Real>& velocity = after[static_cast<std::size_t>(v)];
+    velocity.set(velocity.vector() + gained.cast<Real>());
+  }
+  return static_cast<double>(largest_gradient(after.data(), before.data(), batch));
 }
 
 SimulationInput hanging_curtain(int cells, double dt, double limit) {
@@ -43,9 +48,9 @@ std::unique_ptr<Simulation> falling(const SimulationInput& input) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the velocity gradient of a linear field is its matrix in the sheet's plane", "[flight]",
-                   float, double) {
-  // Differences of velocities of a few m/s, over edges of 0.2 m.
+TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[flight]", float,
+                   double) {
+  // Differences of velocities of a few m/s, over edges of 0.2 m and more.
   const double tolerance = 40 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
   std::mt19937_64 random(3);
   Eigen::Matrix3d a;
@@ -57,13 +62,13 @@ TEMPLATE_TEST_CASE("the velocity gradient of a linear field is its matrix in the
   CHECK_THAT(gradient_of<TestType>(spin), WithinAbs(1.5 * std::numbers::sqrt2, tolerance));
 }
 
-TEST_CASE("a flight is cut by its velocities and by its forces", "[flight]") {
-  CHECK(parts_of_flight(0.1, 3, 3, 0.3, 100) == 1);      // just fits
-  CHECK(parts_of_flight(0.1, 30, 30, 0.3, 100) == 10);   // constant velocities: h v / limit
-  CHECK(parts_of_flight(0.1, 0, 300, 0.3, 100) == 10);   // from rest: √(h a h / limit)
-  CHECK(parts_of_flight(0.1, 30, 3.1, 0.3, 100) == 10);  // forces that slow it down do not help at once
-  CHECK(parts_of_flight(0.1, 0, 3e9, 0.3, 100) == 100);
-  CHECK(parts_of_flight(0.1, 0, std::numeric_limits<double>::infinity(), 0.3, 100) == 100);
+TEST_CASE("a step is cut into as many parts as the root of what it is too long by", "[flight]") {
+  CHECK(parts_of_flight(0.3, 0.3) == 1);  // just fits
+  CHECK(parts_of_flight(0, 0.3) == 1);
+  CHECK(parts_of_flight(30, 0.3) == 10);
+  CHECK(parts_of_flight(31, 0.3) == 11);
+  CHECK(parts_of_flight(1e9, 0.3) == most_parts);
+  CHECK(parts_of_flight(std::numeric_limits<double>::infinity(), 0.3) == most_parts);
 }
 
 TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
@@ -77,15 +82,27 @@ TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
   CHECK(limited->positions() == plain->positions());
 }
 
-TEST_CASE("a curtain's first substep is as long as its top row allows", "[flight]") {
-  // The row below the pins falls by g x² where its triangles are 1/16 m high: parts of 0.1 s of √(limit / (16 g)) at most.
+TEST_CASE("a curtain's step is cut by how far its top row would fall", "[flight]") {
+  // The row below the pins falls by g h² in a step, where its triangles are 1/16 m high.
   const double limit = 0.25;
-  const auto parts = static_cast<std::uint64_t>(std::ceil(0.1 / std::sqrt(limit / (16 * 9.81))));
+  const auto parts = static_cast<std::uint64_t>(std::ceil(std::sqrt(16 * 9.81 * 0.1 * 0.1 / limit)));
   const auto simulation = falling(hanging_curtain(16, 0.1, limit));
-  REQUIRE(simulation->step());
-  CHECK(simulation->substeps() >= parts);
-  CHECK(simulation->substeps() <= 100);
-  CHECK_THAT(simulation->time(), WithinRel(0.1, 1e-12));  // sum of a few roundings
+  for (std::uint64_t step = 1; step <= 20; ++step) {
+    REQUIRE(simulation->step());
+    CHECK(simulation->substeps() == step * parts);  // gravity does not change, so neither do they
+  }
+  CHECK_THAT(simulation->time(), WithinRel(2.0, 1e-12));  // a sum of a few roundings
+  const double projections = static_cast<double>(simulation->projections());
+  CHECK(std::fmod(projections, static_cast<double>(simulation->substeps() * 10)) == 0);
+}
+
+TEST_CASE("a step that is cut is that many substeps", "[flight]") {
+  SimulationInput input = hanging_curtain(16, 0.1, 0.25);
+  const auto cut = falling(input);
+  input.settings.flight_limit = 0, input.settings.substeps = 3;  // √(16 · 9.81 · 0.01 / 0.25) = 2.5
+  const auto divided = falling(input);
+  for (int step = 0; step < 10; ++step) REQUIRE((cut->step() && divided->step()));
+  CHECK(cut->positions() == divided->positions());
 }
 
 TEST_CASE("a step of a second does not tear a curtain that may cut it", "[flight]") {
@@ -100,7 +117,7 @@ TEST_CASE("a step of a second does not tear a curtain that may cut it", "[flight
   };
   // It reaches from y = 0.5 to y = -0.5; in a second what is free falls by 9.81 m.
   CHECK(lowest(0) < -5);
-  CHECK(lowest(0.2) > -0.8);
+  CHECK(lowest(0.05) > -0.8);
 }
 
 }  // namespace bendlab

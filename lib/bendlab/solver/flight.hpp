@@ -6,13 +6,16 @@
 
 namespace bendlab {
 
-/// The largest velocity gradient of a triangle, 1/s: the rate Ḟ of its deformation gradient, as a Frobenius norm. Moving as a
-/// whole has none, turning has √2 times the angular velocity. 0 without triangles.
+/// The largest gradient over a triangle of what velocities gained since `before`, 1/s: the change of the rate of its deformation
+/// gradient, as a Frobenius norm. What all gain alike has none. 0 without triangles.
 template <class Real>
-Real largest_velocity_gradient(const Point<Real>* velocities, const StrainBatch<Real>& batch);
+Real largest_gradient(const Point<Real>* velocities, const Point<Real>* before,
+                      const StrainBatch<Real>& batch);
 
-/// Into how many equal parts to cut a time h (s), so that a flight that starts with the velocity gradient `bare` and has `loaded`
-/// (1/s) after h under its forces changes no deformation gradient by more than `limit` (1) in the first part; at most `most`.
-int parts_of_flight(double h, double bare, double loaded, double limit, int most);
+/// Into how many equal parts to cut a time step in which forces alone change a deformation gradient by `flight` (1), so that
+/// they change it by at most `limit` in each: as many as the root of their ratio, since they act for as much shorter on as
+/// much shorter a way. At most most_parts.
+int parts_of_flight(double flight, double limit);
+inline constexpr int most_parts = 1000;
 
 }  // namespace bendlab

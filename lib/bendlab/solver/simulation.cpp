@@ -78,10 +78,10 @@ class PbdStep final : public TimeStep<Real> {
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
-    for (Real left = whole; left > 0; left -= context.substep) {
-      context.substep = left;
-      load(context, whole);
-      if (context.substep < left) ++cut_substeps_;
+    const int parts = settings_.flight_limit > 0 ? parts_of(context) : 1;
+    context.substep = whole / static_cast<Real>(parts);
+    for (int part = 0; part < parts; ++part) {
+      run(forces_, context);
       run(before_, context);
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
         run(forward_, context);
@@ -90,22 +90,18 @@ class PbdStep final : public TimeStep<Real> {
       run(after_, context);
       context.time += static_cast<double>(context.substep);
     }
+    cut_substeps_ += static_cast<std::uint64_t>(parts - 1);
     context.substep = whole;
   }
 
-  // Forces and damping, for as much of the time that is left as flight_limit allows.
-  void load(PassContext<Real>& context, Real whole) {
-    if (settings_.flight_limit == 0) return run(loads_, context);
-    before_loads_ = state_.velocity;
-    run(loads_, context);
-    const Real loaded = largest_velocity_gradient(state_.velocity.data(), constraints_.strain);
-    if (!(loaded * context.substep > settings_.flight_limit)) return;
-    const Real bare = largest_velocity_gradient(before_loads_.data(), constraints_.strain);
-    const int most = static_cast<int>(std::ceil(SolverSettings::most_parts * context.substep / whole));
-    context.substep /=
-        static_cast<Real>(parts_of_flight(context.substep, bare, loaded, settings_.flight_limit, most));
-    state_.velocity = before_loads_;
-    run(loads_, context);
+  // By what forces do in a whole substep. Not by velocities: a cloth that is slow to come together would be cut into ever
+  // shorter parts, and each turns the strain that a longer one left into speed.
+  int parts_of(PassContext<Real>& context) {
+    before_forces_ = state_.velocity;
+    run(forces_, context);
+    const Real gained = largest_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
+    std::swap(state_.velocity, before_forces_);
+    return parts_of_flight(gained * context.substep, settings_.flight_limit);
   }
 
   std::uint64_t projections_per_substep() const override {
@@ -178,8 +174,8 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
     };
-    add_effects(loads_, Stage::force);
-    add_effects(loads_, Stage::damp);
+    add_effects(forces_, Stage::force);
+    add_effects(before_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
     add_effects(before_, Stage::predicted);
     const bool strain_first = settings_.first == FirstConstraint::strain;
@@ -255,8 +251,8 @@ class PbdStep final : public TimeStep<Real> {
 
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
-  typename Base::Passes loads_, before_, forward_, backward_, after_;
-  Points<Real> before_loads_;  // velocities; with flight_limit only
+  typename Base::Passes forces_, before_, forward_, backward_, after_;
+  Points<Real> before_forces_;  // velocities; with flight_limit only
 };
 
 }  // namespace

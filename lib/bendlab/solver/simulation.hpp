@@ -76,14 +76,12 @@ struct SolverSettings {
   int substeps = 1;
   int iterations = 10;  ///< per substep
   double flight_limit =
-      0;  ///< pbd: see flight.hpp; a substep that needs it is cut into at most most_parts. 0: never
+      0;  ///< pbd: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
   Sweep sweep = Sweep::forward;
   ConstraintOrder order = ConstraintOrder::colour;
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
   bool starts_near = false;  ///< equilibrium: the pose is already near one
-
-  static constexpr int most_parts = 100;  ///< of a substep
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
