@@ -54,7 +54,7 @@ def rules():
             f"if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
             f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
             f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "
-            f"length or are elastic are looked at).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
+            f"length or are elastic are looked at, and not the prestressed springs, which push from the start).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
             f"above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}), or, where the rest shape can "
             f"be reached, the cloth is still more than {100 * NEAR:g} % of its size away from it (root mean square, after the rotation and "
             f"translation that bring them nearest), or more than twice as far as the undisturbed run (taken as at most "

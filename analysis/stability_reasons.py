@@ -67,6 +67,12 @@ REASONS = [
     Reason(("stiff",), (), _strained, ROUNDS + "1.05 → 0.067 (dihedral), 0.94 → 0.059 (no bending)"),
     Reason(("falling: spinning",), (), _strained, ROUNDS + "0.024 → 0.0012 (Choi-Ko)"),
     Reason(("falling: tumbling",), (), _strained, ROUNDS + "0.021 → 0.006 (Choi-Ko)"),
+    Reason(("time_step_cut: 1 s",), (), _strained, "ten rounds a part do not reach through the sheet; with a limit of 0.01 mean strain "
+           "0.21 → 0.033 (dihedral), 0.049 → 0.013 (adaptive)"),
+    Reason(("gust_cut",), (), _strained, "ten rounds a part do not reach through the sheet; with a limit of 0.01 mean strain "
+           "0.063 → 0.030 (dihedral), 0.013 → 0.0025 (adaptive)"),
+    Reason(("iterations_cut",), (), _strained, "one round a part does not reach through the sheet; with a limit of 0.01 mean strain "
+           "1.5 → 0.44 (dihedral), 0.27 → 0.15 (crossover), 0.18 → 0.089 (adaptive)"),
     Reason(("iterations: one",), (), _strained,
            "one round a step does not reach through the sheet: with ten mean strain 14.6 → 0.95 (dihedral), 2.5 → 0.17 (adaptive)"),
     Reason(("time_step: 0.1 s",), (), _strained,
