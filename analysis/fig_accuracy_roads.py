@@ -1,0 +1,87 @@
+"""Whether different roads lead to one reference, and what each remedy for a single pin costs."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import accuracy
+import style
+from load import group
+from report import Check, Section, Table, figure_main
+
+AGREE = 0.005  # of the size
+REACH, DROP, LENGTH = 0.03520, 0.06745, 0.08083  # m: the heavy elastica of the cantilever's config, its free end
+EFFECTS = {"tethers": "tethers", "strain_limiting": "strain limits"}
+
+
+def main(results, out):
+    section = Section("Roads to the reference, and the single pin", "accuracy_roads")
+    section.text = ("A reference deserves its name if different ways lead to it: Newton's method, the same scene run to rest with many substeps, and, for "
+                    "the cantilever, the heavy elastica. A drape and a sheet on one pin have many equilibria: Newton's method starts where the run ends.")
+    for name in ("cantilever", "curtain", "drape", "one_pin"):
+        runs = [run for run in accuracy.experiment_runs(results, section, name) if run.complete]
+        section.checks += road_checks(name, runs)
+    section.checks += elastica_checks([run for run in accuracy.experiment_runs(results, section, "cantilever") if run.complete])
+    section.commands = list(dict.fromkeys(section.commands))
+    pin = [run for run in accuracy.experiment_runs(results, section, "pin") if run.complete]
+    if pin:
+        section.pictures.append((_pin(pin, out), "Hinges on a sheet of 30 cm on one pin, told a cloth: distance to the equilibrium of that cloth next to where "
+                                 "the run ends, after the best turn about the vertical."))
+        section.tables.append(_pin_table(pin))
+    return section
+
+
+def road_checks(name, runs):
+    """XPBD with the most substeps against Newton's method, of every model; where both were tried, started in the same basin."""
+    moving = [run for run in runs if run.get("/solver/method") == "pbd" and run.get("/accuracy/start_from_end") in (name in ("drape", "one_pin"), None)]
+    finest = [max(some, key=lambda run: run.get("/solver/substeps")) for some in accuracy.by_model(moving).values()]
+    return [Check(f"{name.replace('_', ' ')}: XPBD with {run.get('/solver/substeps')} substeps from Newton's equilibrium", run.model,
+                  f"{run.get('/mesh/cells')} cells", AGREE, accuracy.error(run, against="solver"), 0, "the same energies", "most") for run in finest]
+
+
+def elastica_checks(runs):
+    """Where the free end of hinges is in static equilibrium: how far down over how far out."""
+    return [Check("cantilever: H/W against the heavy elastica", run.model, f"{run.get('/mesh/cells')} cells", DROP / REACH,
+                  run.summary.get("stiffness_height_over_width", np.nan), AGREE * LENGTH * (1 / DROP + 1 / REACH),
+                  "Bickley 1934's strip; 0.5 % of its length in height and width") for run in runs
+            if run.get("/solver/method") == "equilibrium" and run.model in ("dihedral", "isometric")]
+
+
+def remedy(run):
+    """What was done for the pin, for a reader."""
+    names = [EFFECTS[effect["type"]] for effect in run.get("/effects") if effect["type"] in EFFECTS]
+    substeps, iterations = run.get("/solver/substeps"), run.get("/solver/iterations")
+    if (substeps, iterations) != (1, 10):
+        names.append(f"{substeps} × {iterations}" if substeps > 1 else f"{iterations} iterations")
+    if run.get("/solver/order") != "colour":
+        names.append("order from the pin")
+    if run.get("/solver/flight_limit"):
+        names.append("cut steps")
+    return ", ".join(names) or "plain, 1 × 10"
+
+
+def _pin(runs, out):
+    figure, axes = plt.subplots(figsize=(8.4, 4.6), layout="constrained")
+    kinds = group(runs, lambda run: next((effect["type"] for effect in run.get("/effects") if effect["type"] in EFFECTS), "none"))
+    for (kind, some), colour in zip(kinds.items(), style.SEQUENCE):
+        axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], color=colour, s=26,
+                     label=EFFECTS.get(kind, "no effect"))
+        for run in some:
+            axes.annotate(remedy(run), (accuracy.cost(run), 100 * accuracy.error(run)), xytext=(5, 3), textcoords="offset points", fontsize=6.5)
+    axes.set_xscale("log"), axes.set_yscale("log")
+    axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel("distance from equilibrium (% of size)")
+    axes.legend()
+    plain = next(run for run in runs if remedy(run).startswith("plain"))
+    best = min(runs, key=lambda run: accuracy.error(run) * accuracy.cost(run))
+    figure.suptitle(f"At one pin: {remedy(best)} comes {style.number(accuracy.error(plain) / accuracy.error(best), 2)} × as near as plain rounds "
+                    f"for {style.number(accuracy.cost(best) / accuracy.cost(plain), 2)} × the time", x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_accuracy_pin")
+
+
+def _pin_table(runs):
+    return Table("Remedies at the pin", ["remedy", "ms per frame", "distance (%)", "largest stretch at the pin", "strain (RMS, %)"],
+                 [[remedy(run), style.number(accuracy.cost(run)), style.number(100 * accuracy.error(run)),
+                   style.number(run.summary.get("pin_max_stretch", np.nan)), style.number(100 * accuracy.error(run, "strain"))]
+                  for run in sorted(runs, key=accuracy.cost)])
+
+
+if __name__ == "__main__":
+    figure_main(main)

@@ -1,0 +1,115 @@
+"""Where to spend the same work: substeps or iterations, time step, constraint order, precision."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import accuracy
+import style
+from load import group
+from report import Section, Table, figure_main
+
+EQUAL = (16, 64, 256)  # substeps × iterations
+
+
+def main(results, out):
+    section = Section("The same work, spent differently", "accuracy_solver")
+    told = [run for run in accuracy.experiment_runs(results, section, "front", "front_slow") if run.complete]
+    time_step = accuracy.experiment_runs(results, section, "time_step")
+    precision = accuracy.experiment_runs(results, section, "precision")
+    order = accuracy.experiment_runs(results, section, "order")
+    section.text = ("Work is rounds over all constraints: substeps times iterations. Errors are distances from the equilibrium of the run's own "
+                    "energies, so that only the solver is asked.")
+    if told:
+        section.pictures.append((_substeps(told, out), "At equal work, from all iterations in one substep (left) to one iteration in each (right)."))
+    if time_step or precision:
+        section.pictures.append((_steps_and_precision(time_step, precision, out), "Left: 64 rounds per 1/60 s in time steps of different length. Right: "
+                                 "the same runs in single and double precision."))
+    if order:
+        section.tables.append(_order_table(order))
+    return section
+
+
+def split(run):
+    return run.get("/solver/substeps"), run.get("/solver/iterations")
+
+
+def gain(runs, work):
+    """Error of all work in iterations over that of all work in substeps; NaN where one is missing."""
+    found = {split(run): accuracy.error(run, against="solver") for run in runs}
+    return found.get((1, work), np.nan) / found.get((work, 1), np.nan)
+
+
+def _substeps(told, out):
+    figure, axes = plt.subplots(1, len(EQUAL), figsize=(10.4, 4.3), layout="constrained", sharey=True)
+    gains = {}
+    for panel, work in zip(axes, EQUAL):
+        for model, some in accuracy.by_model(told).items():
+            line = sorted({split(run)[0]: accuracy.error(run, against="solver") for run in some if np.prod(split(run)) == work}.items())
+            line = [(substeps, error) for substeps, error in line if np.isfinite(error)]
+            if len(line) > 1:
+                panel.plot([s for s, _ in line], [100 * e for _, e in line], "o-", markersize=4, linewidth=1.2, color=style.MODEL_COLOURS[model],
+                           label=style.MODEL_NAMES[model])
+            if np.isfinite(gain(some, work)):
+                gains[model, work] = gain(some, work)
+        panel.set_xscale("log", base=4), panel.set_yscale("log")
+        panel.xaxis.set_major_formatter("{x:.0f}")
+        panel.set_xlabel(f"substeps; times iterations: {work}")
+    axes[0].set_ylabel("distance from its equilibrium (% of size)")
+    style.legend_below(figure, axes[-1], 6)
+    figure.suptitle(message(gains), x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_accuracy_substeps")
+
+
+def message(gains):
+    """For how many models and works substeps win, and by how much."""
+    if not gains:
+        return "Substeps against iterations"
+    wins = sum(value > 1 for value in gains.values())
+    (best, most), (worst, least) = (pick(gains, key=gains.get) for pick in (max, min))
+    return (f"Substeps come nearer than iterations in {wins} of {len(gains)} comparisons: by × {style.number(np.median(list(gains.values())), 2)} in the "
+            f"middle,\n× {style.number(gains[worst, least], 2)} ({style.MODEL_NAMES[worst]}, work {least}) to × {style.number(gains[best, most], 2)} "
+            f"({style.MODEL_NAMES[best]}, work {most})")
+
+
+def _steps_and_precision(time_step, precision, out):
+    figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.1), layout="constrained")
+    for model, some in accuracy.by_model(time_step).items():
+        some = sorted(some, key=lambda run: -run.get("/solver/dt"))
+        left.plot([1 / run.get("/solver/dt") for run in some], [100 * accuracy.error(run, against="solver") for run in some], "o-",
+                  color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model])
+    left.set_xscale("log"), left.set_yscale("log")
+    rates = sorted({round(1 / run.get("/solver/dt")) for run in time_step})
+    left.set_xticks(rates, labels=rates), left.minorticks_off()
+    left.set_xlabel("time steps per second, 3840 rounds in all")
+    left.set_ylabel("distance from its equilibrium (% of size)")
+    left.legend()
+    worst = 1.0
+    for model, some in accuracy.by_model(precision).items():
+        found = {(run.get("/solver/precision"), run.get("/solver/substeps")): accuracy.error(run, against="solver") for run in some}
+        substeps = sorted({s for _, s in found})
+        for kind, look in (("single", "o-"), ("double", "s:")):
+            right.plot(substeps, [100 * found.get((kind, s), np.nan) for s in substeps], look, color=style.MODEL_COLOURS[model],
+                       label=f"{style.MODEL_NAMES[model]}, {kind}")
+        worst = max([worst, *(found[("single", s)] / found[("double", s)] for s in substeps if ("single", s) in found and ("double", s) in found)])
+    right.set_xscale("log", base=4), right.set_yscale("log")
+    right.xaxis.set_major_formatter("{x:.0f}")
+    right.set_xlabel("substeps of one symmetric iteration")
+    right.legend(ncol=2, fontsize=7)
+    figure.suptitle(f"Single precision is at most × {style.number(worst, 3)} as far off as double", x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_accuracy_precision")
+
+
+def _order_table(runs):
+    rows = []
+    for (model, substeps, sweep), some in group(runs, lambda run: (run.model, run.get("/solver/substeps"), run.get("/solver/sweep"))).items():
+        found = {run.get("/solver/order"): run for run in some}
+        row = [style.MODEL_NAMES[model], f"{substeps} × {some[0].get('/solver/iterations')} {sweep}"]
+        for order in ("colour", "mesh", "pins"):
+            run = found.get(order)
+            row += [style.number(100 * accuracy.error(run, against="solver")), style.number(accuracy.cost(run))] if run else ["–", "–"]
+        rows.append(row)
+    columns = [part for order in ("colour", "list", "from the pins") for part in (f"error, {order} (%)", "ms")]
+    return Table("Order of the constraints at equal work", ["model", "substeps × iterations", *columns], rows)
+
+
+if __name__ == "__main__":
+    figure_main(main)
