@@ -11,6 +11,7 @@
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -61,6 +62,14 @@ class Equilibrium final : public TimeStep<double> {
   const BatchOrder& strain_order() const override { return no_order_; }
   const BatchOrder& distance_order() const override { return distance_order_; }
   const BatchOrder& element_order(std::string_view) const override { return no_order_; }
+
+  std::size_t memory_bytes() const override {
+    std::size_t vectors = 0;
+    for (const VectorXd* each : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
+      vectors += bytes_of(*each);
+    return TimeStep<double>::memory_bytes() + system_.memory_bytes() + vectors +
+           static_cast<std::size_t>(positions_.size()) * sizeof(double) + factor_bytes_;
+  }
 
  private:
   bool balanced() const {
@@ -162,6 +171,7 @@ class Equilibrium final : public TimeStep<double> {
     matrix.diagonal() += inverse_tau_squared_ * masses_;
     if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
     factor_.factorize(matrix);
+    factor_bytes_ = factor_.cholmod().memory_usage;  // the most that CHOLMOD had at a time
     return factor_.info() == Eigen::Success;
   }
 
@@ -196,6 +206,7 @@ class Equilibrium final : public TimeStep<double> {
   const Eigen::SparseMatrix<double>* hessian_ = nullptr;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
   bool analysed_ = false;
+  std::size_t factor_bytes_ = 0;
   bool convex_ = false;  // the Hessian's kind
   bool far_ = false;     // the convex one is likely to be needed again
   bool starts_near_;

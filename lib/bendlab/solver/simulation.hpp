@@ -157,6 +157,9 @@ class Simulation {
   /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one). In
   /// a step of kang_cho every spring counts once.
   virtual std::uint64_t projections() const = 0;
+  /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their multipliers, and what
+  /// else it solves with (a matrix, its factor at its largest). Without the effects' and the scene's own lists.
+  virtual std::size_t memory_bytes() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;

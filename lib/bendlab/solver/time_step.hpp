@@ -26,6 +26,7 @@ class TimeStep : public Simulation {
   const std::vector<PassStatistics>& passes() const final { return statistics_; }
   double helper_seconds() const final { return workers_.helper_seconds(); }
   std::uint64_t projections() const final { return substeps_done_ * projections_per_substep(); }
+  std::size_t memory_bytes() const override;
 
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
