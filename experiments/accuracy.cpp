@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <memory>
 #include <mutex>
 #include <optional>
 
@@ -88,14 +88,11 @@ std::map<std::string, double> over_frames(const std::vector<std::map<std::string
 }
 
 // One of several threads that want the same run computes it; the others wait here, and find it done.
-std::unique_lock<std::mutex> turn_for(const std::filesystem::path& folder) {
+std::mutex& turn_for(const std::filesystem::path& folder) {
   static std::mutex mutex;
-  static std::map<std::string, std::unique_ptr<std::mutex>> of_folder;
+  static std::map<std::string, std::mutex> of_folder;
   const std::lock_guard lock(mutex);
-  std::unique_ptr<std::mutex>& own = of_folder[folder.string()];
-  if (!own) own = std::make_unique<std::mutex>();
-  std::mutex& found = *own;
-  return std::unique_lock(found, std::defer_lock);
+  return of_folder[folder.string()];
 }
 
 // The middle of the places that the scene pins, or of the rest box.
@@ -115,8 +112,7 @@ RunOutcome make_reference(const RunConfig& config, const StartingPose* start,
                           const std::filesystem::path& folder, const std::atomic<bool>* stop) {
   Experiment experiment;
   experiment.name = "references";
-  std::unique_lock turn = turn_for(run_folder(folder, experiment, config));
-  turn.lock();
+  const std::lock_guard turn(turn_for(run_folder(folder, experiment, config)));
   return execute_run(experiment, config, folder, {.stop = stop}, start);
 }
 
@@ -143,9 +139,7 @@ std::map<std::string, double> errors_between(const Course& run, const Course& re
   }
   if (frames.empty())
     throw std::invalid_argument(
-        "no recorded frame has the same time in both; give them an /output/frames_per_second whose frames "
-        "are "
-        "whole steps of /solver/dt");
+        "no recorded frame has the same time in both; /output/frames_per_second must suit every /solver/dt");
   return over_frames(frames);
 }
 

@@ -9,7 +9,8 @@
 //   error_<against>_…_worst         over time: of the worst frame, where the others are means over the frames
 //   error_<against>_frames          over time: how many were compared
 //   error_<against>_reference_gap   rms of the coarser reference against the finer: an error not much larger is not known
-//   error_<against>_unbalanced      of a reference that found no equilibrium: the share of its loads that is left over
+//   error_<against>_unbalanced      of a reference that found no equilibrium: the share of its loads that is left over;
+//   error_<against>_coarser_unbalanced   of the coarser one
 //
 // <against> is solver or physical. The size is that of the rest box. A run that diverged has none of these.
 #pragma once

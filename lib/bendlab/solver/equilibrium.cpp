@@ -40,7 +40,6 @@ class Equilibrium final : public TimeStep<double> {
         system_(input),
         positions_(input.positions),
         masses_(system_.unknowns()),
-        starts_near_(input.settings.starts_near),
         whole_(system_.unknowns() == 0),
         size_(input.size),
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
@@ -107,10 +106,11 @@ class Equilibrium final : public TimeStep<double> {
       soften(std::max(softness_ / 10, 1.0));
   }
 
-  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it.
+  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it,
+  // and a softer one may not have the basin in which the cloth lies.
   void start() {
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
-    const double softest = starts_near_ ? 10 : 1000;
+    const double softest = settings_.starts_there ? 1 : settings_.starts_near ? 10 : 1000;
     if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
@@ -209,7 +209,6 @@ class Equilibrium final : public TimeStep<double> {
   std::size_t factor_bytes_ = 0;
   bool convex_ = false;  // the Hessian's kind
   bool far_ = false;     // the convex one is likely to be needed again
-  bool starts_near_;
   bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;

@@ -80,6 +80,8 @@ struct SolverSettings {
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
   bool starts_near = false;  ///< equilibrium: the pose is already near one
+  /// equilibrium: the pose is one's of the same mesh, found by another method; the way must not leave its basin
+  bool starts_there = false;
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
