@@ -67,12 +67,42 @@ void set_folder(RunConfig& run, const std::filesystem::path& folder) {
     run.mesh_file = folder / file->get<std::string>();
 }
 
+// This run with settings changed: one run, which has no errors of its own.
+RunConfig with_changes(const RunConfig& config, std::string_view what, std::span<const std::string> changes) {
+  Json settings = config.resolved;
+  settings["name"] = "changed";
+  settings["accuracy"] = Json::object();
+  RunConfig changed = parse_experiment(settings.dump(), what, changes).runs.front();
+  set_folder(changed, config.folder);
+  return changed;
+}
+
+std::string reference_pointer(Against against, bool coarser) {
+  return fmt::format("/accuracy/{}{}", name_of(against), coarser ? "_coarser" : "");
+}
+
 // Before anything is computed; the first that is wrong, others most likely are for the same reason.
 void check_runs_before(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const RunConfig& run : runs) try {
       run_before(run);
     } catch (const ConfigError& error) {
       throw ConfigError(std::string(source_name), {{"/initial/after", error.what()}});
+    }
+}
+
+// A reference that no run can have is a mistake; one that some can't (k has no energy) is told by those runs.
+void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
+  for (const Against against : references)
+    for (const bool coarser : {false, true}) {
+      std::optional<std::string> wrong;
+      bool one_is_right = false;
+      for (const RunConfig& run : runs) try {
+          one_is_right |= reference_of(run, against, coarser).has_value();
+        } catch (const ConfigError& error) {
+          if (!wrong) wrong = error.what();
+        }
+      if (wrong && !one_is_right)
+        throw ConfigError(std::string(source_name), {{reference_pointer(against, coarser), *wrong}});
     }
 }
 
@@ -112,6 +142,7 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
   experiment.description = settings.value("description", "");
   for (RunConfig& run : experiment.runs) set_folder(run, source.parent_path());
   check_runs_before(experiment.runs, source_name);
+  check_references(experiment.runs, source_name);
   return experiment;
 }
 
@@ -148,12 +179,36 @@ std::vector<EffectSettings> RunConfig::effects() const {
 std::optional<RunConfig> run_before(const RunConfig& config) {
   const ParameterValues initial = config.section("/initial");
   if (!initial.has("after")) return std::nullopt;
-  Json settings = config.resolved;
-  settings["name"] = "before";
-  settings["initial"].erase("after");
-  RunConfig before = parse_experiment(settings.dump(), "the run before", initial.texts("after")).runs.front();
-  set_folder(before, config.folder);
-  return before;
+  RunConfig without = config;
+  without.resolved["initial"].erase("after");
+  return with_changes(without, "the run before", initial.texts("after"));
+}
+
+std::string_view name_of(Against against) {
+  return against == Against::solver ? "solver" : "physical";
+}
+
+std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser) {
+  const ParameterValues accuracy = config.section("/accuracy");
+  const std::string name(name_of(against));
+  if (!accuracy.has(coarser ? name + "_coarser" : name)) return std::nullopt;
+  std::vector<std::string> changes = accuracy.texts(name);
+  if (coarser) {
+    const std::vector<std::string>& more = accuracy.texts(name + "_coarser");
+    changes.insert(changes.end(), more.begin(), more.end());
+  }
+  RunConfig from = config;
+  if (accuracy.boolean("start_from_end"))
+    for (const char* start : {"after", "velocity", "spin"}) from.resolved["initial"].erase(start);
+  RunConfig reference = with_changes(from, "the reference", changes);
+  if (accuracy.boolean("over_time") && reference.section("/solver").text("method") == "equilibrium")
+    throw ConfigError("the reference",
+                      {{"/solver/method", "equilibrium has no motion that could be compared over time"}});
+  // Where it lies depends on nothing but what it is: runs share it.
+  for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
+    if (const Json* value = value_at(reference.resolved, pointer))
+      reference.point.emplace_back(pointer, *value);
+  return reference;
 }
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {

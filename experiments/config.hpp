@@ -1,6 +1,7 @@
 // A config: strict JSON read against the tables of settings, defaults filled in, sweeps expanded.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -37,6 +38,8 @@ struct RunConfig {
   /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
   /// setting of another bending model, for example).
   std::vector<std::pair<std::string, Json>> point;
+  /// The id of the run at whose end this one starts (a reference with /accuracy/start_from_end); empty: none.
+  std::string starts_at_end_of{};
 
   /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …), typed.
   ParameterValues section(std::string_view pointer) const;
@@ -48,6 +51,15 @@ struct RunConfig {
 /// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts from its
 /// rest shape. Throws ConfigError with what is wrong in the changed settings.
 std::optional<RunConfig> run_before(const RunConfig& config);
+
+/// What the errors of a run are measured against: the best solution of its own energies, or the stated cloth.
+enum class Against { solver, physical };
+inline constexpr std::array<Against, 2> references = {Against::solver, Against::physical};
+std::string_view name_of(Against against);  ///< "solver", "physical": as the settings and errors are called
+
+/// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where `coarser`.
+/// Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.
+std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser = false);
 
 /// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects' files.
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);

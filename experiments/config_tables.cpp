@@ -34,6 +34,7 @@ constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
 constexpr std::array<std::string_view, 3> orders = {"colour", "mesh", "pins"};
 constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
 constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
+constexpr std::array<std::string_view, 3> alignments = {"none", "vertical", "rigid"};
 
 constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
 constexpr std::array<double, 3> default_warp = {1, 0, 0}, zero_vector = {0, 0, 0}, ones = {1, 1, 1};
@@ -335,6 +336,34 @@ constexpr std::array output = {
                          "run: a specimen that hangs over a round table, which is its pinned triangles"},
 };
 
+constexpr std::array accuracy = {
+    Parameter{.name = "solver", .type = texts, .unit = "", .default_value = {},
+              .meaning = "Settings, each \"/json/pointer=value\", that turn this run into the reference of its own "
+                         "energies, its equilibrium for example; the summary then has error_solver_rms and others. The "
+                         "reference is a run of its own below <results>/<experiment>/references, made once for all runs "
+                         "that differ only in what is set here"},
+    Parameter{.name = "solver_coarser", .type = texts, .unit = "", .default_value = {},
+              .meaning = "Settings besides those of solver that give a second reference, half as fine: how far the two are "
+                         "apart is error_solver_reference_gap"},
+    Parameter{.name = "physical", .type = texts, .unit = "", .default_value = {},
+              .meaning = "Settings that turn this run into the stated cloth, with another model or resolution too; the "
+                         "summary then has error_physical_rms and others. Its pose is interpolated at this run's vertices"},
+    Parameter{.name = "physical_coarser", .type = texts, .unit = "", .default_value = {},
+              .meaning = "Settings besides those of physical that give a second reference, half as fine: how far the two "
+                         "are apart is error_physical_reference_gap"},
+    Parameter{.name = "start_from_end", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether the reference starts where this run ends, so that both lie in the same basin: for scenes "
+                         "with many equilibria. Each run then has a reference of its own"},
+    Parameter{.name = "align", .type = text, .unit = "", .default_value = "none",
+              .meaning = "How the reference's pose is brought over this run's before they are compared: not at all, by the "
+                         "best turn about the vertical through the middle of the pins (the mesh's, without pins), or by the "
+                         "best rigid motion",
+              .choices = alignments},
+    Parameter{.name = "over_time", .type = boolean, .unit = "", .default_value = false,
+              .meaning = "Whether all recorded frames are compared that both have at the same time, instead of the last "
+                         "one of each: the errors are means over these frames, with …_worst beside them, and the energy's"},
+};
+
 constexpr std::array quality = {
     Parameter{.name = "needle_ratio", .type = number, .unit = "1", .default_value = 4.0,
               .meaning = "A triangle with a larger ratio of longest to shortest edge is a needle",
@@ -390,10 +419,11 @@ std::vector<ConfigSection> make_sections() {
           {pointers.emplace_back(fmt::format("/bending/{}", model->name)),
            pointers.emplace_back(fmt::format("Bending model {}: {}", model->name, model->summary)),
            model->parameters});
-  const std::array<ConfigSection, 4> rest = {{
+  const std::array<ConfigSection, 5> rest = {{
       {"/solver", "Time stepping and projection", solver},
       {"/initial", "The pose at time 0", initial},
       {"/output", "What the run file holds", output},
+      {"/accuracy", "Errors of the run, measured against references", accuracy},
       {"/quality", "From where on a triangle counts as bad", quality},
   }};
   sections.insert(sections.end(), rest.begin(), rest.end());

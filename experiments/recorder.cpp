@@ -105,6 +105,10 @@ Frame Recorder::capture(const Simulation& simulation) const {
   return frame;
 }
 
+double Recorder::kinetic_energy_of(const Frame& frame) {
+  return frame.metrics[kinetic_energy];
+}
+
 void Recorder::complete(Frame& frame) {
   const Positions positions = as_rows(frame.positions);
   const std::vector<PrincipalStretches> stretches = stretch_.measure(positions);
@@ -149,6 +153,7 @@ double Recorder::last_second_median(std::size_t column) const {
 
 std::map<std::string, double> Recorder::summary(const Simulation& simulation) const {
   std::map<std::string, double> summary = {
+      {"size", scene_.rest.size()},
       {"vertices", scene_.rest.vertex_count()},
       {"triangles", scene_.rest.triangle_count()},
       {"springs", static_cast<double>(scene_.input.distance.size())},
@@ -158,6 +163,7 @@ std::map<std::string, double> Recorder::summary(const Simulation& simulation) co
       {"pinned_vertices", static_cast<double>(scene_.pins.all.size())},
       {"projections", static_cast<double>(simulation.projections())},
       {"substeps", static_cast<double>(simulation.substeps())},
+      {"memory_bytes", static_cast<double>(simulation.memory_bytes())},
   };
   if (const std::optional<double> unbalanced = simulation.unbalanced()) summary["unbalanced"] = *unbalanced;
   for (const BendingFact& fact : scene_.bending_facts) summary["model_" + fact.name] = fact.value;

@@ -22,6 +22,8 @@ class Recorder {
   /// A frame with time, positions and what needs velocities; cheap, on the solver's thread.
   Frame capture(const Simulation& simulation) const;
 
+  static double kinetic_energy_of(const Frame& frame);  ///< J
+
   /// The rest of the frame, from its positions; on the writer's thread, one frame at a time, in order.
   void complete(Frame& frame);
 

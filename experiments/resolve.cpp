@@ -267,6 +267,20 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   }
 }
 
+// Without a reference there is nothing to compare: how is then no part of the result.
+void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
+  for (const char* list : {"solver", "solver_coarser", "physical", "physical_coarser"})
+    if (accuracy.contains(list) && accuracy[list].empty()) accuracy.erase(list);
+  for (const char* base : {"solver", "physical"})
+    if (const std::string coarser = fmt::format("{}_coarser", base);
+        accuracy.contains(coarser) && !accuracy.contains(base))
+      problems.push_back({"/accuracy/" + coarser, fmt::format("needs /accuracy/{}, which it changes", base)});
+  if (accuracy["start_from_end"] == true && accuracy["over_time"] == true)
+    problems.push_back({"/accuracy/start_from_end",
+                        "does not go with over_time: a motion is compared with one that starts as it does"});
+  if (!accuracy.contains("solver") && !accuracy.contains("physical")) accuracy = Json::object();
+}
+
 // What a method needs and what it does not use, which is not part of the result.
 class MethodRules {
  public:
@@ -409,6 +423,7 @@ Json resolve(const Json& settings, ConfigProblems& problems) {
   canonical["effects"] =
       read_effects(settings.contains("effects") ? settings["effects"] : default_effects(), problems);
   MethodRules(canonical, problems).settle();
+  settle_accuracy(canonical["accuracy"], problems);
   canonical.erase("name");
   canonical.erase("description");
   return canonical;

@@ -16,10 +16,10 @@
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/metrics/drape.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "experiments/accuracy.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/stability.hpp"
-#include "experiments/start_after.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -226,6 +226,10 @@ void check_drape(const RunConfig& config, const Scene& scene) try {
   throw ConfigError("drape", {{"/output/drape", error.what()}});
 }
 
+void add_message(RunOutcome& outcome, const std::string& text) {
+  outcome.message += (outcome.message.empty() ? "" : "; ") + text;
+}
+
 void add_drape(const Scene& scene, const Simulation& simulation, RunOutcome& outcome) {
   const Drape drape = drape_of(scene.rest, scene.pins, simulation.positions(), scene.down);
   outcome.summary["drape_coefficient"] = drape.coefficient;
@@ -236,7 +240,7 @@ void add_drape(const Scene& scene, const Simulation& simulation, RunOutcome& out
 void add_stiffness(const RunStrip& strip, const Simulation& simulation, RunOutcome& outcome) try {
   outcome.summary.merge(stiffness_summary(strip.meter.measure(simulation.positions(), strip.options)));
 } catch (const std::invalid_argument& error) {
-  outcome.message += fmt::format("{}no stiffness: {}", outcome.message.empty() ? "" : "; ", error.what());
+  add_message(outcome, fmt::format("no stiffness: {}", error.what()));
 }
 
 // Leaves out the effects that cannot act. Returns the scene as it was.
@@ -315,13 +319,36 @@ void make_folder(const std::filesystem::path& folder) {
                                    folder.string(), error.message()));
 }
 
+// Errors are in the summary: another reference makes another run. One that cannot be is told when its turn comes.
+std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
+  const std::optional<RunConfig> reference = reference_of(config, against, coarser);
+  return reference ? run_id(*reference) : "";
+} catch (const ConfigError&) {
+  return "";
+}
+
+// Adds the run's errors to the summary, or to the message why there are none.
+void add_errors(const Accuracy& accuracy, const Simulation& simulation, const std::filesystem::path& folder,
+                const RunControl& control, RunOutcome& outcome) {
+  const Accuracy::Result result =
+      accuracy.against_references(outcome.id, simulation.positions(), folder, control.stop);
+  outcome.summary.insert(result.summary.begin(), result.summary.end());
+  for (const std::string& message : result.messages) add_message(outcome, message);
+  if (!result.stopped) return;
+  outcome.status = RunStatus::interrupted;
+  add_message(outcome,
+              "stopped before it was compared with its references; the same command again does it all");
+}
+
 }  // namespace
 
 std::string run_id(const RunConfig& config) {
   std::string identity = identity_text(config) + std::string(build_info().source_hash);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
   if (const std::optional<RunConfig> before = run_before(config)) identity += run_id(*before);
-  return hex_hash(identity);
+  for (const Against against : references)
+    for (const bool coarser : {false, true}) identity += reference_id(config, against, coarser);
+  return hex_hash(identity + config.starts_at_end_of);
 }
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
@@ -331,7 +358,8 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 }
 
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
-                       const std::filesystem::path& out, const RunControl& control) {
+                       const std::filesystem::path& out, const RunControl& control,
+                       const StartingPose* start) {
   const std::filesystem::path file = run_folder(out, experiment, config) / "run.vtkhdf";
   if (std::optional<RunOutcome> finished = finished_run(file)) return *finished;
 
@@ -341,6 +369,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   std::optional<Scene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
   start_after(config, scene, control.stop);
+  if (start) start_from(scene, *start, "/accuracy/start_from_end");
   const std::optional<RunStrip> strip = strip_asked_for(config, scene);
   check_drape(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
@@ -348,12 +377,16 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   std::optional<StabilityMeter> stability;
   if (config.section("/output").boolean("stability"))
     stability.emplace(scene, config.section("").number("duration"));
+  Accuracy accuracy(config, scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
   RunOutcome outcome{.id = run_id(config), .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());
-  FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame); });
+  FrameWriter writer(file, header, [&](Frame& frame) {
+    accuracy.keep(frame, Recorder::kinetic_energy_of(frame));
+    recorder.complete(frame);
+  });
   const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
   writer.drain();
   const double recording_s = writer.cpu_s();
@@ -363,7 +396,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                   scene.mesh_notes.empty() || stepping.message.empty() ? "" : "; ", stepping.message);
   if (whole) {
     const Comparison comparison = compare_to_whole(*simulation, *whole);
-    outcome.message += (outcome.message.empty() ? "" : "; ") + comparison.text;
+    add_message(outcome, comparison.text);
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
@@ -379,6 +412,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   outcome.passes.push_back({"recording", recording_s, writer.frames()});
   outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  if (accuracy.asked_for() && outcome.status == RunStatus::complete)
+    add_errors(accuracy, *simulation, out / experiment.name, control, outcome);
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
                    .passes = outcome.passes,

@@ -10,6 +10,7 @@
 #include "bendlab/io/run_file.hpp"
 #include "experiments/config.hpp"
 #include "experiments/scene.hpp"
+#include "experiments/start_after.hpp"
 
 namespace bendlab {
 
@@ -34,16 +35,18 @@ struct RunOutcome {
 };
 
 /// Hash (16 hex digits) of the resolved config, the bytes of the mesh file it names, and the version of the
-/// code.
+/// code; and of the same of the runs that it starts after or is compared with.
 std::string run_id(const RunConfig& config);
 
 /// `<out>/<experiment>/<readable place on the sweep>-<id>`
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config);
 
-/// Runs one point (or finds it complete). Throws MeshError and RunFileError; a run that diverges is an
-/// outcome.
+/// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts there, and makes
+/// the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their time is not the run's. Throws
+/// MeshError and RunFileError; a run that diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
-                       const std::filesystem::path& out, const RunControl& control = {});
+                       const std::filesystem::path& out, const RunControl& control = {},
+                       const StartingPose* start = nullptr);
 
 }  // namespace bendlab

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <numeric>
 
-#include "bendlab/constraints/energy.hpp"
 #include "bendlab/metrics/motion.hpp"
+#include "experiments/energy.hpp"
 
 namespace bendlab {
 namespace {
@@ -20,29 +20,11 @@ constexpr double spin_rounding = 1e-6;    // of mass, size and speed: what float
 constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
-Vector3 gravity_of(const std::vector<EffectSettings>& effects) {
-  for (const EffectSettings& effect : effects)
-    if (effect.type == "gravity") return Vector3(effect.values.numbers("acceleration").data());
-  return Vector3::Zero();
-}
-
 bool nothing_acts_but_gravity(const Scene& scene) {
   constexpr std::array<std::string_view, 3> allowed = {"gravity", "rigid_damping", "constraint_damping"};
   return scene.pins.all.empty() && std::ranges::all_of(scene.effects, [&](const EffectSettings& effect) {
            return std::ranges::find(allowed, effect.type) != allowed.end();
          });
-}
-
-double elastic_energy(const SimulationInput& input, const Positions& positions) {
-  double sum = 0;
-  const StrainStiffness& strain = input.strain_stiffness;
-  const BendingStiffness& bending = input.bending_stiffness;
-  if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
-    sum += elastic_energy(input.strain, positions) / strain.compliance;
-  if (bending.kind == StiffnessKind::compliance && bending.compliance > 0)
-    sum += (elastic_energy(input.distance, positions) + elastic_energy(input.elements, positions)) /
-           bending.compliance;
-  return sum;
 }
 
 double farthest_from(const Eigen::RowVector3d& centre, const Positions& positions) {
@@ -68,22 +50,13 @@ StabilityMeter::StabilityMeter(const Scene& scene, double duration)
       mass_(std::accumulate(scene.input.mass.begin(), scene.input.mass.end(), 0.0)),
       size_(scene.rest.size()) {}
 
-double StabilityMeter::total_energy(const Positions& positions, const Positions& velocities) const {
-  double sum = elastic_energy(scene_.input, positions);
-  for (std::size_t v = 0; v < scene_.input.mass.size(); ++v) {
-    const auto row = static_cast<Eigen::Index>(v);
-    const Eigen::RowVector3d moved = positions.row(row) - scene_.input.positions.row(row);
-    sum += scene_.input.mass[v] * (0.5 * velocities.row(row).squaredNorm() - moved.dot(gravity_));
-  }
-  return sum;
-}
-
 void StabilityMeter::look_at_energy(const Positions& positions, const Positions& velocities) {
   const double before = energy_;
-  energy_ = total_energy(positions, velocities);
+  energy_ = motion_of(scene_.input.mass, positions, velocities).kinetic_energy +
+            potential_energy(scene_, positions);
   if (looks_ == 0) {
     first_energy_ = highest_energy_ = energy_;
-    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;
+    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // as energy_scale() has it
   } else if (energy_ > before + energy_rounding * energy_scale_) {
     ++rises_;
   }

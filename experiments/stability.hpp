@@ -40,7 +40,6 @@ class StabilityMeter {
   std::map<std::string, double> summary();
 
  private:
-  double total_energy(const Positions& positions, const Positions& velocities) const;
   void look_at_shape();
   void look_at_energy(const Positions& positions, const Positions& velocities);
   double shut_hinges() const;

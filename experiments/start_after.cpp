@@ -2,13 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
-#include <array>
 #include <cmath>
 #include <stdexcept>
 
-#include "bendlab/bending/triangle_finder.hpp"
-#include "bendlab/bending/unit_bend.hpp"
+#include "experiments/pose_transfer.hpp"
 
 namespace bendlab {
 namespace {
@@ -28,57 +25,6 @@ Positions end_of(const RunConfig& config, const Scene& scene, const std::atomic<
   return simulation->positions();
 }
 
-// `pose` of one mesh of a flat sheet at the vertices of another; linearly on beyond its outline, which may differ by an
-// edge's length.
-class OtherMesh {
- public:
-  OtherMesh(const RestMesh& rest, const Positions& pose)
-      : rest_(rest), pose_(pose), plane_(plane_coordinates(rest)), find_(rest.triangles(), plane_, edge()) {
-    for (const Vector2& p : plane_) centre_ += p / static_cast<double>(plane_.size());
-  }
-
-  std::optional<Eigen::RowVector3d> at(const Vector2& point) const {
-    for (const double inwards : {0.0, 0.5, 1.0, 2.0})
-      if (const auto place = find_(point + inwards * edge() * (centre_ - point).normalized()))
-        return on_plane_of(place->corner, point);
-    return std::nullopt;
-  }
-
- private:
-  double edge() const { return rest_.mean_edge_length(); }
-
-  Eigen::RowVector3d on_plane_of(const std::array<int, 3>& corner, const Vector2& point) const {
-    const auto flat = [&](std::size_t c) { return plane_[static_cast<std::size_t>(corner[c])]; };
-    Eigen::Matrix2d sides;
-    sides << flat(1) - flat(0), flat(2) - flat(0);
-    const Vector2 along = sides.inverse() * (point - flat(0));
-    return pose_.row(corner[0]) + along(0) * (pose_.row(corner[1]) - pose_.row(corner[0])) +
-           along(1) * (pose_.row(corner[2]) - pose_.row(corner[0]));
-  }
-
-  const RestMesh& rest_;
-  const Positions& pose_;
-  std::vector<Vector2> plane_;
-  TriangleFinder find_;
-  Vector2 centre_ = Vector2::Zero();
-};
-
-Positions interpolated(const Positions& pose, const RestMesh& from, const RestMesh& to) {
-  const std::vector<Vector2> points = plane_coordinates(to);
-  if (plane_coordinates(from).empty() || points.empty())
-    throw ConfigError("initial pose", {{pointer, "another mesh can only be that of the same flat sheet"}});
-  const OtherMesh other(from, pose);
-  Positions result(to.vertex_count(), 3);
-  for (int v = 0; v < to.vertex_count(); ++v) {
-    const auto place = other.at(points[static_cast<std::size_t>(v)]);
-    if (!place)
-      throw ConfigError("initial pose",
-                        {{pointer, fmt::format("vertex {} lies outside the sheet of the run before", v)}});
-    result.row(v) = *place;
-  }
-  return result;
-}
-
 }  // namespace
 
 std::int64_t step_count(const RunConfig& config) {
@@ -92,11 +38,18 @@ void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>*
   if (!before) return;
   Scene first = build_scene(*before);
   start_after(*before, first, stop);
-  Positions pose = end_of(*before, first, stop);
-  if (first.rest.positions() != scene.rest.positions()) pose = interpolated(pose, first.rest, scene.rest);
+  const Positions pose = end_of(*before, first, stop);
+  start_from(scene, {first.rest, pose}, pointer);
+}
+
+void start_from(Scene& scene, const StartingPose& start, const std::string& pointer) try {
+  const Positions pose = PoseTransfer(start.rest, scene.rest)(start.positions);
   for (int v = 0; v < scene.rest.vertex_count(); ++v)
     if (!scene.pins.pinned(v)) scene.input.positions.row(v) = pose.row(v);
   scene.input.settings.starts_near = true;
+  scene.input.settings.starts_there = start.rest.positions() == scene.rest.positions();
+} catch (const std::invalid_argument& error) {
+  throw ConfigError("initial pose", {{pointer, error.what()}});
 }
 
 }  // namespace bendlab

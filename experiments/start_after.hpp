@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string>
 
 #include "experiments/scene.hpp"
 
@@ -16,5 +17,15 @@ std::int64_t step_count(const RunConfig& config);
 /// interpolated linearly. Throws std::runtime_error if that run diverges, and ConfigError if the meshes have neither
 /// their vertices nor their plane in common.
 void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>* stop = nullptr);
+
+/// Where another run ended, on its own mesh; both are kept by reference.
+struct StartingPose {
+  const RestMesh& rest;
+  const Positions& positions;  ///< #V by 3, m
+};
+
+/// Moves the free vertices of `scene` there, interpolated as above. Throws ConfigError with `pointer`, the setting that asks
+/// for it, if the meshes don't go together.
+void start_from(Scene& scene, const StartingPose& start, const std::string& pointer);
 
 }  // namespace bendlab

@@ -109,6 +109,7 @@ constexpr std::array reproducibles = {
     Reproducible{"paper", {"paper", "ablations", "models", "scenes"}, "page.py"},
     Reproducible{"stiffness", {"stiffness"}, "stiffness_page.py"},
     Reproducible{"stability", {"stability", "one_pin"}, "stability_page.py"},
+    Reproducible{"accuracy", {"accuracy"}, "accuracy_page.py"},
 };
 
 /// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be

@@ -1,7 +1,9 @@
-// Which of many boxes overlap: a binary tree of boxes, built once, its boxes renewed as the elements move.
+// Which of many boxes overlap, and what is nearest to a point: a binary tree of boxes, built once, its boxes renewed as the elements move.
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <span>
 #include <vector>
@@ -18,6 +20,11 @@ struct Box {
   void include(const Box& other) { low = low.min(other.low), high = high.max(other.high); }
   bool empty() const { return !(low(0) <= high(0)); }
   bool overlaps(const Box& other) const { return (low - other.high).max(other.low - high).maxCoeff() <= 0; }
+  /// To the nearest point of the box; infinite to an empty one.
+  double squared_distance(const Vector3& point) const {
+    const Eigen::Array3d p = point.array();
+    return (low.head<3>().cast<double>() - p).max(p - high.head<3>().cast<double>()).max(0).square().sum();
+  }
 };
 
 /// Elements whose centres are near stand in the same branch; that they were near once is enough, as elements
@@ -36,7 +43,32 @@ class BoxTree {
     if (leaves_ > 0) inside(1, action);
   }
 
+  /// The least squared_distance(i) of the elements i from `point`; only those are looked at whose box is nearer than the
+  /// nearest so far. Infinite without elements.
+  template <class SquaredDistance>
+  double least_squared_distance(const Vector3& point, const SquaredDistance& squared_distance) const {
+    double least = std::numeric_limits<double>::infinity();
+    if (leaves_ > 0) look_into(1, point, squared_distance, least);
+    return least;
+  }
+
  private:
+  // The nearer branch first: it makes the other one needless most of the time.
+  template <class SquaredDistance>
+  void look_into(std::size_t node, const Vector3& point, const SquaredDistance& squared_distance,
+                 double& least) const {
+    if (node >= leaves_) {
+      least = std::min(least, squared_distance(element_[node - leaves_]));
+      return;
+    }
+    std::array<std::size_t, 2> child = {2 * node, 2 * node + 1};
+    std::array<double, 2> away = {boxes_[child[0]].squared_distance(point),
+                                  boxes_[child[1]].squared_distance(point)};
+    if (away[1] < away[0]) std::swap(child[0], child[1]), std::swap(away[0], away[1]);
+    for (std::size_t i = 0; i < 2; ++i)
+      if (away[i] < least) look_into(child[i], point, squared_distance, least);
+  }
+
   template <class Action>
   void inside(std::size_t node, const Action& action) const {
     if (node >= leaves_ || boxes_[node].empty()) return;

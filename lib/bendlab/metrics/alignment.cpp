@@ -33,26 +33,48 @@ std::vector<int> parts_of(const Triangles& triangles) {
   return parent;
 }
 
-Eigen::MatrixX3d rows_of(const Positions& positions, const std::vector<int>& vertices) {
-  Eigen::MatrixX3d rows(static_cast<Eigen::Index>(vertices.size()), 3);
+Positions rows_of(const Positions& positions, const std::vector<int>& vertices) {
+  Positions rows(static_cast<Eigen::Index>(vertices.size()), 3);
   for (std::size_t i = 0; i < vertices.size(); ++i)
     rows.row(static_cast<Eigen::Index>(i)) = positions.row(vertices[i]);
   return rows;
 }
 
-// Sum of the squared distances that the best rotation and translation leave.
-double squared_distance(Eigen::MatrixX3d rest, Eigen::MatrixX3d now) {
-  rest.rowwise() -= rest.colwise().mean().eval();
-  now.rowwise() -= now.colwise().mean().eval();
-  const Eigen::Matrix3d covariance = now.transpose() * rest;
+Eigen::Map<const Eigen::VectorXd> as_vector(std::span<const double> weight) {
+  return {weight.data(), static_cast<Eigen::Index>(weight.size())};
+}
+
+Vector3 mean_of(const Positions& positions, std::span<const double> weight) {
+  const auto w = as_vector(weight);
+  return positions.transpose() * w / w.sum();
+}
+
+}  // namespace
+
+RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span<const double> weight) {
+  const Vector3 from_mean = mean_of(from, weight), to_mean = mean_of(to, weight);
+  const Positions a = from.rowwise() - from_mean.transpose(), b = to.rowwise() - to_mean.transpose();
+  const Eigen::Matrix3d covariance = b.transpose() * as_vector(weight).asDiagonal() * a;
   const Eigen::JacobiSVD<Eigen::Matrix3d> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vector3 signs = Vector3::Ones();
   if ((svd.matrixU() * svd.matrixV().transpose()).determinant() < 0) signs.z() = -1;
   const Eigen::Matrix3d rotation = svd.matrixU() * signs.asDiagonal() * svd.matrixV().transpose();
-  return (now - rest * rotation.transpose()).squaredNorm();
+  return {rotation, to_mean - rotation * from_mean};
 }
 
-}  // namespace
+// Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b) of the parts across the axis: the largest where φ is its angle.
+RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
+                         const Vector3& centre, const Vector3& axis) {
+  double cosine = 0, sine = 0;
+  for (Eigen::Index v = 0; v < from.rows(); ++v) {
+    const Vector3 a = from.row(v).transpose() - centre, b = to.row(v).transpose() - centre;
+    const double w = weight[static_cast<std::size_t>(v)];
+    cosine += w * (a.dot(b) - a.dot(axis) * b.dot(axis));
+    sine += w * axis.dot(a.cross(b));
+  }
+  const Eigen::Matrix3d rotation = Eigen::AngleAxisd(std::atan2(sine, cosine), axis).toRotationMatrix();
+  return {rotation, centre - rotation * centre};
+}
 
 Alignment::Alignment(const RestMesh& rest) : rest_(rest.positions()) {
   std::map<int, std::vector<int>> found;
@@ -70,9 +92,10 @@ double Alignment::distance(const Positions& positions) const {
   double sum = 0;
   std::size_t count = 0;
   for (const std::vector<int>& part : parts_) {
-    const Eigen::MatrixX3d now = rows_of(positions, part);
+    const Positions now = rows_of(positions, part), rest = rows_of(rest_, part);
     if (!now.allFinite()) return std::numeric_limits<double>::quiet_NaN();
-    sum += squared_distance(rows_of(rest_, part), now);
+    const std::vector<double> alike(part.size(), 1);
+    sum += (nearest_motion(rest, now, alike).moved(rest) - now).squaredNorm();
     count += part.size();
   }
   return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "bendlab/constraints/reference.hpp"
+#include "bendlab/solver/memory.hpp"
 
 namespace bendlab {
 namespace {
@@ -167,6 +168,17 @@ void ElasticSystem::for_terms(const Visit& visit) const {
 
 std::size_t ElasticSystem::term_count() const {
   return strain_.size() + distance_.size() + element_count(elements_);
+}
+
+std::size_t ElasticSystem::memory_bytes() const {
+  std::size_t sum = bytes_of(strain_.vertices) + bytes_of(strain_.inverse_rest) +
+                    bytes_of(distance_.vertices) + bytes_of(distance_.rest_length) +
+                    bytes_of(distance_.softness) + bytes_of(free_index_) + bytes_of(blocks_) +
+                    bytes_of(hessian_);
+  for_each_kind(elements_, [&](const auto& list) {
+    sum += bytes_of(list.vertices) + bytes_of(list.rest) + bytes_of(list.softness);
+  });
+  return sum;
 }
 
 double ElasticSystem::energy(const Positions& positions) const {

@@ -29,6 +29,7 @@ class ElasticSystem {
 
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
+  std::size_t memory_bytes() const;  ///< its lists of constraints, and the Hessian
   /// Of each vertex, its number among the free ones, or -1. Unknowns 3 i to 3 i + 2 are the free vertex i's x, y, z.
   const std::vector<int>& free_index() const { return free_index_; }
 

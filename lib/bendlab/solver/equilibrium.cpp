@@ -11,6 +11,7 @@
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -40,7 +41,6 @@ class Equilibrium final : public TimeStep<double> {
         system_(input),
         positions_(input.positions),
         masses_(system_.unknowns()),
-        starts_near_(input.settings.starts_near),
         whole_(system_.unknowns() == 0),
         size_(input.size),
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
@@ -62,6 +62,14 @@ class Equilibrium final : public TimeStep<double> {
   const BatchOrder& strain_order() const override { return no_order_; }
   const BatchOrder& distance_order() const override { return distance_order_; }
   const BatchOrder& element_order(std::string_view) const override { return no_order_; }
+
+  std::size_t memory_bytes() const override {
+    std::size_t vectors = 0;
+    for (const VectorXd* each : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
+      vectors += bytes_of(*each);
+    return TimeStep<double>::memory_bytes() + system_.memory_bytes() + vectors +
+           static_cast<std::size_t>(positions_.size()) * sizeof(double) + factor_bytes_;
+  }
 
  private:
   bool balanced() const {
@@ -99,10 +107,11 @@ class Equilibrium final : public TimeStep<double> {
       soften(std::max(softness_ / 10, 1.0));
   }
 
-  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it.
+  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it,
+  // and a softer one may not have the basin in which the cloth lies.
   void start() {
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
-    const double softest = starts_near_ ? 10 : 1000;
+    const double softest = settings_.starts_there ? 1 : settings_.starts_near ? 10 : 1000;
     if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
@@ -130,7 +139,7 @@ class Equilibrium final : public TimeStep<double> {
 
   // So that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
-    const VectorXd& forces = starts_near_ && loads_.norm() > 0 ? loads_ : residual_;
+    const VectorXd& forces = settings_.starts_near && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
     inverse_tau_squared_ = acceleration / (0.05 * size_);
   }
@@ -163,6 +172,7 @@ class Equilibrium final : public TimeStep<double> {
     matrix.diagonal() += inverse_tau_squared_ * masses_;
     if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
     factor_.factorize(matrix);
+    factor_bytes_ = factor_.cholmod().memory_usage;  // the most that CHOLMOD had at a time
     return factor_.info() == Eigen::Success;
   }
 
@@ -197,10 +207,10 @@ class Equilibrium final : public TimeStep<double> {
   const Eigen::SparseMatrix<double>* hessian_ = nullptr;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
   bool analysed_ = false;
+  std::size_t factor_bytes_ = 0;
   bool convex_ = false;  // the Hessian's kind
   bool far_ = false;     // the convex one is likely to be needed again
-  bool starts_near_;
-  bool whole_;  // the last step was Newton's: what it found is a minimum in every direction
+  bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   BatchOrder distance_order_, no_order_;

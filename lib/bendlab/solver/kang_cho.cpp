@@ -7,6 +7,7 @@
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/kang_cho_kernel.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -40,6 +41,11 @@ class KangChoStep final : public TimeStep<Real> {
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return distance_order_; }
   const BatchOrder& element_order(std::string_view) const override { return constraints_.strain.order; }
+  std::size_t memory_bytes() const override {
+    return Base::memory_bytes() + bytes_of(springs_.slices) + bytes_of(springs_.other) +
+           bytes_of(springs_.rest_length) + bytes_of(springs_.stiffness) + bytes_of(system_.rows) +
+           bytes_of(system_.guess) + bytes_of(external_);
+  }
 
  private:
   static void check(const SimulationInput& input, const std::vector<Pass<Real>>& effect_passes) {

@@ -82,6 +82,8 @@ struct SolverSettings {
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
   bool starts_near = false;  ///< equilibrium: the pose is already near one
+  /// equilibrium: the pose is one's of the same mesh, found by another method; the way must not leave its basin
+  bool starts_there = false;
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
@@ -161,6 +163,9 @@ class Simulation {
   virtual std::uint64_t projections() const = 0;
   /// Substeps so far, those that flight_limit made of others among them.
   virtual std::uint64_t substeps() const = 0;
+  /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their multipliers, and what
+  /// else it solves with (a matrix, its factor at its largest). Without the effects' and the scene's own lists.
+  virtual std::size_t memory_bytes() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;

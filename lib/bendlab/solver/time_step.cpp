@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bendlab/solver/memory.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -60,6 +62,11 @@ bool TimeStep<Real>::step() {
     ++substeps_done_;
   }
   return divergence_.vertex < 0 || (divergence_.time = time(), false);
+}
+
+template <class Real>
+std::size_t TimeStep<Real>::memory_bytes() const {
+  return bytes_of(state_) + bytes_of(constraints_) + bytes_of(rest_) + bytes_of(place_);
 }
 
 template <class Real>

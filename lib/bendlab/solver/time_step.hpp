@@ -27,6 +27,7 @@ class TimeStep : public Simulation {
   double helper_seconds() const final { return workers_.helper_seconds(); }
   std::uint64_t projections() const final { return substeps() * projections_per_substep(); }
   std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
+  std::size_t memory_bytes() const override;
 
  protected:
   using Passes = std::vector<PlannedPass<Real>>;

@@ -1,0 +1,29 @@
+// A pose of one mesh of a flat sheet at the vertices of another mesh of the same sheet.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "bendlab/mesh/rest_mesh.hpp"
+
+namespace bendlab {
+
+/// Interpolates linearly in the rest plane; beyond the outline, which may differ by an edge's length, linearly on. Between
+/// meshes with the same rest positions it changes no bit.
+class PoseTransfer {
+ public:
+  /// Throws std::invalid_argument where the meshes have neither their rest positions nor their flat sheet in common.
+  PoseTransfer(const RestMesh& from, const RestMesh& to);
+
+  /// `pose` #V of `from` by 3 → #V of `to` by 3, m.
+  Positions operator()(const Positions& pose) const;
+
+ private:
+  struct Place {
+    std::array<int, 3> corner;
+    std::array<double, 3> weight;  // sum 1; of a point outside the triangle some are negative
+  };
+  std::vector<Place> places_;  // #V of `to`; empty: the meshes are the same
+};
+
+}  // namespace bendlab
