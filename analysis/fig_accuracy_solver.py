@@ -54,7 +54,7 @@ def _substeps(told, out):
         panel.xaxis.set_major_formatter("{x:.0f}")
         panel.set_xlabel(f"substeps; times iterations: {work}")
     axes[0].set_ylabel("distance from its equilibrium (% of size)")
-    style.legend_below(figure, axes[-1], 6)
+    style.legend_below(figure, axes[0], 6)
     figure.suptitle(message(gains), x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_accuracy_substeps")
 

@@ -12,7 +12,11 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
+import accuracy  # noqa: E402
+import accuracy_page  # noqa: E402
 import fig_5  # noqa: E402
+import fig_accuracy_scaling  # noqa: E402
+import fig_accuracy_solver  # noqa: E402
 import fig_models  # noqa: E402
 import fig_scenes  # noqa: E402
 import fig_stability  # noqa: E402
@@ -521,6 +525,58 @@ class StabilityTest(unittest.TestCase):
             section = stability_page.main(Path(folder), Path(folder) / "page")
             self.assertEqual(section.cells, {})
             self.assertIn("Runs that are missing", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
+
+
+class AccuracyTest(unittest.TestCase):
+    """Costs, fronts and levels of runs that are made up."""
+
+    @staticmethod
+    def run_of(ms, error, model="dihedral", substeps=1, iterations=1, against="physical", status="complete", **summary):
+        """A run of half a second, 30 frames, with 3 s of set-up and recording beside its steps."""
+        config = {"solver": {"substeps": substeps, "iterations": iterations, "dt": 1 / 60, "sweep": "forward"}}
+        return load.Run(Path("none"), "0", "made_up", status, {**config, "bending": {"model": model}},
+                        {f"error_{against}_rms": error, "projections": 300.0, **summary}, {"time": np.array([0, 0.5])},
+                        cpu_s=3 + ms * 30 / 1000, passes={"set_up": 2.0, "recording": 1.0, "strain": 99.0})
+
+    def test_cost_is_that_of_the_steps_for_a_frame(self):
+        run = self.run_of(4, 0.1)
+        self.assertAlmostEqual(accuracy.cost(run), 4, places=9)
+        self.assertAlmostEqual(accuracy.projections(run), 10)
+
+    def test_the_front_is_what_no_other_beats_in_both(self):
+        cheap, _, middle, _, best = runs = [self.run_of(*point) for point in ((1, 0.5), (2, 0.6), (3, 0.2), (4, 0.2), (9, 0.1))]
+        self.assertEqual(accuracy.front(runs[::-1]), [cheap, middle, best])
+        diverged = self.run_of(0.1, np.nan, status="diverged")
+        del diverged.summary["error_physical_rms"]
+        self.assertEqual(accuracy.front([diverged, *runs])[0], cheap)
+        self.assertIs(accuracy.reaching(runs, 0.2), middle)
+        self.assertIsNone(accuracy.reaching(runs, 0.05))
+
+    def test_a_front_in_one_measure_says_nothing_of_another(self):
+        run = self.run_of(1, 0.5)
+        self.assertTrue(np.isnan(accuracy.error(run, against="solver")))
+        self.assertEqual(accuracy.front([run], against="solver"), [])
+
+    def test_slopes_and_levels_are_those_of_power_laws(self):
+        self.assertAlmostEqual(accuracy.slope([1, 2, 8], [3, 3 * 2**1.5, 3 * 8**1.5]), 1.5)
+        self.assertTrue(np.isnan(accuracy.slope([1], [2])))
+        runs = [self.run_of(ms, 0.2 / ms**2, against="solver") for ms in (1, 3, 10)]  # 0.01 at √20 ms
+        self.assertAlmostEqual(fig_accuracy_scaling.cost_at(runs, 0.01), np.sqrt(20), places=9)
+        self.assertTrue(np.isnan(fig_accuracy_scaling.cost_at(runs, 1e-5)))
+
+    def test_substeps_win_where_their_error_is_smaller(self):
+        runs = [self.run_of(1, 0.3, substeps=1, iterations=16, against="solver"), self.run_of(1, 0.1, substeps=16, iterations=1, against="solver")]
+        self.assertAlmostEqual(fig_accuracy_solver.gain(runs, 16), 3)
+        self.assertTrue(np.isnan(fig_accuracy_solver.gain(runs, 64)))
+        self.assertIn("1 of 1", fig_accuracy_solver.message({("dihedral", 16): 3.0}))
+
+    def test_the_page_is_made_without_runs_and_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            sections = accuracy_page.main(Path(folder) / "results", Path(folder) / "out")
+            page_text = (Path(folder) / "out/index.html").read_text(encoding="utf-8")
+            self.assertEqual(json.loads((Path(folder) / "out/summary.json").read_text(encoding="utf-8")), [])
+        self.assertTrue(all(section.missing for section in sections))
+        self.assertIn("Runs that are missing", page_text)
 
 
 def lattice(rows, columns):
