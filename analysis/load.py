@@ -216,7 +216,7 @@ def load_runs(folder, axes=None):
 
 
 def _fixed_part(config, axes):
-    """What the axes don't point at: (the scene, the settings of the bending model)."""
+    """What the axes don't point at: (the scene, bending, of which models keep only what they use)."""
     rest = json.loads(json.dumps(config))
     for pointer in [*axes, "/name", "/description", "/expect", "/sweep"]:
         parent, _, last = pointer.rpartition("/")
@@ -225,9 +225,7 @@ def _fixed_part(config, axes):
             node[int(last)] = None
         elif isinstance(node, dict):
             node.pop(last, None)
-    bending = rest.get("bending", {})
-    settings = {key: bending.pop(key) for key in list(bending) if isinstance(bending[key], dict)}
-    return rest, settings
+    return rest, rest.pop("bending", {})
 
 
 def select(runs, **wanted):
