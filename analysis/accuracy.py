@@ -8,6 +8,8 @@ from load import group, load_experiment
 
 LEVELS = (0.20, 0.05, 0.01)  # errors that the tables ask the time for
 FRAMES_PER_SECOND = 60  # a frame is 1/60 s of simulated time
+NAMES = {**style.MODEL_NAMES, "k_ring": "k-ring, k = 2"}  # as configs/accuracy has it
+UNBALANCED = 1e-3  # of the loads: a reference with more has found no equilibrium
 NOT_STEPPING = ("set_up", "recording")
 MEANING = {
     "rms": "root mean square distance of the points from the reference's, in diagonals of the rest box",
@@ -42,7 +44,9 @@ def simulated(run):
 
 
 def error(run, measure="rms", against="physical"):
-    """Infinite for a run that diverged, NaN where it was not compared."""
+    """Infinite for a run that diverged, NaN where it was not compared, or with an equilibrium that was not found."""
+    if run.summary.get(f"error_{against}_unbalanced", 0) > UNBALANCED:
+        return np.nan
     return run.summary.get(f"error_{against}_{measure}", np.inf if run.status == "diverged" else np.nan)
 
 

@@ -27,7 +27,10 @@ def main(results, out):
     if scenes:
         gaps = ", ".join(f"{scene} {style.number(100 * gap(told), 2)} %" for scene, (told, _) in scenes.items())
         section.pictures.append((_fronts(scenes, out), f"Every run is a dot, the line is the front: no run is cheaper and nearer. Stars are the paper's setting ({PAPER}), "
-                                 f"which names no cloth and has no solver error. The stated cloth differs by this from that on half as many cells: {gaps}."))
+                                 f"which names no cloth and has no solver error. The stated cloth differs by this from that on half as many cells: {gaps}. Models whose "
+                                 "equilibrium Newton's method does not find (Choi-Ko) have no solver error."))
+        section.pictures.append((_levels(scenes, out), "CPU time per frame of the cheapest run of each model that is as near to the stated cloth; a model without a mark came no "
+                                 "nearer in any run of the sweep."))
     for scene, (told, paper) in scenes.items():
         section.tables += [levels_table(told, scene, against, meaning) for against, meaning in MEASURES]
         section.tables.append(_front_table(told + paper, scene))
@@ -45,7 +48,7 @@ def levels_table(runs, scene, against, meaning):
     """Model × the time that its cheapest run within each level takes."""
     rows = []
     for model, some in accuracy.by_model(runs).items():
-        row = [style.MODEL_NAMES[model]]
+        row = [accuracy.NAMES[model]]
         for level in accuracy.LEVELS:
             run = accuracy.reaching(some, level, against=against)
             row += [style.number(accuracy.cost(run)) if run else "–", accuracy.settings(run) if run else ""]
@@ -55,9 +58,32 @@ def levels_table(runs, scene, against, meaning):
     return Table(f"{scene}: CPU time per frame of the cheapest run within an error, {meaning}", ["model", *columns, "least error (%)"], rows)
 
 
+def _levels(scenes, out):
+    figure, axes = plt.subplots(1, len(scenes), figsize=(10.4, 4.2), layout="constrained", squeeze=False, sharey=True)
+    models = list(accuracy.by_model(sum((told for told, _ in scenes.values()), [])))[::-1]
+    titles = []
+    for panel, (scene, (told, _)) in zip(axes[0], scenes.items()):
+        reached = {level: {} for level in accuracy.LEVELS}
+        for model, some in accuracy.by_model(told).items():
+            for level in accuracy.LEVELS:
+                run = accuracy.reaching(some, level)
+                if run:
+                    reached[level][model] = accuracy.cost(run)
+        for level, marker, colour in zip(accuracy.LEVELS, "os^", style.SEQUENCE):
+            panel.plot(list(reached[level].values()), [models.index(model) for model in reached[level]], marker, color=colour, label=f"{100 * level:g} %")
+        panel.set_xscale("log")
+        panel.set_xlabel("CPU time per frame of 1/60 s (ms)")
+        panel.set_title(scene)
+        titles.append(f"{scene} {len(reached[accuracy.LEVELS[-1]])} of {len(accuracy.by_model(told))}")
+    axes[0, 0].set_yticks(range(len(models)), [accuracy.NAMES[model] for model in models])
+    axes[0, 0].legend(title="within")
+    figure.suptitle(f"Models that come within {100 * accuracy.LEVELS[-1]:g} % of the stated cloth: {', '.join(titles)}", x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_accuracy_levels")
+
+
 def _front_table(runs, scene):
     return Table(f"{scene}: the front of the physical error", ["model", "substeps × iterations", "ms per frame", "projections per frame", "error (%)"],
-                 [[style.MODEL_NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
                    f"{accuracy.projections(run):.3g}", style.number(100 * accuracy.error(run))] for run in accuracy.front(runs)])
 
 
@@ -65,7 +91,7 @@ def _stiffness_table(runs):
     """How stiff each front run of the cantilever is, against what it was told."""
     told = 5e-5
     return Table("cantilever: stiffness error", ["model", "substeps × iterations", "ms per frame", "B measured over B told", "error (%)"],
-                 [[style.MODEL_NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
                    style.number(run.summary.get("stiffness_flexural_rigidity", np.nan) / told), style.number(100 * accuracy.error(run))]
                   for some in accuracy.by_model(runs).values() for run in accuracy.front(some)])
 
@@ -95,7 +121,7 @@ def _front(panel, told, against):
         points = [(accuracy.cost(run), 100 * accuracy.error(run, against=against)) for run in some]
         points = [point for point in points if np.isfinite(point).all()]
         if points:
-            panel.scatter(*zip(*points), s=15, color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model], alpha=0.85, linewidths=0)
+            panel.scatter(*zip(*points), s=15, color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model], alpha=0.85, linewidths=0)
     best = accuracy.front(told, against=against)
     panel.step([accuracy.cost(run) for run in best], [100 * accuracy.error(run, against=against) for run in best], where="post", color=style.INK,
                linewidth=1, zorder=0)
@@ -107,7 +133,7 @@ def message(told, paper):
     parts = []
     for level in (0.05, 0.01):
         run = accuracy.reaching(told, level)
-        parts.append(f"{style.MODEL_NAMES[run.model]} is within {100 * level:g} % in {style.number(accuracy.cost(run), 2)} ms" if run else f"none is within {100 * level:g} %")
+        parts.append(f"{accuracy.NAMES[run.model]} is within {100 * level:g} % in {style.number(accuracy.cost(run), 2)} ms" if run else f"none is within {100 * level:g} %")
     star = next((run for run in paper if run.model == "adaptive"), None)
     if star:
         parts.append(f"the paper's adaptive {style.number(100 * accuracy.error(star), 2)} % off in {style.number(accuracy.cost(star), 2)} ms")

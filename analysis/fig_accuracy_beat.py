@@ -30,7 +30,7 @@ def main(results, out):
     section.pictures.append((_picture(paper, rest, star, section.checks, out), "Dots: models that are told the cloth, numbers are cells along the side. Stars: "
                              "the paper's setting on 64 cells. The reference is the stated cloth on 96 cells."))
     section.tables.append(Table("The front, and the paper's setting", ["model", "cells", "substeps × rounds", "ms per frame", "error (%)"],
-                                [[style.MODEL_NAMES[run.model], run.get("/mesh/cells"), accuracy.settings(run), style.number(accuracy.cost(run)),
+                                [[accuracy.NAMES[run.model], run.get("/mesh/cells"), accuracy.settings(run), style.number(accuracy.cost(run)),
                                   style.number(100 * accuracy.error(run))] for run in accuracy.front(rest) + paper]))
     return section
 
@@ -43,7 +43,7 @@ def _picture(paper, rest, star, checks, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
     for model, some in accuracy.by_model(rest).items():
         axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], s=14, color=style.MODEL_COLOURS[model],
-                     label=style.MODEL_NAMES[model], linewidths=0)
+                     label=accuracy.NAMES[model], linewidths=0)
     best = accuracy.front(rest)
     axes.step([accuracy.cost(run) for run in best], [100 * accuracy.error(run) for run in best], where="post", color=style.INK, linewidth=1, zorder=0)
     for run in best:

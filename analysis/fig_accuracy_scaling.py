@@ -1,6 +1,7 @@
 """How cost grows with the mesh at equal error, and what motion asks for."""
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.lines import Line2D
 
 import accuracy
 import style
@@ -17,7 +18,7 @@ def main(results, out):
     section.text = ("A finer mesh has more constraints, and needs more substeps for the same error: cost at equal error is the honest scaling. "
                     "Motion is compared frame by frame with the same run in 2048 substeps, whose own distance from 1024 is drawn as a line.")
     if sizes:
-        section.pictures.append((_growth(sizes, out), "Left: error against substeps, a line for each resolution. Right: CPU time per frame to come "
+        section.pictures.append((_growth(sizes, out), "Left: error against substeps, in single precision, which loses the steps of gravity in very short substeps. Right: CPU time per frame to come "
                                  f"within {100 * LEVEL:g} %, along straight lines between the measured runs (on logarithms)."))
     if swing:
         section.pictures.append((_motion(swing, out), "A sheet released from the horizontal, swinging without drag for 1.5 s: mean over 30 frames."))
@@ -46,9 +47,9 @@ def _growth(runs, out):
         for cells, of_size in sorted(group(some, lambda run: run.get("/mesh/cells")).items()):
             of_size = sorted(of_size, key=lambda run: run.get("/solver/substeps"))
             left.plot([run.get("/solver/substeps") for run in of_size], [100 * accuracy.error(run, against="solver") for run in of_size],
-                      looks.get(cells, "-"), marker="o", markersize=4, color=style.MODEL_COLOURS[model], label=f"{style.MODEL_NAMES[model]}, {cells} cells")
+                      looks.get(cells, "-"), marker="o", markersize=4, color=style.MODEL_COLOURS[model])
             line.append((of_size[0].summary["vertices"], cost_at(of_size, LEVEL)))
-        right.plot(*zip(*line), "o-", color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model])
+        right.plot(*zip(*line), "o-", color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model])
         slopes[model] = accuracy.slope(*zip(*line))
     left.axhline(100 * LEVEL, color=style.GREY, linewidth=0.8)
     left.set_xscale("log", base=4), left.set_yscale("log")
@@ -56,10 +57,10 @@ def _growth(runs, out):
     left.set_xlabel("substeps of one symmetric iteration"), left.set_ylabel("distance from its equilibrium (% of size)")
     right.set_xscale("log"), right.set_yscale("log")
     right.set_xlabel("vertices"), right.set_ylabel(f"CPU time per frame to {100 * LEVEL:g} % (ms)")
-    left.legend(fontsize=7, ncol=2)
+    left.legend(handles=[Line2D([], [], color=style.INK, linestyle=look, label=f"{cells} cells") for cells, look in looks.items()])
     right.legend()
     known = {model: p for model, p in slopes.items() if np.isfinite(p)}
-    text = ", ".join(f"{style.MODEL_NAMES[model]} V^{p:.1f}" for model, p in known.items())
+    text = ", ".join(f"{accuracy.NAMES[model]} V^{p:.1f}" for model, p in known.items())
     figure.suptitle(f"Time for {100 * LEVEL:g} % grows faster than the mesh: {text}" if known else f"Time for {100 * LEVEL:g} % against the mesh",
                     x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_accuracy_scaling")
@@ -74,7 +75,7 @@ def _motion(runs, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.4), layout="constrained")
     for model, some in accuracy.by_model(runs).items():
         axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run, against="solver") for run in some], s=18,
-                     color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model], linewidths=0)
+                     color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model], linewidths=0)
         best = accuracy.front(some, against="solver")
         axes.plot([accuracy.cost(run) for run in best], [100 * accuracy.error(run, against="solver") for run in best], color=style.MODEL_COLOURS[model],
                   linewidth=1)
@@ -83,7 +84,7 @@ def _motion(runs, out):
     axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel("distance from its motion (% of size)")
     axes.legend()
     cheapest = accuracy.reaching(runs, 0.05, against="solver")
-    title = (f"Motion within 5 %: {style.MODEL_NAMES[cheapest.model]} in {style.number(accuracy.cost(cheapest), 2)} ms "
+    title = (f"Motion within 5 %: {accuracy.NAMES[cheapest.model]} in {style.number(accuracy.cost(cheapest), 2)} ms "
              f"({accuracy.settings(cheapest)})") if cheapest else "No run keeps within 5 % of its motion"
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_accuracy_motion")
@@ -92,7 +93,7 @@ def _motion(runs, out):
 def _motion_table(runs):
     return Table("Motion", ["model", "substeps × rounds", "ms per frame", "distance (%)", "worst frame (%)", "energy (%)", "reference known to (%)",
                             "known to a tenth"],
-                 [[style.MODEL_NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
                    *(style.number(100 * accuracy.error(run, measure, "solver")) for measure in ("rms", "rms_worst", "energy")),
                    style.number(100 * gap([run])), "yes" if gap([run]) <= 0.1 * accuracy.error(run, against="solver") else "no"]
                   for some in accuracy.by_model(runs).values() for run in sorted(some, key=accuracy.cost)])

@@ -47,7 +47,7 @@ def _substeps(told, out):
             line = [(substeps, error) for substeps, error in line if np.isfinite(error)]
             if len(line) > 1:
                 panel.plot([s for s, _ in line], [100 * e for _, e in line], "o-", markersize=4, linewidth=1.2, color=style.MODEL_COLOURS[model],
-                           label=style.MODEL_NAMES[model])
+                           label=accuracy.NAMES[model])
             if np.isfinite(gain(some, work)):
                 gains[model, work] = gain(some, work)
         panel.set_xscale("log", base=4), panel.set_yscale("log")
@@ -66,8 +66,8 @@ def message(gains):
     wins = sum(value > 1 for value in gains.values())
     (best, most), (worst, least) = (pick(gains, key=gains.get) for pick in (max, min))
     return (f"Substeps come nearer than iterations in {wins} of {len(gains)} comparisons: by × {style.number(np.median(list(gains.values())), 2)} in the "
-            f"middle,\n× {style.number(gains[worst, least], 2)} ({style.MODEL_NAMES[worst]}, work {least}) to × {style.number(gains[best, most], 2)} "
-            f"({style.MODEL_NAMES[best]}, work {most})")
+            f"middle,\n× {style.number(gains[worst, least], 2)} ({accuracy.NAMES[worst]}, work {least}) to × {style.number(gains[best, most], 2)} "
+            f"({accuracy.NAMES[best]}, work {most})")
 
 
 def _steps_and_precision(time_step, precision, out):
@@ -75,7 +75,7 @@ def _steps_and_precision(time_step, precision, out):
     for model, some in accuracy.by_model(time_step).items():
         some = sorted(some, key=lambda run: -run.get("/solver/dt"))
         left.plot([1 / run.get("/solver/dt") for run in some], [100 * accuracy.error(run, against="solver") for run in some], "o-",
-                  color=style.MODEL_COLOURS[model], label=style.MODEL_NAMES[model])
+                  color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model])
     left.set_xscale("log"), left.set_yscale("log")
     rates = sorted({round(1 / run.get("/solver/dt")) for run in time_step})
     left.set_xticks(rates, labels=rates), left.minorticks_off()
@@ -88,13 +88,14 @@ def _steps_and_precision(time_step, precision, out):
         substeps = sorted({s for _, s in found})
         for kind, look in (("single", "o-"), ("double", "s:")):
             right.plot(substeps, [100 * found.get((kind, s), np.nan) for s in substeps], look, color=style.MODEL_COLOURS[model],
-                       label=f"{style.MODEL_NAMES[model]}, {kind}")
+                       label=f"{accuracy.NAMES[model]}, {kind}")
         worst = max([worst, *(found[("single", s)] / found[("double", s)] for s in substeps if ("single", s) in found and ("double", s) in found)])
     right.set_xscale("log", base=4), right.set_yscale("log")
     right.xaxis.set_major_formatter("{x:.0f}")
     right.set_xlabel("substeps of one symmetric iteration")
     right.legend(ncol=2, fontsize=7)
-    figure.suptitle(f"Single precision is at most × {style.number(worst, 3)} as far off as double", x=0.01, ha="left", fontsize=11.5)
+    figure.suptitle(f"Smaller steps for the same work come nearer; single precision is up to × {style.number(worst, 2)} as far off as double",
+                    x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_accuracy_precision")
 
 
@@ -102,7 +103,7 @@ def _order_table(runs):
     rows = []
     for (model, substeps, sweep), some in group(runs, lambda run: (run.model, run.get("/solver/substeps"), run.get("/solver/sweep"))).items():
         found = {run.get("/solver/order"): run for run in some}
-        row = [style.MODEL_NAMES[model], f"{substeps} × {some[0].get('/solver/iterations')} {sweep}"]
+        row = [accuracy.NAMES[model], f"{substeps} × {some[0].get('/solver/iterations')} {sweep}"]
         for order in ("colour", "mesh", "pins"):
             run = found.get(order)
             row += [style.number(100 * accuracy.error(run, against="solver")), style.number(accuracy.cost(run))] if run else ["–", "–"]
