@@ -59,7 +59,7 @@ def work(run):
 def settings(run):
     """Solver settings for a reader."""
     flight = f", flight limit {run.get('/solver/flight_limit'):g}" if run.get("/solver/flight_limit") else ""
-    stiffness = f", k = {run.get('/bending/k'):g}" if run.get("/bending/stiffness") == "k" else ""
+    stiffness = f", k = {run.get('/bending/k'):g}" if run.get("/bending/stiffness") == "k" and run.model != "none" else ""
     return (f"{run.get('/solver/substeps')} × {run.get('/solver/iterations')}"
             f"{' symmetric' if run.get('/solver/sweep') == 'symmetric' else ''}, {run.get('/solver/precision')}{flight}{stiffness}")
 
