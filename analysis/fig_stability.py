@@ -1,7 +1,10 @@
 """Hard cases × bending models: a matrix of verdicts, and stills of what failed."""
+import itertools
+
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.patches import Patch, Polygon
+from matplotlib.collections import LineCollection, PolyCollection
+from matplotlib.patches import Patch
 
 import render
 import style
@@ -14,7 +17,8 @@ COLOURS = {GREEN: "#4da57c", AMBER: "#f0bf4f", RED: "#c8402f"}
 MISSING = "#eceff1"
 MARKS = {AMBER: "–", RED: "×"}  # for those who can't tell the colours
 PRECISIONS = ("single", "double")
-STILL_WIDTH, COLUMNS = 190, 6  # pixels; stills side by side
+STILL, HEAD, FOOT, GAP = 220, 36, 40, 14  # pixels: the picture, text above and below it, and what is between two
+COLUMNS, DPI, TEXT = 4, 100, 8
 
 
 def main(results, out):
@@ -35,12 +39,12 @@ def cells_of(results, section):
     """(case name, model, precision) → cell of every run that is there."""
     cells, experiments = {}, {}
     for case in CASES:
-        if case.config not in experiments:
-            experiments[case.config] = load_experiment(results, f"{FOLDER}/{case.config}")
-            section.uses(experiments[case.config])
-        experiment = experiments[case.config]
-        place = lambda wanted: {pointer: _swept(experiment, pointer, value) for pointer, value in wanted.items()}
-        runs, controls = _at(experiment, place(case.where)), _at(experiment, place(case.control))
+        for config in (case.config, case.control_config or case.config):
+            if config not in experiments:
+                experiments[config] = load_experiment(results, f"{FOLDER}/{config}")
+                section.uses(experiments[config])
+        runs = _at(experiments[case.config], case.where)
+        controls = _at(experiments[case.control_config or case.config], case.control)
         for key, run in runs.items():
             cell = judge(run, controls.get(key), case)
             cell.why = reason(cell) if cell.verdict != GREEN else ""
@@ -55,7 +59,8 @@ def _swept(experiment, pointer, value):
 
 def _at(experiment, where):
     """(model, precision) → the run at a place of the sweep."""
-    here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == value for pointer, value in where.items())
+    here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == _swept(experiment, pointer, value)
+                           for pointer, value in where.items())
     return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
             if run.status in ("complete", "diverged") and here(run)}
 
@@ -66,7 +71,7 @@ def count(cells, verdict, model=None):
 
 def caption(cells):
     return (f"{len(cells)} runs: {count(cells, GREEN)} green (pass), {count(cells, AMBER)} amber (stable, not recovered), "
-            f"{count(cells, RED)} red (not a number, flown apart, torn, or momentum or energy gained). Each cell is cut in two: "
+            f"{count(cells, RED)} red (not a number, flown apart, or momentum or energy gained). Each cell is cut in two: "
             "upper left single, lower right double precision.")
 
 
@@ -81,11 +86,16 @@ def _matrix(cells, out):
         places.append((y, case))
         y += 1
     figure, axes = plt.subplots(figsize=(9.6, 0.205 * y + 1.5), layout="constrained")
+    halves, colours = [], []
     for place, case in places:
         axes.text(-0.15, place + 0.5, case.title, ha="right", va="center", fontsize=8)
-        for column, model in enumerate(MODELS):
-            for precision in PRECISIONS:
-                _half(axes, column, place, precision, cells.get((case.name, model, precision)))
+        for (column, model), precision in itertools.product(enumerate(MODELS), PRECISIONS):
+            cell = cells.get((case.name, model, precision))
+            halves.append(_half(column, place, precision))
+            colours.append(COLOURS[cell.verdict] if cell else MISSING)
+            if cell and cell.verdict in MARKS:
+                _mark(axes, column, place, precision, cell.verdict)
+    axes.add_collection(PolyCollection(halves, facecolors=colours, linewidths=0))
     for place, title in heads:
         axes.text(-0.15, place + 0.12, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
     axes.set_xlim(0, len(MODELS)), axes.set_ylim(y + 0.1, -0.1)
@@ -103,15 +113,15 @@ def _matrix(cells, out):
     return style.save(figure, out, "fig_stability")
 
 
-def _half(axes, column, place, precision, cell):
-    """A triangle: the upper left half of a cell for single precision, the lower right one for double."""
+def _half(column, place, precision):
+    """Corners of a triangle: the upper left half of a cell for single precision, the lower right one for double."""
     left, right, top, bottom = column + 0.04, column + 0.96, place + 0.05, place + 0.95
-    corners = [(left, top), (right, top), (left, bottom)] if precision == "single" else [(right, bottom), (left, bottom), (right, top)]
-    axes.add_patch(Polygon(corners, color=COLOURS[cell.verdict] if cell else MISSING, linewidth=0))
-    if cell and cell.verdict in MARKS:
-        x = 0.27 if precision == "single" else 0.73
-        axes.text(column + x, place + (0.36 if precision == "single" else 0.68), MARKS[cell.verdict], fontsize=5.5, color="white" if
-                  cell.verdict == RED else style.INK, ha="center", va="center")
+    return [(left, top), (right, top), (left, bottom)] if precision == "single" else [(right, bottom), (left, bottom), (right, top)]
+
+
+def _mark(axes, column, place, precision, verdict):
+    x, y = (0.27, 0.36) if precision == "single" else (0.73, 0.68)
+    axes.text(column + x, place + y, MARKS[verdict], fontsize=5.5, color="white" if verdict == RED else style.INK, ha="center", va="center")
 
 
 def shown(cells, cases):
@@ -119,31 +129,62 @@ def shown(cells, cases):
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
+        of_case.sort(key=lambda cell: MODELS.index(cell.model))
         red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
         found += [some[0] for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
     return found
 
 
 def _stills(title, failed, out):
-    rows = -(-len(failed) // COLUMNS)
-    figure, axes = plt.subplots(rows, COLUMNS, figsize=(1.9 * COLUMNS, 2.35 * rows), squeeze=False, layout="constrained")
-    for panel in axes.ravel():
-        panel.set_axis_off()
-    for panel, cell in zip(axes.ravel(), failed):
-        _still(panel, cell)
+    """A sheet of stills, composed as one picture: that many axes would take longer to lay out than the cloths to draw."""
+    columns = min(COLUMNS, len(failed))
+    rows = -(-len(failed) // columns)
+    height, width = rows * (HEAD + STILL + FOOT), columns * (STILL + GAP)
+    figure = plt.figure(figsize=(width / DPI, height / DPI))
+    axes = figure.add_axes([0, 0, 1, 1])
+    sheet = np.ones((height, width, 3))
+    for place, cell in enumerate(failed):
+        row, column = divmod(place, columns)
+        _still(axes, sheet, cell, column * (STILL + GAP) + GAP // 2, row * (HEAD + STILL + FOOT) + HEAD)
+    axes.imshow(sheet, interpolation="none", extent=(0, width, height, 0))
+    axes.set_axis_off()
     name = "fig_stability_" + title.lower().replace(" ", "_")
-    return style.save(figure, out, name, dpi=100)
+    return style.save(figure, out, name, dpi=DPI, tight=False)
 
 
-def _still(axes, cell):
+def _still(axes, sheet, cell, left, top):
+    """The last frame of a run with its upper left corner at a place of the sheet, named above it, its number and extent below."""
     run, frame = cell.run, cell.run.frames - 1
-    positions = run.positions(frame)
-    middle = np.median(positions, axis=0)
-    camera = render.camera_for([positions], middle, run.size, aspect=1.0, zoom=0.42)  # alike in all, a point too
-    style.draw_cloth(axes, (run, frame), camera, STILL_WIDTH)
-    axes.set_title(f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, {cell.precision}", fontsize=6.5, pad=2)
-    axes.text(0.5, -0.02, number_text(cell.worst), transform=axes.transAxes, ha="center", va="top", fontsize=6.5,
+    positions, size = run.positions(frame), run.size
+    camera = render.camera_around(positions, size / 2)
+    triangles, excess = run.triangles, run.cell("max_stretch", frame) - 1
+    colours = style.stretch_colours(excess)
+    sheet[top:top + STILL, left:left + STILL] = render.render(positions, triangles, colours, camera, STILL)
+    places = np.array([left, top]) + camera.project(positions, (STILL, STILL))[0]
+    drawn_out = excess > 1
+    axes.add_collection(_slivers(places, triangles[drawn_out], colours[drawn_out]))
+    axes.scatter(*places[run.pinned].T, s=4, c="#111418", edgecolors="white", linewidths=0.25, zorder=3)
+    axes.text(left, top - 4, f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, {cell.precision}", va="bottom", fontsize=TEXT)
+    axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} sizes across", va="top", fontsize=TEXT,
               color="#8a1538" if cell.verdict == RED else "#6d5200")
+
+
+def _across(positions):
+    """Twice the largest distance from the middle of the box around all finite vertices."""
+    finite = positions[np.isfinite(positions).all(axis=1)]
+    return 2 * np.linalg.norm(finite - (finite.min(axis=0) + finite.max(axis=0)) / 2, axis=1).max()
+
+
+def _slivers(places, triangles, colours):
+    """Triangles too thin to cover a pixel, as lines along their longest edges: a cloth drawn out to a thread stays in sight."""
+    corners = places[triangles]
+    edges = np.roll(corners, -1, axis=1) - corners
+    lengths = np.linalg.norm(edges, axis=2)
+    area = np.abs(edges[:, 0, 0] * edges[:, 1, 1] - edges[:, 0, 1] * edges[:, 1, 0])
+    longest, rows = lengths.argmax(axis=1), np.arange(len(triangles))
+    thin = (lengths.max(axis=1) > 4) & (area < lengths.max(axis=1))  # pixels
+    lines = np.stack([corners[rows, longest], corners[rows, (longest + 1) % 3]], axis=1)
+    return LineCollection(lines[thin], colors=colours[thin], linewidths=0.5)
 
 
 def number_text(criterion):

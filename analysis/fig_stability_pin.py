@@ -63,28 +63,29 @@ def story(run):
     for _ in range(NEAR):
         near[np.unique(triangles[near[triangles].any(axis=1)])] = True
     at_pin = triangles[near[triangles].any(axis=1) & ~pinned[triangles].all(axis=1)]
-    frames = np.array([run.positions(frame) for frame in range(run.frames)])
-    stretch, ratio, angle = (np.array(values) for values in zip(*(_shape(rest, x, at_pin) for x in frames)))
+    frames = run.trajectory()
+    stretch, ratio, angle = _shape(rest, frames, at_pin)
     return Story(run, run.metrics["time"], stretch, ratio, angle, _corrections(run, frames, np.unique(at_pin)))
 
 
-def _shape(rest, x, triangles):
-    """Largest stretch - 1, ratio of edges and angle (degrees) of some triangles."""
-    a, b, c = (x[triangles[:, i]] for i in range(3))
-    p = np.stack([b - a, c - a], axis=2)
+def _shape(rest, frames, triangles):
+    """(F) largest stretch - 1, ratio of edges and angle (degrees) of some triangles."""
+    a, b, c = (frames[:, triangles[:, i]] for i in range(3))
     q = np.stack([rest[triangles[:, i]] - rest[triangles[:, 0]] for i in (1, 2)], axis=2)[:, :2]
-    largest = np.linalg.svd(p @ np.linalg.inv(q), compute_uv=False)[:, 0].max() - 1
-    edges = np.sort(np.linalg.norm([b - a, c - b, a - c], axis=2), axis=0)
+    f = np.stack([b - a, c - a], axis=3) @ np.linalg.inv(q)
+    along, across = (f**2).sum(axis=2)[..., 0], (f**2).sum(axis=2)[..., 1]
+    squared = (along + across) / 2 + np.hypot((along - across) / 2, f.prod(axis=3).sum(axis=2))  # the larger eigenvalue of fᵀf
+    edges = np.sort(np.linalg.norm([b - a, c - b, a - c], axis=3), axis=0)
     short, middle, long = np.maximum(edges, 1e-12)
     cosine = (short**2 + middle**2 - long**2) / (2 * short * middle)
-    return largest, (long / short).max(), np.degrees(np.arccos(np.clip(cosine, -1, 1))).max()
+    angle = np.degrees(np.arccos(np.clip(cosine, -1, 1)))
+    return np.sqrt(squared).max(axis=1) - 1, (long / short).max(axis=1), angle.max(axis=1)
 
 
 def _corrections(run, frames, vertices):
     """Of each frame the farthest that constraints moved a vertex, over the mean edge: how far it is from where it would have
     flown, x + (x - x before) + h² g."""
-    time, x = run.metrics["time"], frames[:, vertices]
-    free = vertices[~run.pinned[vertices]]
+    time, free = run.metrics["time"], vertices[~run.pinned[vertices]]
     x = frames[:, free]
     forces = sum(np.array(effect["acceleration"]) for effect in run.get("/effects") if effect["type"] == "gravity")
     step = np.diff(time).mean()

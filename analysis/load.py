@@ -7,6 +7,7 @@ import itertools
 import json
 import re
 from collections import Counter
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -20,9 +21,28 @@ def _text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+class Metrics(Mapping):
+    """Name → (F) array of a run file, each read when it is first asked for."""
+
+    def __init__(self, path, names, frames):
+        self._path, self._frames, self._found = path, frames, dict.fromkeys(names)
+
+    def __getitem__(self, name):
+        if self._found[name] is None:
+            with h5py.File(self._path, "r") as file:
+                self._found[name] = file[f"metrics/{name}"][:self._frames]
+        return self._found[name]
+
+    def __iter__(self):
+        return iter(self._found)
+
+    def __len__(self):
+        return len(self._found)
+
+
 @dataclass
 class Run:
-    """One run: what is small is read at once, frames on demand."""
+    """One run: what is small is read at once, metrics and frames on demand."""
 
     file: Path
     id: str
@@ -30,7 +50,7 @@ class Run:
     status: str  # running | complete | diverged | interrupted
     config: dict
     summary: dict  # name → number
-    metrics: dict  # name → (F) array, `time` among them
+    metrics: Mapping  # name → (F) array, `time` among them
     wall_s: float = 0.0
     cpu_s: float = 0.0
     passes: dict = field(default_factory=dict)  # pass → seconds
@@ -71,6 +91,12 @@ class Run:
         with h5py.File(self.file, "r") as file:
             count = len(file["rest/positions"])
             return file["VTKHDF/Points"][index * count:(index + 1) * count].astype(float)
+
+    def trajectory(self):
+        """(F, V, 3) positions of all frames, float64."""
+        with h5py.File(self.file, "r") as file:
+            count = len(file["rest/positions"])
+            return file["VTKHDF/Points"][:self.frames * count].reshape(self.frames, count, 3).astype(float)
 
     def cell(self, name, frame=-1):
         """(T) values of a cell field of a frame."""
@@ -150,7 +176,7 @@ def load_run(path):
             status="interrupted" if status == "running" else status,
             config=json.loads(_text(file["provenance/config"][()])),
             summary={name: float(np.ravel(value)[0]) for name, value in attributes("summary").items()},
-            metrics={name: data[:frames] for name, data in file["metrics"].items()},
+            metrics=Metrics(path, file["metrics"], frames),
             wall_s=float(np.ravel(attributes("timing").get("wall_s", 0))[0]),
             cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
             passes=passes,

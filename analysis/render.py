@@ -55,12 +55,7 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     It frames where the cloths hang, but nothing farther from the pin than the unstretched sheet reaches: a sheet that has
     blown up leaves the frame instead of shrinking the others. `zoom` (a fraction of size) frames the pin instead.
     """
-    a, e = np.radians(azimuth), np.radians(elevation)
-    backward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
-    right = np.cross([0.0, 0.0, 1.0], backward)
-    right /= np.linalg.norm(right)
-    axes = np.stack([right, np.cross(backward, right), backward])
-
+    axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
     points = points[np.isfinite(points).all(axis=1)]
     near = points[np.linalg.norm(points - pin, axis=1) <= 1.02 * size]
@@ -68,12 +63,33 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1) for sz in (-1, 0.5)])
-    low, high = near.min(axis=0), near.max(axis=0)
-    eye = (low + high) / 2 + 3.2 * size * backward
-    view = (near - eye) @ axes.T
+    return _framing(near, axes, size, floor, aspect)
+
+
+def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):
+    """A camera that frames all finite points of one cloth, and shows at least the length `least`."""
+    points = points[np.isfinite(points).all(axis=1)]
+    size = max(np.linalg.norm(np.ptp(points, axis=0)), least)
+    return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect, least=0.2)
+
+
+def _view_axes(azimuth, elevation):
+    """Rows: right, up, backward."""
+    a, e = np.radians(azimuth), np.radians(elevation)
+    backward = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.cross([0.0, 0.0, 1.0], backward)
+    right /= np.linalg.norm(right)
+    return np.stack([right, np.cross(backward, right), backward])
+
+
+def _framing(points, axes, size, floor, aspect, least=0.0):
+    """The camera that looks along `axes` at these points with a small margin; `least` is half its opening at least, in sizes."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    eye = (low + high) / 2 + 3.2 * size * axes[2]
+    view = (points - eye) @ axes.T
     slopes = view[:, :2] / -view[:, 2:]
     low, high = slopes.min(axis=0), slopes.max(axis=0)
-    centre, half = (low + high) / 2, (high - low) / 2 * 1.12
+    centre, half = (low + high) / 2, np.maximum((high - low) / 2 * 1.12, least / 3.2)
     centre[1] -= 0.03 * half[1]
     half = np.maximum(half, [half[1] * aspect, half[0] / aspect])
     extent = (centre[0] - half[0], centre[0] + half[0], centre[1] - half[1], centre[1] + half[1])

@@ -1,6 +1,7 @@
 """Writes the page of the hard cases: index.html with the matrix, and summary.json with one object per run."""
 import argparse
 import json
+import string
 from pathlib import Path
 
 import fig_stability
@@ -9,9 +10,10 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
 from report import Table, rounded
-from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR, TORN
+from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
+UNKNOWN = "not known"
 KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
 
 
@@ -48,8 +50,8 @@ def body(section, pin):
 def rules():
     """By what a run is judged, for a reader."""
     return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever {APART:g} times as far from the cloth's middle as at "
-            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, if the mean "
-            f"strain at the end is above {TORN:g} and above that of the start, if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
+            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, "
+            f"if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
             f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
             f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "
             f"length or are elastic are looked at).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
@@ -84,22 +86,47 @@ def section_of(title, cases, section):
     parts = [f"<h2>{escape(title)}</h2>", table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))]
     failed = [cell for case in here for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
     if failed:
-        parts.append(table_html(_failed_table(failed)))
+        parts.append(failed_html(failed))
     if title in section.stills:
         parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that fail'><figcaption>The last "
-                     "good frames of the red runs, and of the amber run farthest from its limit in a case that has no red one; coloured by stretch.</figcaption></figure>")
+                     "good frames of the red runs, and of the amber run farthest from its limit in a case that has no red one; coloured by stretch. "
+                     "Each is framed whole; how far it reaches across stands below it (at rest a sheet is one size across).</figcaption></figure>")
     return "\n".join(parts)
 
 
-def _failed_table(failed):
-    """What is not green, both precisions in a row."""
+def failed_html(failed):
+    """What is not green: models that share case, verdict and reason in one row, and the reasons below by letter."""
+    reasons = list(dict.fromkeys(cell.why or UNKNOWN for cell in failed))
+    letter = dict(zip(reasons, string.ascii_lowercase))
     rows = []
-    for (title, model), both in group(failed, lambda cell: (cell.case.title, cell.model)).items():
-        for verdict, some in group(both, lambda cell: cell.verdict).items():
-            worst = max(some, key=lambda cell: cell.worst.excess).worst
-            rows.append([title, model, " and ".join(cell.precision for cell in some), verdict, fig_stability.number_text(worst),
-                         style.number(worst.limit), some[0].why or "–"])
-    return Table("What is not green", ["case", "model", "precision", "verdict", "worst number", "its limit", "why"], rows)
+    for (title, verdict, why), some in group(failed, lambda cell: (cell.case.title, cell.verdict, cell.why or UNKNOWN)).items():
+        numbers = group([cell.worst for cell in some], lambda worst: (worst.name, worst.unit))
+        rows.append([title, verdict, models_text(some), "; ".join(range_text(found) for found in numbers.values()),
+                     "; ".join(_range([one.limit for one in found]) for found in numbers.values()), letter[why]])
+    table = table_html(Table("What is not green", ["case", "verdict", "models", "worst number", "its limit", "why"], rows))
+    legend = "".join(f"<li>{escape(why)}</li>" for why in reasons)
+    return f"{table}<ol type='a'>{legend}</ol>"
+
+
+def models_text(cells):
+    """The models of some cells in the order of the registry, with the precision where it is one of the two."""
+    precisions = group(cells, lambda cell: cell.model)
+    name = lambda model: style.MODEL_NAMES.get(model, model)
+    if set(precisions) == set(MODELS) and all(len(some) == 2 for some in precisions.values()):
+        return "all"
+    return ", ".join(name(model) + ("" if len(precisions[model]) == 2 else f" ({precisions[model][0].precision})")
+                     for model in MODELS if model in precisions)
+
+
+def range_text(criteria):
+    """'mean strain 0.2 to 0.9', of criteria of one name."""
+    unit = "" if criteria[0].unit == "1" else " " + criteria[0].unit
+    return f"{criteria[0].name} {_range([one.value for one in criteria])}{unit}"
+
+
+def _range(values):
+    low, high = style.number(min(values)), style.number(max(values))
+    return low if low == high else f"{low} to {high}"
 
 
 if __name__ == "__main__":

@@ -162,12 +162,13 @@ def number(value, digits=3):
     return f"{value:.{places}f}"
 
 
-def save(figure, folder, name, palette=True, dpi=None):
-    """Writes folder/name.png and returns its name; with a palette of 256 colours where that keeps it small. Smooth shading
-    would show its steps: with `palette` false shades are rounded to SHADES instead."""
+def save(figure, folder, name, palette=True, dpi=None, tight=True):
+    """Writes folder/name.png and returns its name; cut to what is drawn unless `tight` is false; with a palette of 256 colours
+    where that keeps it small. Smooth shading would show its steps: with `palette` false shades are rounded to SHADES instead."""
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, bbox_inches="tight", pad_inches=0.08, facecolor="white", dpi=dpi or "figure", pil_kwargs={"optimize": True})
+    figure.savefig(path, bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white", dpi=dpi or "figure",
+                   pil_kwargs={"optimize": True})
     plt.close(figure)
     if path.stat().st_size <= LARGE:
         return path.name
@@ -186,7 +187,8 @@ def save(figure, folder, name, palette=True, dpi=None):
 
 
 def _palette(image):
-    """256 colours for an image, the stretch colours well represented among them."""
+    """256 colours for an image, the stretch colours well represented among them; every third pixel decides."""
+    image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
     strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
     strip = strip.resize((image.width, image.height // 8))
     both = Image.new("RGB", (image.width, image.height + strip.height))

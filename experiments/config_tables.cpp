@@ -251,6 +251,11 @@ constexpr std::array solver = {
     Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 10,
               .meaning = "Rounds over all constraints per substep",
               .minimum = 1, .maximum = 100000},
+    Parameter{.name = "flight_limit", .type = number, .unit = "1", .default_value = 0.0,
+              .meaning = "Largest change of a triangle's deformation gradient while the cloth flies freely from one substep "
+                         "to the next; a substep that would exceed it is cut into shorter ones, at most 100. 0: none is "
+                         "cut. 0.2 costs little where nothing is wrong",
+              .minimum = 0},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
               .meaning = "Each iteration visits the constraints forward, or (symmetric) forward and then "
                          "backward, which is quiet at small time steps and projects twice as often",

@@ -163,6 +163,7 @@ std::map<std::string, double> Recorder::summary(const Simulation& simulation) co
       {"pinned_vertices", static_cast<double>(scene_.pins.all.size())},
       {"projections", static_cast<double>(simulation.projections())},
       {"memory_bytes", static_cast<double>(simulation.memory_bytes())},
+      {"substeps", static_cast<double>(simulation.substeps())},
   };
   if (const std::optional<double> unbalanced = simulation.unbalanced()) summary["unbalanced"] = *unbalanced;
   for (const BendingFact& fact : scene_.bending_facts) summary["model_" + fact.name] = fact.value;

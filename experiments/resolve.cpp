@@ -337,7 +337,7 @@ class MethodRules {
       check_compliance("/bending", why);
     }
     refuse_projection_effects();
-    drop("/solver", {"iterations", "sweep", "order", "first"});
+    drop("/solver", {"iterations", "flight_limit", "sweep", "order", "first"});
     drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
     drop("/bending", {"k"});
   }
@@ -347,7 +347,7 @@ class MethodRules {
     check_compliance("/material/strain", why);
     if (model_.name != "none") check_compliance("/bending", why);
     refuse_projection_effects();
-    drop("/solver", {"substeps", "iterations", "sweep", "order", "first", "precision"});
+    drop("/solver", {"substeps", "iterations", "flight_limit", "sweep", "order", "first", "precision"});
     drop("/bending", {"k"});
   }
 

@@ -171,7 +171,7 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
-  const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
+  const std::int64_t steps = step_count(config);
   writer.push(recorder.capture(simulation));
   if (stability) stability->look(simulation);
   double next_frame = frame_interval;

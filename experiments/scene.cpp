@@ -161,6 +161,7 @@ SolverSettings solver_settings(const ParameterValues& values) {
           .dt = values.number("dt"),
           .substeps = static_cast<int>(values.integer("substeps")),
           .iterations = static_cast<int>(values.integer("iterations")),
+          .flight_limit = values.number("flight_limit"),
           .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
           .order = values.text("order") == "colour" ? ConstraintOrder::colour : ConstraintOrder::mesh,
           .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,

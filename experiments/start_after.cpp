@@ -14,8 +14,7 @@ constexpr const char* pointer = "/initial/after";
 
 // Where the run ends.
 Positions end_of(const RunConfig& config, const Scene& scene, const std::atomic<bool>* stop) {
-  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
-  const auto steps = static_cast<std::int64_t>(std::ceil(duration / dt - 1e-6));
+  const std::int64_t steps = step_count(config);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   for (std::int64_t step = 0; step < steps && !simulation->settled(); ++step) {
     if (stop && stop->load(std::memory_order_relaxed)) break;
@@ -27,6 +26,12 @@ Positions end_of(const RunConfig& config, const Scene& scene, const std::atomic<
 }
 
 }  // namespace
+
+std::int64_t step_count(const RunConfig& config) {
+  constexpr double rounding = 1e-6;  // of a step: 1 s of 1/60 s is 60 steps, whatever the quotient rounds to
+  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
+  return static_cast<std::int64_t>(std::ceil(duration / dt - rounding));
+}
 
 void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>* stop) {
   const std::optional<RunConfig> before = run_before(config);

@@ -3,10 +3,14 @@
 
 #include <atomic>
 #include <string>
+#include <cstdint>
 
 #include "experiments/scene.hpp"
 
 namespace bendlab {
+
+/// How many steps of `/solver/dt` a run of `/duration` takes; a part of a step counts as one.
+std::int64_t step_count(const RunConfig& config);
 
 /// Simulates run_before(), if there is one, until it settles, its duration is over or `stop` is set, and moves the free
 /// vertices of `scene` to where it ends; they start at rest. Between two meshes of the same flat sheet the pose is

@@ -15,6 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import fig_5  # noqa: E402
 import fig_models  # noqa: E402
 import fig_scenes  # noqa: E402
+import fig_stability  # noqa: E402
 import fig_stiffness_buckling  # noqa: E402
 import fig_stiffness_textile  # noqa: E402
 import fig_structure  # noqa: E402
@@ -24,6 +25,7 @@ import page  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_page  # noqa: E402
+import stability_reasons  # noqa: E402
 import stiffness_page  # noqa: E402
 import strips  # noqa: E402
 import style  # noqa: E402
@@ -413,8 +415,8 @@ class StabilityTest(unittest.TestCase):
     CALM = dict(mean_strain=0.004, stability_reach=0.5, stability_reach_start=0.5, stability_reach_end=0.5, stability_rest_distance=0.001,
                 stability_energy_gain=0.0, stability_momentum_drift=1e-9, stability_rounding_speed=1e-7, projections=100, vertices=100)
 
-    def judged(self, status="complete", control=None, start_strain=0.0, **summary):
-        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25], "mean_strain": [start_strain]},
+    def judged(self, status="complete", control=None, **summary):
+        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25]},
                                                       complete=status == "complete", model="none")
         cell = stability_cases.judge(run(status, summary), control and run("complete", control), self.CASE)
         return cell.verdict, cell.worst.name
@@ -423,9 +425,7 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual(self.judged()[0], "green")
         self.assertEqual(self.judged(mean_strain=0.03), ("amber", "mean strain"))
         self.assertEqual(self.judged(mean_strain=0.03, control={"mean_strain": 0.02})[0], "green")  # twice the undisturbed
-        self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")  # a torn control is no yardstick
-        self.assertEqual(self.judged(mean_strain=3), ("red", "mean strain"))
-        self.assertEqual(self.judged(mean_strain=3, start_strain=50.0), ("amber", "mean strain"))
+        self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")  # a strained control is no yardstick
         self.assertEqual(self.judged(stability_rest_distance=0.02), ("amber", "distance from rest"))
         self.assertEqual(self.judged(stability_reach=9), ("red", "reach of all times"))
         self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5)[0], "green")
@@ -434,6 +434,58 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual(self.judged(stability_momentum_drift=1e-3), ("red", "momentum gained, as a speed"))
         self.assertEqual(self.judged(status="diverged"), ("red", "diverged after"))
         self.assertEqual(self.judged(mean_strain=np.nan)[0], "red")
+
+    def test_strain_alone_is_never_red(self):
+        for strain in (0.03, 1.0, 30.0, 1e6):  # the cloth stays where it was
+            self.assertEqual(self.judged(mean_strain=strain), ("amber", "mean strain"))
+        self.assertEqual(self.judged(mean_strain=1e6, stability_reach_end=3)[0], "red")
+
+    def test_a_cloth_of_any_extent_fits_the_frame_of_its_still(self):
+        size, rng = 2**0.5, np.random.default_rng(7)
+        for extent in ((0, 0, 0), (1, 0, 0), (0, 0, 400), (1e-6, 1e-6, 1e-6), (100, 1, 1), (3, 300, 20)):
+            cloth = rng.uniform(-0.5, 0.5, (200, 3)) * extent + [5, -7, 3]
+            camera = render.camera_around(np.concatenate([cloth, [[np.nan] * 3]]), size / 2)
+            pixels, nearness = camera.project(cloth, (200, 200))
+            self.assertTrue((nearness > 0).all())
+            self.assertTrue((pixels > 2).all() and (pixels < 198).all(), extent)
+            if max(extent) > size:  # and fills it
+                self.assertGreater(np.ptp(pixels, axis=0).max(), 160)
+
+    def test_a_thread_is_drawn_as_lines(self):
+        thread, wide = np.array([[0, 0], [0.2, 50], [0, 100], [60, 0]]), np.array([[0, 1, 2], [0, 1, 3]])
+        lines = fig_stability._slivers(thread, wide, np.zeros((2, 3))).get_segments()
+        self.assertEqual(len(lines), 1)
+        np.testing.assert_array_equal(np.sort(lines[0][:, 1]), [0, 100])  # along its longest edge
+
+    def test_models_that_share_a_reason_share_a_row(self):
+        case = SimpleNamespace(title="a case")
+        worst = lambda value: stability_cases.Criterion("mean strain", value, 0.2, "1", "amber")
+        cells = [stability_cases.Cell(case, SimpleNamespace(model=model, get=lambda _, precision=precision: precision), "amber", worst(value), why)
+                 for model, precision, value, why in [("none", "single", 0.5, "it slips"), ("none", "double", 0.25, "it slips"),
+                                                      ("adaptive", "double", 0.75, "it slips"), ("dihedral", "double", 3.0, "")]]
+        text = stability_page.failed_html(cells)
+        self.assertEqual(text.count("<tr>"), 3)  # the head and two rows
+        self.assertIn("no bending, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
+        self.assertEqual(text.count("it slips"), 1)
+        self.assertIn(f"<li>{stability_page.UNKNOWN}</li>", text)
+
+    def test_every_reason_is_of_a_case_and_names_a_number(self):
+        names = [case.name for case in stability_cases.CASES]
+        for one in stability_reasons.REASONS:
+            self.assertRegex(one.text, r"\d")
+            for beginning in one.cases:
+                self.assertTrue(any(name.startswith(beginning) for name in names), beginning)
+            self.assertLessEqual(set(one.models), set(load.MODELS))
+
+    def test_a_reason_needs_its_number(self):
+        cell = lambda name, status="complete", **numbers: SimpleNamespace(
+            case=SimpleNamespace(name=name), model="none", run=SimpleNamespace(status=status, summary=numbers))
+        folded = stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.3))
+        self.assertIn("fold", folded)
+        self.assertEqual(stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.0)), "")
+        self.assertEqual(stability_reasons.reason(cell("start: creased", "diverged", stability_shut_hinges=0.3)), "")
+        bare, ring = (stability_reasons.reason(cell(name, mean_strain=0.5)) for name in ("pins: one bare", "pins: one"))
+        self.assertNotEqual(bare, ring)  # one name begins with the other
 
     def test_every_place_of_every_sweep_is_a_case_or_what_one_is_compared_with(self):
         canonical = lambda value: json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)  # 1 and 1.0 are equal
@@ -445,8 +497,9 @@ class StabilityTest(unittest.TestCase):
                     for pointer, values in swept.items() for index, value in enumerate(values)]
 
         for config in sorted(load.CONFIGS.glob("stability/*.json")):
-            used = {(pointer, canonical(value)) for case in stability_cases.CASES if case.config == config.stem
-                    for wanted in (case.where, case.control) for pointer, value in wanted.items()}
+            used = {(pointer, canonical(value)) for case in stability_cases.CASES
+                    for of, wanted in ((case.config, case.where), (case.control_config or case.config, case.control))
+                    if of == config.stem for pointer, value in wanted.items()}
             there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
             self.assertEqual(used, there, config.stem)
 

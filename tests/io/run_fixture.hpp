@@ -43,8 +43,9 @@ inline RunHeader square_header() {
   header.pin_seeds = {0};
   header.metrics = {{"drop", "m", "how far it hangs"}, {"energy", "J", "kinetic energy"}};
   header.cell_fields = {{"stretch", "1", "largest principal stretch"}, {"shape", "1", "shape quality"}};
-  header.constraints = {{"strain", 2, "aa", 0, {}, {}}, {"distance", 2, "bb", 2, {0, 2, 1, 3}, {1.5, 2.5}}};
-  header.provenance = {{"commit", "c0ffee"}, {"compiler", "g++ <12> \"−O2\""}};
+  header.constraints = {{"strain", 2, "hash of strain", 0, {}, {}},
+                        {"distance", 2, "hash of distance", 2, {0, 2, 1, 3}, {1.5, 2.5}}};
+  header.provenance = {{"commit", "0a1b2c3"}, {"compiler", "g++ <12> \"−O2\""}};
   header.config = "{\"name\": \"square\"}";
   return header;
 }
@@ -67,7 +68,7 @@ inline RunFooter square_footer() {
   footer.passes = {{"strain", 1.5, 100}, {"gravity", 0.25, 10}};
   footer.wall_s = 3.5;
   footer.cpu_s = 7;
-  footer.provenance = {{"ordering", "bb"}};
+  footer.provenance = {{"ordering_hash", "hash of both"}};
   return footer;
 }
 

@@ -1,8 +1,10 @@
 // What each policy makes of each kind of bad mesh, counted by hand.
 #include "bendlab/mesh/bad_triangles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <set>
 
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/mesh/generators.hpp"
@@ -147,6 +149,103 @@ TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
     CHECK(accepted.notes.empty());
     CHECK_FALSE(accepted.renumbered);
   }
+}
+
+namespace {
+
+// 4 by 4 unit cells, two triangles each; of these triangle 12, inside, is turned around. Then what each policy leaves out:
+// two copies, a repeated vertex, three indices out of range. Last a cap on the edge of triangle 0 at the boundary.
+//
+//  5 ------ 6
+//  |  1   / |
+//  |   /  0 |
+//  0 - 25 - 1
+constexpr int turned = 12, cap = 32;
+
+PolygonSoup lattice() {
+  PolygonSoup soup;
+  for (int y = 0; y < 5; ++y)
+    for (int x = 0; x < 5; ++x) soup.points.push_back({1.0 * x, 1.0 * y, 0});
+  for (std::int64_t y = 0; y < 4; ++y)
+    for (std::int64_t x = 0; x < 4; ++x) {
+      const std::int64_t a = 5 * y + x;
+      soup.triangles.push_back({a, a + 1, a + 6});
+      soup.triangles.push_back({a, a + 6, a + 5});
+    }
+  return soup;
+}
+
+PolygonSoup damaged_lattice() {
+  PolygonSoup soup = lattice();
+  std::swap(soup.triangles[turned][1], soup.triangles[turned][2]);
+  soup.triangles.insert(soup.triangles.begin() + 7, {{0, 1, 6}, {3, 3, 9}, {1, 2, 99}});
+  soup.triangles.insert(soup.triangles.end(), {{24, 18, 23}, {-1, 2, 3}, {25, 26, 27}});
+  soup.points.push_back({0.5, 0, 0});
+  soup.triangles.push_back({1, 0, 25});
+  return soup;
+}
+
+// The sum of the counts in the notes that begin with a remedy, which has no digits: "left out: 2 triangles with …".
+int told(const AcceptedMesh& accepted, const std::string& remedy) {
+  int count = 0;
+  for (const std::string& note : accepted.notes)
+    if (note.starts_with(remedy)) count += std::stoi(note.substr(note.find_first_of("0123456789")));
+  return count;
+}
+
+// The triangles in any order, each from its lowest corner on: what is the same for a reader.
+std::multiset<std::array<int, 3>> oriented_triangles(const TriangleMesh& mesh) {
+  std::multiset<std::array<int, 3>> all;
+  for (const auto& t : mesh.triangles.rowwise()) {
+    std::array<int, 3> corners = {t(0), t(1), t(2)};
+    std::ranges::rotate(corners, std::ranges::min_element(corners));
+    all.insert(corners);
+  }
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("regularise and membrane_off change no more triangles than they say", "[mesh][bad]") {
+  PolygonSoup kept = lattice();
+  std::swap(kept.triangles[turned][1], kept.triangles[turned][2]);
+  const auto inverse_of_kept = inverse_rest_from_warp(to_mesh(kept), Vector3::UnitX());
+  for (const BadTriangles policy : {BadTriangles::regularise, BadTriangles::membrane_off}) {
+    const PolygonSoup soup = damaged_lattice();
+    const AcceptedMesh accepted = accept(soup, policy);
+    const int left_out =
+        static_cast<int>(soup.triangles.size()) - static_cast<int>(accepted.mesh.triangle_count());
+    CHECK(left_out == 6);
+    CHECK(told(accepted, "left out") == left_out);
+    CHECK(accepted.mesh.positions.topRows(25) == to_mesh(kept).positions);
+    CHECK(accepted.mesh.triangles.topRows(cap) == to_mesh(kept).triangles);
+    CHECK(accepted.mesh.triangles.row(cap) == Eigen::RowVector3i(1, 0, 25));
+
+    const auto inverse = inverse_rest_from_warp(accepted.mesh, Vector3::UnitX());
+    int changed = 0;
+    for (std::size_t t = 0; t < inverse.size(); ++t)
+      changed += t >= inverse_of_kept.size() || inverse[t] != inverse_of_kept[t];
+    CHECK(changed == 1);  // the cap
+    CHECK(told(accepted, policy == BadTriangles::regularise ? "given a rest height" : "without a strain") ==
+          changed);
+    CHECK(told(accepted, "kept") == 3);  // the edges of the triangle turned around
+    CHECK(accepted.notes.size() == 5);
+  }
+}
+
+TEST_CASE("repair changes no more triangles than it says", "[mesh][bad]") {
+  const AcceptedMesh accepted = accept(damaged_lattice(), BadTriangles::repair);
+  CHECK(told(accepted, "left out") == 6);
+  CHECK(told(accepted, "collapsed, or split") == 1);
+  CHECK(told(accepted, "turned alike") == 3);  // edges
+  CHECK(accepted.notes.size() == 5);
+  // The cap goes, the triangle beyond its longest edge becomes two, and the one turned around is turned back.
+  PolygonSoup expected = lattice();
+  expected.points.push_back({0.5, 0, 0});
+  expected.triangles[0] = {0, 25, 6};
+  expected.triangles.push_back({25, 1, 6});
+  CHECK(accepted.mesh.positions == to_mesh(expected).positions);
+  CHECK(oriented_triangles(accepted.mesh) == oriented_triangles(to_mesh(expected)));
 }
 
 TEST_CASE("nothing to simulate is refused by every policy", "[mesh][bad]") {

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+
+#include "bendlab/mesh/collinear.hpp"
 
 namespace bendlab {
 namespace {
@@ -114,12 +115,9 @@ std::vector<char> triangles_without_area(const TriangleMesh& mesh) {
   degenerate.reserve(static_cast<std::size_t>(mesh.triangle_count()));
   const double thickness = zero_area_thickness *
                            (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm();
-  for (const auto& corner : mesh.triangles.rowwise()) {
-    const Vector3 p = mesh.positions.row(corner(0)), q = mesh.positions.row(corner(1)),
-                  r = mesh.positions.row(corner(2));
-    const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-    degenerate.push_back((q - p).cross(r - p).norm() <= thickness * longest);
-  }
+  for (const auto& corner : mesh.triangles.rowwise())
+    degenerate.push_back(collinear_within(thickness, mesh.positions.row(corner(0)),
+                                          mesh.positions.row(corner(1)), mesh.positions.row(corner(2))));
   return degenerate;
 }
 

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/mesh/collinear.hpp"
 
 namespace bendlab {
 namespace {
@@ -25,6 +26,8 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
+// CGAL's repair of a soup renumbers what it leaves alone and knows no texture, and a NaN in a point that nothing uses
+// merges points that differ; its remove_degenerate_faces() sees no area only where it is exactly zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
@@ -56,8 +59,7 @@ class Mender {
     return (point(t[(corner + 1) % 3]) - point(t[(corner + 2) % 3])).norm();
   }
   bool thin(const Triangle& t) const {
-    const double longest = std::max({length(t, 0), length(t, 1), length(t, 2)});
-    return (point(t[1]) - point(t[0])).cross(point(t[2]) - point(t[0])).norm() <= thickness_ * longest;
+    return collinear_within(thickness_, point(t[0]), point(t[1]), point(t[2]));
   }
 
   void unite_equal_points() {

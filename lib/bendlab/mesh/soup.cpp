@@ -3,10 +3,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <numeric>
 #include <stdexcept>
+
+#include "bendlab/mesh/collinear.hpp"
 
 namespace bendlab {
 namespace {
@@ -139,12 +140,9 @@ class Diagnosis {
   void check_areas() {
     const double thickness = zero_area_thickness * (box_max_ - box_min_).norm();
     for (const std::size_t t : sound_) {
-      const Vector3 p = point(soup_.triangles[t][0]), q = point(soup_.triangles[t][1]),
-                    r = point(soup_.triangles[t][2]);
-      const double longest = std::max({(q - p).norm(), (r - q).norm(), (p - r).norm()});
-      const double twice_area = (q - p).cross(r - p).norm();
-      if (twice_area <= thickness * longest)
-        report_triangle(MeshProblemKind::zero_area, t);  // false with a NaN
+      const auto& [a, b, c] = soup_.triangles[t];
+      if (collinear_within(thickness, point(a), point(b), point(c)))
+        report_triangle(MeshProblemKind::zero_area, t);
     }
   }
 

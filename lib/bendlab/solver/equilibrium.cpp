@@ -21,6 +21,7 @@ using Eigen::VectorXd;
 
 constexpr double stretch_per_step = 0.05;  // 1
 constexpr double longest_move = 0.2;       // of the cloth's size, per step
+constexpr double crept = 1e-4;             // of the cloth's size: a step that short leads away from no saddle
 constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
 
 // OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side know better
@@ -138,7 +139,7 @@ class Equilibrium final : public TimeStep<double> {
 
   // So that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
-    const VectorXd& forces = loads_.norm() > 0 ? loads_ : residual_;
+    const VectorXd& forces = starts_near_ && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
     inverse_tau_squared_ = acceleration / (0.05 * size_);
   }
@@ -157,7 +158,7 @@ class Equilibrium final : public TimeStep<double> {
     constexpr int attempts = 100;  // of what is not finite no τ makes anything
     for (int attempt = 0; !factorised(); ++attempt) {
       if (attempt == attempts) throw std::runtime_error("equilibrium: the stiffness matrix is not finite");
-      if (convex_ || balanced())
+      if (convex_ || balanced() || last_move_ <= crept * size_)
         inverse_tau_squared_ = std::max(4 * inverse_tau_squared_, smallest());
       else
         hessian_ = &system_.hessian(positions_, system_.convex(multipliers_)), convex_ = true;
@@ -210,7 +211,7 @@ class Equilibrium final : public TimeStep<double> {
   bool convex_ = false;  // the Hessian's kind
   bool far_ = false;     // the convex one is likely to be needed again
   bool starts_near_;
-  bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
+  bool whole_;  // the last step was Newton's: what it found is a minimum in every direction
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   BatchOrder distance_order_, no_order_;

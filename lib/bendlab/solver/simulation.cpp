@@ -1,6 +1,7 @@
 #include "bendlab/solver/simulation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -8,6 +9,7 @@
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/equilibrium.hpp"
+#include "bendlab/solver/flight.hpp"
 #include "bendlab/solver/kang_cho.hpp"
 #include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -53,8 +55,9 @@ struct Placed {
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  using Base::add_statistics, Base::append_effects, Base::constraints_, Base::find_divergence,
-      Base::for_vertices, Base::place_, Base::run, Base::settings_, Base::state_, Base::workers_;
+  using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
+      Base::find_divergence, Base::for_vertices, Base::place_, Base::run, Base::settings_, Base::state_,
+      Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) : Base(input, input.place) {
@@ -74,12 +77,35 @@ class PbdStep final : public TimeStep<Real> {
 
  private:
   void substep(PassContext<Real>& context) override {
-    run(before_, context);
-    for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
-      run(forward_, context);
-      if (settings_.sweep == Sweep::symmetric) run(backward_, context);
+    const Real whole = context.substep;
+    for (Real left = whole; left > 0; left -= context.substep) {
+      context.substep = left;
+      load(context, whole);
+      if (context.substep < left) ++cut_substeps_;
+      run(before_, context);
+      for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+        run(forward_, context);
+        if (settings_.sweep == Sweep::symmetric) run(backward_, context);
+      }
+      run(after_, context);
+      context.time += static_cast<double>(context.substep);
     }
-    run(after_, context);
+    context.substep = whole;
+  }
+
+  // Forces and damping, for as much of the time that is left as flight_limit allows.
+  void load(PassContext<Real>& context, Real whole) {
+    if (settings_.flight_limit == 0) return run(loads_, context);
+    before_loads_ = state_.velocity;
+    run(loads_, context);
+    const Real loaded = largest_velocity_gradient(state_.velocity.data(), constraints_.strain);
+    if (!(loaded * context.substep > settings_.flight_limit)) return;
+    const Real bare = largest_velocity_gradient(before_loads_.data(), constraints_.strain);
+    const int most = static_cast<int>(std::ceil(SolverSettings::most_parts * context.substep / whole));
+    context.substep /=
+        static_cast<Real>(parts_of_flight(context.substep, bare, loaded, settings_.flight_limit, most));
+    state_.velocity = before_loads_;
+    run(loads_, context);
   }
 
   std::uint64_t projections_per_substep() const override {
@@ -152,8 +178,8 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
     };
-    add_effects(before_, Stage::force);
-    add_effects(before_, Stage::damp);
+    add_effects(loads_, Stage::force);
+    add_effects(loads_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
     add_effects(before_, Stage::predicted);
     const bool strain_first = settings_.first == FirstConstraint::strain;
@@ -229,7 +255,8 @@ class PbdStep final : public TimeStep<Real> {
 
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
-  typename Base::Passes before_, forward_, backward_, after_;
+  typename Base::Passes loads_, before_, forward_, backward_, after_;
+  Points<Real> before_loads_;  // velocities; with flight_limit only
 };
 
 }  // namespace

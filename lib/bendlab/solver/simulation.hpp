@@ -75,11 +75,15 @@ struct SolverSettings {
   double dt = 1.0 / 60;  ///< s
   int substeps = 1;
   int iterations = 10;  ///< per substep
+  double flight_limit =
+      0;  ///< pbd: see flight.hpp; a substep that needs it is cut into at most most_parts. 0: never
   Sweep sweep = Sweep::forward;
   ConstraintOrder order = ConstraintOrder::colour;
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
   bool starts_near = false;  ///< equilibrium: the pose is already near one
+
+  static constexpr int most_parts = 100;  ///< of a substep
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
@@ -160,6 +164,8 @@ class Simulation {
   /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their multipliers, and what
   /// else it solves with (a matrix, its factor at its largest). Without the effects' and the scene's own lists.
   virtual std::size_t memory_bytes() const = 0;
+  /// Substeps so far, those that flight_limit made of others among them.
+  virtual std::uint64_t substeps() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;

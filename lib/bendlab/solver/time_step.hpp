@@ -27,6 +27,8 @@ class TimeStep : public Simulation {
   double helper_seconds() const final { return workers_.helper_seconds(); }
   std::uint64_t projections() const final { return substeps_done_ * projections_per_substep(); }
   std::size_t memory_bytes() const override;
+  std::uint64_t projections() const final { return substeps() * projections_per_substep(); }
+  std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
 
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
@@ -64,6 +66,7 @@ class TimeStep : public Simulation {
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;
+  std::uint64_t cut_substeps_ = 0;  ///< beyond those of the settings
 
   /// The rest shape in the order of state_.position, or null.
   const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }

@@ -1,0 +1,251 @@
+// What the strain kernel projects of a triangle: its terms (stretch, shear, area), values and gradients for the lanes of a
+// pack. Part of strain_kernel.cpp, no other includes it; unnamed, because GCC allots registers otherwise to templates that
+// other sources may share.
+#pragma once
+
+#include "bendlab/constraints/elements.hpp"
+#include "bendlab/constraints/pack_math.hpp"
+
+namespace bendlab {
+namespace {
+
+//        c                 e1 = p_b - p_a, e2 = p_c - p_a
+//       / \                f1 = q00 e1 + q10 e2 (warp),  f2 = q01 e1 + q11 e2 (weft)
+//      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
+//     a-----b
+template <class Real>
+struct Corners {
+  PackPoints<Real> a, b, c;
+
+  PackVector<Real> first_edge() const { return b.position - a.position; }
+  PackVector<Real> second_edge() const { return c.position - a.position; }
+};
+
+template <class Real>
+struct RestInverse {
+  Pack<Real> q00, q01, q10, q11;
+
+  BENDLAB_INLINE RestInverse(const StrainBatch<Real>& batch, std::size_t lane)
+      : q00(load(&batch.q00[lane])),
+        q01(load(&batch.q01[lane])),
+        q10(load(&batch.q10[lane])),
+        q11(load(&batch.q11[lane])) {}
+};
+
+template <class Real>
+BENDLAB_INLINE PackVector<Real> combination(const Pack<Real>& s, const PackVector<Real>& u,
+                                            const Pack<Real>& t, const PackVector<Real>& v) {
+  return scaled<Real>(s, u) + scaled<Real>(t, v);
+}
+
+template <class Real>
+BENDLAB_INLINE Pack<Real> absolute(const Pack<Real>& x) {
+  return x < Pack<Real>{} ? -x : x;
+}
+
+// A gradient that is one direction scaled per corner (stretch), or a vector per corner (shear, area).
+template <class Real>
+struct Scaled {
+  PackVector<Real> direction;
+  Pack<Real> squared;  // |direction|²
+  Pack<Real> gb, gc;
+  BENDLAB_INLINE Pack<Real> weighted_square(const Corners<Real>& t) const {
+    const Pack<Real> ga = gb + gc;
+    return (t.a.w * ga * ga + t.b.w * gb * gb + t.c.w * gc * gc) * squared;
+  }
+  BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
+    t.a.position = t.a.position - scaled<Real>(s * mass.a.w * (gb + gc), direction);
+    t.b.position = t.b.position + scaled<Real>(s * mass.b.w * gb, direction);
+    t.c.position = t.c.position + scaled<Real>(s * mass.c.w * gc, direction);
+  }
+  BENDLAB_INLINE Pack<Real> rate(const Corners<Real>& velocity) const {
+    return dot(direction, combination<Real>(gb, velocity.first_edge(), gc, velocity.second_edge()));
+  }
+};
+
+template <class Real>
+struct PerCorner {
+  PackVector<Real> gb, gc;
+  BENDLAB_INLINE Pack<Real> weighted_square(const Corners<Real>& t) const {
+    const PackVector<Real> ga = gb + gc;
+    return t.a.w * dot(ga, ga) + t.b.w * dot(gb, gb) + t.c.w * dot(gc, gc);
+  }
+  BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
+    t.a.position = t.a.position - scaled<Real>(s * mass.a.w, gb + gc);
+    t.b.position = t.b.position + scaled<Real>(s * mass.b.w, gb);
+    t.c.position = t.c.position + scaled<Real>(s * mass.c.w, gc);
+  }
+  BENDLAB_INLINE Pack<Real> rate(const Corners<Real>& velocity) const {
+    return dot(gb, velocity.first_edge()) + dot(gc, velocity.second_edge());
+  }
+};
+
+// One term as C = ratio · scale and ∇C = scale · gradient, so that PBD's correction C / Σ w|∇C|² ∇C needs no
+// scale: it is ratio / Σ w|gradient|² gradient, which saves most square roots and divisions. `defined` is a
+// lane mask.
+template <class Real, class Gradient>
+struct Term {
+  Pack<Real> ratio, scale;
+  Gradient gradient;
+  PackMask<Real> defined;
+};
+
+template <class Real>
+BENDLAB_INLINE Scaled<Real> select(const PackMask<Real>& mask, const Scaled<Real>& a, const Scaled<Real>& b) {
+  return {select(mask, a.direction, b.direction), mask ? a.squared : b.squared, mask ? a.gb : b.gb,
+          mask ? a.gc : b.gc};
+}
+template <class Real>
+BENDLAB_INLINE PerCorner<Real> select(const PackMask<Real>& mask, const PerCorner<Real>& a,
+                                      const PerCorner<Real>& b) {
+  return {select(mask, a.gb, b.gb), select(mask, a.gc, b.gc)};
+}
+
+// Lanes of a square that is neither collapsed nor overgrown.
+template <class Real>
+BENDLAB_INLINE PackMask<Real> in_bounds(const Pack<Real>& squared) {
+  constexpr Real least = collapsed_ratio<Real> * collapsed_ratio<Real>;
+  return (squared > least) & (squared < overgrown_square<Real>);
+}
+
+template <class Real, StrainForm form>
+BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real>& t, const Pack<Real>& gb,
+                                                const Pack<Real>& gc) {
+  const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
+  const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
+  const auto defined = in_bounds<Real>(squared);
+  if constexpr (form != StrainForm::green) {         // C = l - 1, ∇C = f / l
+    const Pack<Real> length = square_root(squared);  // not after the comparison: the terms wait for it
+    return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
+  } else {
+    return {squared - one, one, {f, squared, gb + gb, gc + gc}, defined};
+  }
+}
+
+// Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise. Angle:
+// C = atan(f1·f2 / |f1 × f2|), ∇C along the same over |f1 × f2|.
+template <class Real, StrainForm form>
+BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const RestInverse<Real>& q) {
+  const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
+  const PackVector<Real> f1 = combination<Real>(q.q00, e1, q.q10, e2),
+                         f2 = combination<Real>(q.q01, e1, q.q11, e2);
+  const Pack<Real> one = broadcast<Real>(1);
+  const Pack<Real> s11 = dot(f1, f1), s22 = dot(f2, f2), s12 = dot(f1, f2);
+  const Pack<Real> product = s11 * s22, not_parallel = product - s12 * s12;  // (l1 l2 sin)²
+  const auto aslant = not_parallel > broadcast<Real>(parallel_sine_squared<Real>) * product;
+  if constexpr (form == StrainForm::green) {
+    return {s12,
+            one,
+            {combination<Real>(q.q00, f2, q.q01, f1), combination<Real>(q.q10, f2, q.q11, f1)},
+            in_bounds<Real>(s11 + s22) & (aslant | (product > broadcast<Real>(open_product<Real>)))};
+  } else {
+    const auto defined = in_bounds<Real>(s11) & in_bounds<Real>(s22) & aslant;
+    const Pack<Real> inverse = one / (defined ? product : one);
+    const PackVector<Real> a1 = f2 - scaled<Real>(s12 * s22 * inverse, f1);
+    const PackVector<Real> a2 = f1 - scaled<Real>(s12 * s11 * inverse, f2);
+    const PerCorner<Real> gradient{combination<Real>(q.q00, a1, q.q01, a2),
+                                   combination<Real>(q.q10, a1, q.q11, a2)};
+    if constexpr (form == StrainForm::angle) {
+      const PackVector<Real> normal = cross(f1, f2);
+      const Pack<Real> area = square_root(defined ? dot(normal, normal) : one);
+      return {arc_tangent<Real>(s12, area) * area, one / area, gradient, defined};
+    }
+    return {s12, square_root(inverse), gradient, defined};
+  }
+}
+
+// C = A / A0 - 1, ∇C along e2 × n and n × e1 with the unnormalised normal.
+template <class Real>
+BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real>& t, const Pack<Real>& inverse_rest) {
+  const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge(), normal = cross(e1, e2);
+  const Pack<Real> one = broadcast<Real>(1), squared = dot(normal, normal);
+  const auto defined = in_bounds<Real>(squared * inverse_rest * inverse_rest);
+  const Pack<Real> twice_area = square_root(defined ? squared : one), scale = inverse_rest / twice_area;
+  return {(twice_area * inverse_rest - one) * twice_area / inverse_rest,
+          scale,
+          {cross(e2, normal), cross(normal, e1)},
+          defined};
+}
+
+// Lanes in which a term is to be corrected along the gradient of the rest shape, and by what: see ConstraintValue.
+template <class Real>
+struct Opening {
+  PackMask<Real> lanes;
+  Pack<Real> value;
+};
+
+template <class Real>
+BENDLAB_INLINE PackMask<Real> collapsed(const Pack<Real>& squared) {
+  return ~(squared > collapsed_ratio<Real> * collapsed_ratio<Real>);
+}
+
+template <class Real>
+struct Stretch {
+  Pack<Real> gb, gc;
+  PackMask<Real> was_collapsed{};  // before the triangle's first term
+
+  template <StrainForm form>
+  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
+    return stretch<Real, form>(t, gb, gc);
+  }
+  BENDLAB_INLINE PackMask<Real> has_collapsed(const Corners<Real>& t) const {
+    const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
+    return collapsed<Real>(dot(f, f));
+  }
+  // C = f·d - 1 with the rest direction d, whatever another term has made of f: d is f at rest, of length 1.
+  template <StrainForm>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>& at_rest) const {
+    const PackVector<Real> d = combination<Real>(gb, at_rest.first_edge(), gc, at_rest.second_edge());
+    const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
+    return {was_collapsed, dot(f, d) - broadcast<Real>(1)};
+  }
+  static constexpr bool opens_normalised = true;
+};
+
+template <class Real>
+struct Shear {
+  RestInverse<Real> q;
+
+  template <StrainForm form>
+  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
+    return shear<Real, form>(t, q);
+  }
+  // Where warp and weft are parallel.
+  template <StrainForm form>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>&) const {
+    const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
+    const PackVector<Real> f1 = combination<Real>(q.q00, e1, q.q10, e2),
+                           f2 = combination<Real>(q.q01, e1, q.q11, e2);
+    const Pack<Real> s11 = dot(f1, f1), s22 = dot(f2, f2), one = broadcast<Real>(1);
+    const auto both = in_bounds<Real>(s11) & in_bounds<Real>(s22);
+    const Pack<Real> s12 = both ? dot(f1, f2) : Pack<Real>{};
+    if constexpr (form == StrainForm::green) {
+      return {both, s12};
+    } else if constexpr (form == StrainForm::normalised) {
+      return {both, s12 / square_root(both ? s11 * s22 : one)};
+    } else {
+      const PackVector<Real> normal = cross(f1, f2);
+      return {both, arc_tangent<Real>(s12, square_root(both ? dot(normal, normal) : one))};
+    }
+  }
+  static constexpr bool opens_normalised = false;
+};
+
+template <class Real>
+struct Area {
+  Pack<Real> inverse_rest;
+
+  template <StrainForm>
+  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
+    return area<Real>(t, inverse_rest);
+  }
+  template <StrainForm>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>&) const {
+    const PackVector<Real> normal = cross(t.first_edge(), t.second_edge());
+    return {collapsed<Real>(dot(normal, normal) * inverse_rest * inverse_rest), broadcast<Real>(-1)};
+  }
+  static constexpr bool opens_normalised = false;
+};
+
+}  // namespace
+}  // namespace bendlab

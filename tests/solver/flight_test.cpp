@@ -1,0 +1,106 @@
+// How far a substep may fly freely: velocity gradients and numbers of parts by closed forms, and what it is for.
+#include "bendlab/solver/flight.hpp"
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bendlab/solver/colouring.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+// Of a flat sheet that moves by v = A x + (1, 2, 3) m/s.
+template <class Real>
+double gradient_of(const Eigen::Matrix3d& a) {
+  const RestMesh rest(grid(1, 1, 5, 3));
+  const SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
+  const StrainBatch<Real> batch = make_strain_batch<Real>(
+      input.strain, colour_order<3>(input.strain.vertices, rest.vertex_count()), rest.vertex_count());
+  Points<Real> velocities(static_cast<std::size_t>(rest.vertex_count() + dummy_points));
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    velocities[static_cast<std::size_t>(v)].set(
+        (a * rest.positions().row(v).transpose() + Vector3(1, 2, 3)).template cast<Real>());
+  return static_cast<double>(largest_velocity_gradient(velocities.data(), batch));
+}
+
+SimulationInput hanging_curtain(int cells, double dt, double limit) {
+  const RestMesh rest(grid(1, 1, cells, cells));
+  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "crossover");
+  input.settings.dt = dt, input.settings.flight_limit = limit;
+  return input;
+}
+
+std::unique_ptr<Simulation> falling(const SimulationInput& input) {
+  return make_simulation<double>(
+      input, test::effect_passes<double>("gravity", "acceleration", std::vector<double>{0, -9.81, 0}));
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("the velocity gradient of a linear field is its matrix in the sheet's plane", "[flight]",
+                   float, double) {
+  // Differences of velocities of a few m/s, over edges of 0.2 m.
+  const double tolerance = 40 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
+  std::mt19937_64 random(3);
+  Eigen::Matrix3d a;
+  for (int i = 0; i < 9; ++i) a(i) = test::uniform(random, -1, 1);
+  CHECK_THAT(gradient_of<TestType>(a), WithinAbs(a.leftCols<2>().norm(), tolerance));
+  CHECK_THAT(gradient_of<TestType>(Eigen::Matrix3d::Zero()), WithinAbs(0, tolerance));
+  Eigen::Matrix3d spin = Eigen::Matrix3d::Zero();  // 1.5 rad/s about the sheet's normal
+  spin(0, 1) = -1.5, spin(1, 0) = 1.5;
+  CHECK_THAT(gradient_of<TestType>(spin), WithinAbs(1.5 * std::numbers::sqrt2, tolerance));
+}
+
+TEST_CASE("a flight is cut by its velocities and by its forces", "[flight]") {
+  CHECK(parts_of_flight(0.1, 3, 3, 0.3, 100) == 1);      // just fits
+  CHECK(parts_of_flight(0.1, 30, 30, 0.3, 100) == 10);   // constant velocities: h v / limit
+  CHECK(parts_of_flight(0.1, 0, 300, 0.3, 100) == 10);   // from rest: √(h a h / limit)
+  CHECK(parts_of_flight(0.1, 30, 3.1, 0.3, 100) == 10);  // forces that slow it down do not help at once
+  CHECK(parts_of_flight(0.1, 0, 3e9, 0.3, 100) == 100);
+  CHECK(parts_of_flight(0.1, 0, std::numeric_limits<double>::infinity(), 0.3, 100) == 100);
+}
+
+TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
+  const RestMesh rest(grid(1, 1, 8, 8));
+  SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
+  const auto plain = falling(input);
+  input.settings.flight_limit = 0.01;
+  const auto limited = falling(input);
+  for (int s = 0; s < 30; ++s) REQUIRE((plain->step() && limited->step()));
+  CHECK(limited->substeps() == 30);
+  CHECK(limited->positions() == plain->positions());
+}
+
+TEST_CASE("a curtain's first substep is as long as its top row allows", "[flight]") {
+  // The row below the pins falls by g x² where its triangles are 1/16 m high: parts of 0.1 s of √(limit / (16 g)) at most.
+  const double limit = 0.25;
+  const auto parts = static_cast<std::uint64_t>(std::ceil(0.1 / std::sqrt(limit / (16 * 9.81))));
+  const auto simulation = falling(hanging_curtain(16, 0.1, limit));
+  REQUIRE(simulation->step());
+  CHECK(simulation->substeps() >= parts);
+  CHECK(simulation->substeps() <= 100);
+  CHECK_THAT(simulation->time(), WithinRel(0.1, 1e-12));  // sum of a few roundings
+}
+
+TEST_CASE("a step of a second does not tear a curtain that may cut it", "[flight]") {
+  const auto lowest = [](double limit) {
+    const auto simulation = falling(hanging_curtain(16, 1, limit));
+    double y = 0;
+    for (int s = 0; s < 5; ++s) {
+      REQUIRE(simulation->step());
+      y = std::min(y, simulation->positions().col(1).minCoeff());
+    }
+    return y;
+  };
+  // It reaches from y = 0.5 to y = -0.5; in a second what is free falls by 9.81 m.
+  CHECK(lowest(0) < -5);
+  CHECK(lowest(0.2) > -0.8);
+}
+
+}  // namespace bendlab
