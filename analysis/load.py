@@ -189,11 +189,12 @@ def load_runs(folder, axes=None):
     """Every run below a folder, the newest of each config, in the order of their configs; [] where there is none.
 
     Old results may lie beside new ones. With `axes` (JSON pointers) only runs that differ from the newest one in
-    nothing but these are kept, so that a trial with other settings never mixes into a figure.
+    nothing but these are kept, so that a trial with other settings never mixes into a figure. References of runs
+    (`/accuracy`) lie in a folder `references` of their own and are left out, unless that is the folder.
     """
     found = {}
     for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
-        if path.suffix not in (".vtkhdf", ".part"):
+        if path.suffix not in (".vtkhdf", ".part") or "references" in path.relative_to(folder).parts:
             continue
         try:
             run = load_run(path)

@@ -137,13 +137,14 @@ std::map<std::string, double> errors_between(const Course& run, const Course& re
   for (const auto& [mine, other] : common_frames(run, reference)) {
     auto& frame = frames.emplace_back(compare(run.poses[mine], reference.poses[other]));
     if (comparing.energy_scale > 0)
-      frame["energy"] = std::abs((run.energy[mine] - run.energy[0]) -
-                                 (reference.energy[other] - reference.energy[0])) /
-                        comparing.energy_scale;
+      frame["energy"] =
+          std::abs((run.energy[mine] - run.energy[0]) - (reference.energy[other] - reference.energy[0])) /
+          comparing.energy_scale;
   }
   if (frames.empty())
     throw std::invalid_argument(
-        "no recorded frame has the same time in both; give them an /output/frames_per_second whose frames are "
+        "no recorded frame has the same time in both; give them an /output/frames_per_second whose frames "
+        "are "
         "whole steps of /solver/dt");
   return over_frames(frames);
 }
@@ -208,15 +209,15 @@ Accuracy::Result Accuracy::against_references(const std::string& id, const Posit
   for (const Against against : references) {
     const Comparing how = comparing(against);
     const std::string prefix = fmt::format("error_{}_", name_of(against));
-    const std::optional<Course> reference = course_of_reference(id, end, folder, stop, against, false, result);
+    const std::optional<Course> reference =
+        course_of_reference(id, end, folder, stop, against, false, result);
     if (!reference) continue;
     try {
       for (const auto& [name, value] : errors_between(run, *reference, how))
         result.summary[prefix + name] = value;
-      const std::optional<Course> coarser =
-          course_of_reference(id, end, folder, stop, against, true, result);
+      const std::optional<Course> coarser = course_of_reference(id, end, folder, stop, against, true, result);
       if (coarser)
-        result.summary[prefix + "reference_gap"] = errors_between(*reference, *coarser, how).at("rms");
+        result.summary[prefix + "reference_gap"] = errors_between(*coarser, *reference, how).at("rms");
     } catch (const std::invalid_argument& error) {
       result.messages.push_back(fmt::format("/accuracy/{}: {}", name_of(against), error.what()));
     }

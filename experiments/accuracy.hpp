@@ -8,7 +8,7 @@
 //                                   scene's scale (energy.hpp). k has no elastic energy
 //   error_<against>_…_worst         over time: of the worst frame, where the others are means over the frames
 //   error_<against>_frames          over time: how many were compared
-//   error_<against>_reference_gap   rms between the reference and the coarser one: what is not much larger is not known
+//   error_<against>_reference_gap   rms of the coarser reference against the finer: an error not much larger is not known
 //   error_<against>_unbalanced      of a reference that found no equilibrium: the share of its loads that is left over
 //
 // <against> is solver or physical. The size is that of the rest box. A run that diverged has none of these.
@@ -40,7 +40,7 @@ enum class AlignBy { none, vertical, rigid };
 struct Comparing {
   AlignBy align = AlignBy::none;
   Vector3 centre = Vector3::Zero(), down = -Vector3::UnitZ();  ///< of the vertical
-  bool over_time = false;                                      ///< frames at the same times; else the last of each
+  bool over_time = false;     ///< frames at the same times; else the last of each
   bool inextensible = false;  ///< strain against none instead of the reference's
   double energy_scale = 0;    ///< J; 0: no energy is compared
 };

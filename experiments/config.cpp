@@ -206,7 +206,8 @@ std::optional<RunConfig> reference_of(const RunConfig& config, Against against, 
                       {{"/solver/method", "equilibrium has no motion that could be compared over time"}});
   // Where it lies depends on nothing but what it is: runs share it.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
-    if (const Json* value = value_at(reference.resolved, pointer)) reference.point.emplace_back(pointer, *value);
+    if (const Json* value = value_at(reference.resolved, pointer))
+      reference.point.emplace_back(pointer, *value);
   return reference;
 }
 

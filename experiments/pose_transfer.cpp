@@ -75,7 +75,8 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);
-    if (!corner) throw std::invalid_argument(fmt::format("vertex {} lies outside the sheet of the other mesh", v));
+    if (!corner)
+      throw std::invalid_argument(fmt::format("vertex {} lies outside the sheet of the other mesh", v));
     places_.push_back({*corner, sheet.weights(*corner, points[v])});
   }
   check_outline(from, from_plane, to, points);

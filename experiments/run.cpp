@@ -336,7 +336,8 @@ void add_errors(const Accuracy& accuracy, const Simulation& simulation, const st
   for (const std::string& message : result.messages) add_message(outcome, message);
   if (!result.stopped) return;
   outcome.status = RunStatus::interrupted;
-  add_message(outcome, "stopped before it was compared with its references; the same command again does it all");
+  add_message(outcome,
+              "stopped before it was compared with its references; the same command again does it all");
 }
 
 }  // namespace

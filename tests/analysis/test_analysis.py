@@ -95,6 +95,12 @@ class LoadTest(unittest.TestCase):
         self.assertEqual((run.status, run.frames, len(run.metrics["pin_max_stretch"])), ("interrupted", 2, 2))
         self.assertTrue(np.isfinite(run.positions(-1)).all())
 
+    def test_references_are_no_points_of_a_sweep(self):
+        write_run(self.folder / "fig5/a/run.vtkhdf", config_of(cells=16))
+        write_run(self.folder / "fig5/references/b/run.vtkhdf", config_of(cells=64))
+        self.assertEqual([run.get("/mesh/cells") for run in load.load_runs(self.folder / "fig5")], [16])
+        self.assertEqual([run.get("/mesh/cells") for run in load.load_runs(self.folder / "fig5/references")], [64])
+
     def test_what_is_no_run_is_left_out(self):
         (self.folder / "a").mkdir()
         (self.folder / "a/run.vtkhdf").write_bytes(b"cut off")

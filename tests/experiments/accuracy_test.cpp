@@ -1,0 +1,371 @@
+// Errors of runs against references.
+#include "experiments/accuracy.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <numbers>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "bendlab/mesh/generators.hpp"
+#include "experiments/pose_transfer.hpp"
+#include "experiments/run.hpp"
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// A strip that is clamped along its left side and hangs from it, damped, with the energies of a stated cloth.
+const std::string strip = R"("duration": 3,
+  "mesh": {"generator": "equilateral", "width": 0.23335, "height": 0.12, "rows": "perpendicular", "cells": 8},
+  "pins": {"vertices": ["left"], "ring": 0, "distance": 0.0338},
+  "material": {"strain": {"stiffness": "compliance", "compliance": 1e-5}},
+  "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696},
+  "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 4}],
+  "output": {"frames_per_second": 2})";
+const std::string equilibrium = R"(["/solver={\"method\": \"equilibrium\"}"])";
+const std::string xpbd = R"(, "solver": {"iterations": 1, "sweep": "symmetric", "precision": "double"})";
+
+class Results {
+ public:
+  Results() { fs::remove_all(folder); }
+  ~Results() { fs::remove_all(folder); }
+
+  std::vector<RunOutcome> run(const std::string& settings) const {
+    const Experiment experiment = parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+    std::vector<RunOutcome> outcomes;
+    for (const RunConfig& config : experiment.runs)
+      outcomes.push_back(execute_run(experiment, config, folder));
+    return outcomes;
+  }
+
+  RunOutcome run_one(const std::string& settings) const { return run(settings).front(); }
+
+  // Every reference that was made, and when.
+  std::map<std::string, fs::file_time_type> references() const {
+    std::map<std::string, fs::file_time_type> files;
+    if (fs::exists(folder / "errors" / "references"))
+      for (const auto& entry : fs::directory_iterator(folder / "errors" / "references"))
+        files[entry.path().filename().string()] = fs::last_write_time(entry.path() / "run.vtkhdf");
+    return files;
+  }
+
+  const fs::path folder = fs::temp_directory_path() / ("bendlab accuracy test " + std::to_string(getpid()));
+};
+
+std::string config_error(const std::string& settings) {
+  try {
+    parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "accepted";
+}
+
+double error(const RunOutcome& outcome, const std::string& name) {
+  INFO(name << " of a run that says: " << outcome.message);
+  REQUIRE(outcome.summary.contains("error_" + name));
+  return outcome.summary.at("error_" + name);
+}
+
+Course course_of(const TriangleMesh& mesh, std::vector<double> times, std::vector<Positions> poses,
+                 std::vector<double> energy = {}) {
+  return {RestMesh(mesh), std::move(times), std::move(poses), std::move(energy)};
+}
+
+}  // namespace
+
+TEST_CASE("accuracy: errors are shares of the size, of the last frame or over common times") {
+  const TriangleMesh mesh = grid(3, 4, 6, 8);  // 5 m from corner to corner
+  const auto shifted = [&](double by) -> Positions {
+    return mesh.positions.rowwise() + Eigen::RowVector3d(0, 0, by);
+  };
+  const Course run =
+      course_of(mesh, {0, 0.5, 1, 1.5}, {shifted(0), shifted(1), shifted(2), shifted(3)}, {1, 1, 3, 2});
+  const Course reference = course_of(mesh, {0, 0.5 + 1e-9, 0.75, 1.5},
+                                     {shifted(0), shifted(0.5), shifted(9), shifted(1)}, {5, 4, 0, 5});
+
+  const auto last = errors_between(run, reference, {});
+  for (const char* name : {"rms", "largest", "hausdorff"})
+    CHECK_THAT(last.at(name), WithinRel(2.0 / 5, 1e-12));
+  CHECK_THAT(last.at("strain"), WithinAbs(0, 1e-12));
+  CHECK_FALSE(last.contains("frames"));
+
+  const auto errors = errors_between(run, reference, {.over_time = true, .energy_scale = 10});
+  CHECK(errors.at("frames") == 2);  // 0.5 and 1.5 s
+  CHECK_THAT(errors.at("rms"), WithinRel((0.5 + 2) / 2 / 5, 1e-12));
+  CHECK_THAT(errors.at("rms_worst"), WithinRel(2.0 / 5, 1e-12));
+  // Since the start the run gained 0 and 1, the reference -1 and 0.
+  CHECK_THAT(errors.at("energy"), WithinRel(0.1, 1e-12));
+  CHECK_THAT(errors.at("energy_worst"), WithinRel(0.1, 1e-12));
+
+  CHECK_THROWS_WITH(
+      errors_between(run, course_of(mesh, {0, 0.3}, {shifted(0), shifted(1)}), {.over_time = true}),
+      ContainsSubstring("frames_per_second"));
+}
+
+TEST_CASE("accuracy: a reference on another mesh is taken at the run's vertices") {
+  // Both lie in one plane, turned: linear, so that interpolation loses nothing.
+  const TriangleMesh coarse = grid(1, 1, 7, 5), fine = delaunay(1, 1, 20, 3);
+  const auto tilted = [](const Positions& p) {
+    Positions q = p;
+    q.col(1) = 0.6 * p.col(1), q.col(2) = 0.8 * p.col(1);
+    return q;
+  };
+  const auto errors = errors_between(course_of(coarse, {0}, {tilted(coarse.positions)}),
+                                     course_of(fine, {0}, {tilted(fine.positions)}), {});
+  const double rounding = 1e-12;
+  CHECK_THAT(errors.at("largest"), WithinAbs(0, rounding));
+  CHECK_THAT(errors.at("hausdorff"), WithinAbs(0, rounding));
+  CHECK_THAT(errors.at("strain"), WithinAbs(0, rounding));
+
+  const auto no_fit = [&](const TriangleMesh& other) {
+    return [&] { PoseTransfer(RestMesh(other), RestMesh(coarse)); };
+  };
+  CHECK_THROWS_WITH(no_fit(grid(0.5, 1, 9, 9))(), ContainsSubstring("outside"));
+  CHECK_THROWS_WITH(no_fit(grid(2, 1, 20, 9))(), ContainsSubstring("another outline"));
+  CHECK_THROWS_WITH(no_fit(tube(0.5, 0.5, 1, 9))(), ContainsSubstring("same flat sheet"));
+}
+
+TEST_CASE("accuracy: an equilibrium is its own reference") {
+  const Results results;
+  const RunOutcome outcome = results.run_one(
+      strip + R"(, "solver": {"method": "equilibrium"}, "accuracy": {"solver": )" + equilibrium + "}");
+  // The same bits; the comparison itself adds and subtracts some thousand numbers.
+  for (const char* name : {"solver_rms", "solver_largest", "solver_hausdorff", "solver_strain"})
+    CHECK_THAT(error(outcome, name), WithinAbs(0, 1e-12));
+  CHECK(outcome.message.empty());
+}
+
+TEST_CASE("accuracy: the solver's error falls with the substeps, by their square at last") {
+  const Results results;
+  const std::vector<RunOutcome> outcomes =
+      results.run(strip + xpbd + R"(, "accuracy": {"solver": )" + equilibrium +
+                  R"(}, "sweep": {"/solver/substeps": [16, 64, 256]})");
+  const double few = error(outcomes[0], "solver_rms"), more = error(outcomes[1], "solver_rms"),
+               many = error(outcomes[2], "solver_rms");
+  CHECK(few > more);
+  // One iteration of Gauss-Seidel per substep damps as a step of Euler backward does, with a compliance that is farther
+  // from the stated one by the substep's square: between 64 and 256 substeps by about 16.
+  const double order = std::log(more / many) / std::log(4.0);
+  INFO("order " << order);
+  CHECK(order > 1.5);
+  CHECK(order < 2.5);
+  CHECK(many < 0.005);
+  CHECK(results.references().size() == 1);  // for all three
+}
+
+TEST_CASE("accuracy: a finer mesh is nearer to the stated cloth") {
+  const Results results;
+  const std::vector<RunOutcome> outcomes = results.run(
+      strip + R"(, "solver": {"method": "equilibrium"}, "accuracy": {"physical": ["/mesh/cells=36"],
+      "physical_coarser": ["/mesh/cells=18"]}, "sweep": {"/mesh/cells": [6, 12, 18]})");
+  const auto rms = [&](std::size_t i) { return error(outcomes[i], "physical_rms"); };
+  CHECK(rms(0) > rms(1));
+  CHECK(rms(1) > rms(2));
+  // The coarser reference is what the third run is.
+  CHECK_THAT(error(outcomes[0], "physical_reference_gap"), WithinRel(rms(2), 1e-9));
+  CHECK(error(outcomes[0], "physical_strain") > 0);  // of the run itself
+  CHECK(results.references().size() == 2);
+}
+
+TEST_CASE(
+    "accuracy: a reference is made once, whoever asks for it, and not again when a campaign is resumed") {
+  const Results results;
+  const std::string settings = strip + xpbd + R"(, "accuracy": {"solver": ["/solver/substeps=200"]},
+                                                  "sweep": {"/solver/substeps": [1, 2, 3, 4]})";
+  const Experiment experiment = parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+  std::vector<RunOutcome> outcomes(experiment.runs.size());
+  {
+    std::vector<std::jthread> threads;
+    for (std::size_t i = 0; i < outcomes.size(); ++i)
+      threads.emplace_back(
+          [&, i] { outcomes[i] = execute_run(experiment, experiment.runs[i], results.folder); });
+  }
+  const auto made = results.references();
+  REQUIRE(made.size() == 1);
+  for (const RunOutcome& outcome : outcomes) CHECK(error(outcome, "solver_rms") > 0);
+
+  // Its time is not that of the runs: one of 1 substep takes a 200th of it, and what is recorded.
+  const RunRecord reference =
+      read_run(results.folder / "errors" / "references" / made.begin()->first / "run.vtkhdf");
+  CHECK(reference.status == RunStatus::complete);
+  CHECK(outcomes[0].cpu_s < 0.5 * reference.cpu_s);
+
+  fs::remove(outcomes[1].file);  // as if the campaign had been interrupted there
+  const RunOutcome again = execute_run(experiment, experiment.runs[1], results.folder);
+  CHECK_FALSE(again.reused);
+  CHECK(again.summary == outcomes[1].summary);
+  CHECK(results.references() == made);
+  CHECK(execute_run(experiment, experiment.runs[0], results.folder).reused);
+}
+
+TEST_CASE("accuracy: a run that is stopped at its reference is not complete") {
+  const Results results;
+  const Experiment experiment =
+      parse_experiment(R"({"name": "errors", )" + strip +
+                           R"(, "solver": {"dt": 3}, "accuracy": {"solver": ["/solver/dt=0.001"]}})",
+                       "test");
+  // The run takes one step, so that the last word on it comes before its reference.
+  std::atomic<bool> stop = false;
+  const RunControl control{.stop = &stop, .progress = [&](double, double) { stop = true; }};
+  const RunOutcome outcome = execute_run(experiment, experiment.runs[0], results.folder, control);
+  CHECK(outcome.status == RunStatus::interrupted);
+  CHECK_THAT(outcome.message, ContainsSubstring("references"));
+  stop = false;
+  CHECK(error(execute_run(experiment, experiment.runs[0], results.folder), "solver_rms") > 0);
+}
+
+TEST_CASE("accuracy: from where a run ends its own basin is found") {
+  // A strip on two pins at its ends that bulges up or down: pushed together it has two equilibria, mirror images.
+  const std::string arch = R"("duration": 4, "mesh": {"width": 0.2, "height": 0.05, "cells": 12},
+    "pins": {"vertices": ["left", "right"], "ring": 0}, "effects": [{"type": "viscous_drag", "coefficient": 4}],
+    "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
+    "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-3},
+    "initial": {"tilt": 0, "perturbation": 0.05, "seed": 3}, "output": {"frames_per_second": 2})" +
+                           xpbd;
+  const Results results;
+  const std::string rest = R"(, "accuracy": {"start_from_end": true, "solver": )" + equilibrium + "}";
+  const std::vector<RunOutcome> outcomes =
+      results.run(arch + rest + R"(, "sweep": {"/solver/substeps": [16, 32]})");
+  CHECK(error(outcomes[0], "solver_rms") < 0.01);
+  CHECK(results.references().size() == 2);  // one each
+}
+
+TEST_CASE("accuracy: what a reference can't be is told, when the config is read or with the run") {
+  const std::string k = R"("duration": 0.1, "mesh": {"cells": 4})";
+  CHECK_THAT(config_error(k + R"(, "accuracy": {"solver": ["/mesh/cels=3"]})"),
+             ContainsSubstring("/accuracy/solver") && ContainsSubstring("/mesh/cells"));
+  CHECK_THAT(config_error(k + R"(, "accuracy": {"solver": )" + equilibrium + "}"),
+             ContainsSubstring("k has no energy"));
+  CHECK_THAT(
+      config_error(k + R"(, "accuracy": {"physical_coarser": ["/mesh/cells=3"]})"),
+      ContainsSubstring("/accuracy/physical_coarser") && ContainsSubstring("needs /accuracy/physical"));
+  CHECK_THAT(config_error(strip + R"(, "accuracy": {"over_time": true, "solver": )" + equilibrium + "}"),
+             ContainsSubstring("no motion"));
+  CHECK_THAT(
+      config_error(
+          k + R"(, "accuracy": {"over_time": true, "start_from_end": true, "solver": ["/solver/dt=0.01"]})"),
+      ContainsSubstring("/accuracy/start_from_end"));
+
+  const Results results;
+  // Where some runs of a sweep can have it, the others say why they can't.
+  const std::vector<RunOutcome> mixed =
+      results.run(strip + xpbd + R"(, "accuracy": {"solver": )" + equilibrium +
+                  R"(}, "sweep": {"/bending": [{"model": "dihedral", "stiffness": "k"},
+                                   {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696}]})");
+  CHECK_THAT(mixed[0].message, ContainsSubstring("/accuracy/solver") && ContainsSubstring("k has no energy"));
+  CHECK(mixed[0].status == RunStatus::complete);
+  CHECK_FALSE(mixed[0].summary.contains("error_solver_rms"));
+  CHECK(error(mixed[1], "solver_rms") > 0);
+
+  const auto told = [&](const std::string& accuracy) {
+    const RunOutcome outcome = results.run_one(k + R"(, "accuracy": {)" + accuracy + "}");
+    CHECK(outcome.status == RunStatus::complete);
+    CHECK_FALSE(outcome.summary.contains("error_physical_rms"));
+    return outcome.message;
+  };
+  CHECK_THAT(told(R"("physical": ["/mesh/width=0.4"])"),
+             ContainsSubstring("/accuracy/physical: ") && ContainsSubstring("outside"));
+  CHECK_THAT(told(R"("physical": ["/mesh/width=3", "/mesh/cells=30"])"),
+             ContainsSubstring("another outline"));
+  CHECK_THAT(told(R"("physical": ["/pins/indices=[99]"])"), ContainsSubstring("vertex 99"));
+  CHECK_THAT(told(R"("physical": ["/initial/velocity=[0, 0, 1e30]"])"),
+             ContainsSubstring("the reference diverged"));
+  const std::string over =
+      R"("over_time": true, "physical": ["/output/frames_per_second=0.1", "/duration=0.05"])";
+  CHECK_THAT(told(over), ContainsSubstring("no recorded frame"));
+
+  // Too few steps for Newton's method: compared all the same, and said.
+  const RunOutcome unbalanced = results.run_one(strip + R"(, "solver": {"method": "equilibrium"},
+      "accuracy": {"solver": ["/solver={\"method\": \"equilibrium\"}", "/duration=0.05"]})");
+  CHECK_THAT(unbalanced.message,
+             ContainsSubstring("/accuracy/solver: ") && ContainsSubstring("not balanced"));
+  CHECK(error(unbalanced, "solver_unbalanced") > 1e-7);
+  CHECK(error(unbalanced, "solver_rms") > 0);
+}
+
+TEST_CASE("accuracy: a run that diverged has no errors") {
+  const Results results;
+  const RunOutcome outcome = results.run_one(
+      R"("duration": 0.1, "mesh": {"cells": 4}, "initial": {"velocity": [0, 0, 1e30]},
+         "accuracy": {"physical": ["/initial/velocity=[0, 0, 0]"]})");
+  CHECK(outcome.status == RunStatus::diverged);
+  for (const auto& [name, value] : outcome.summary) CHECK_FALSE(name.starts_with("error_"));
+  CHECK(results.references().empty());
+}
+
+TEST_CASE("accuracy: motion is compared at common times, its energy too") {
+  // A free sheet without gravity that nothing but its own velocity moves: both fly as they started, the reference from a
+  // start that is twice as fast, so that they part by v t: at 0.1, 0.2, 0.3 s.
+  const Results results;
+  const RunOutcome outcome = results.run_one(
+      R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [], "material": {"density": 2},
+         "initial": {"velocity": [0, 0, 0.1]}, "output": {"frames_per_second": 10},
+         "solver": {"dt": 0.01, "precision": "double"},
+         "accuracy": {"over_time": true, "solver": ["/initial/velocity=[0, 0, 0.2]", "/solver/dt=0.005"],
+                      "solver_coarser": ["/initial/velocity=[0, 0, 0.25]"]})");
+  const double size = std::numbers::sqrt2;
+  CHECK(error(outcome, "solver_frames") == 3);
+  const double drift = 1e-9;  // of positions after 60 steps
+  CHECK_THAT(error(outcome, "solver_rms"), WithinAbs(0.1 * 0.2 / size, drift));
+  CHECK_THAT(error(outcome, "solver_rms_worst"), WithinAbs(0.1 * 0.3 / size, drift));
+  CHECK_THAT(error(outcome, "solver_reference_gap"), WithinAbs(0.05 * 0.2 / size, drift));
+  CHECK_THAT(error(outcome, "solver_energy"), WithinAbs(0, drift));  // both keep theirs
+}
+
+TEST_CASE("accuracy: a sheet that turns about its pin is the same sheet") {
+  // Thrown to the left or to the right it hangs from its corner in the same pose, turned about the vertical.
+  const std::string sheet =
+      R"("duration": 0.2, "mesh": {"cells": 4}, "pins": {"vertices": ["centre"], "ring": 0},
+      "effects": [], "solver": {"precision": "double"}, "initial": {"spin": [0, 0, 2]})";
+  const Results results;
+  const auto rms = [&](const std::string& align) {
+    return error(results.run_one(sheet + R"(, "accuracy": {"align": ")" + align +
+                                 R"(", "solver": ["/initial/spin=[0, 0, -2]"]})"),
+                 "solver_rms");
+  };
+  CHECK(rms("none") > 0.05);
+  CHECK_THAT(rms("vertical"),
+             WithinAbs(0, 1e-3));  // the sheet's diagonals make left and right differ a little
+  CHECK_THAT(rms("rigid"), WithinAbs(0, 1e-3));
+}
+
+TEST_CASE("accuracy: a run's id follows its references, and only where it has some") {
+  const auto id = [](const std::string& accuracy) {
+    return run_id(
+        parse_experiment(R"({"name": "id", "mesh": {"cells": 4}, "accuracy": {)" + accuracy + "}}", "test")
+            .runs.front());
+  };
+  CHECK(id("") == id(R"("align": "rigid", "solver": [])"));
+  CHECK(id("") != id(R"("solver": ["/solver/dt=0.01"])"));
+  CHECK(id(R"("solver": ["/solver/dt=0.01"])") != id(R"("solver": ["/solver/dt=0.02"])"));
+  CHECK(id(R"("solver": ["/solver/dt=0.01"])") != id(R"("physical": ["/solver/dt=0.01"])"));
+  CHECK(id(R"("solver": ["/solver/dt=0.01"])") != id(R"("solver": ["/solver/dt=0.01"], "align": "rigid")"));
+}
+
+TEST_CASE("accuracy: what the solver holds is counted") {
+  // By hand: a sheet of 3 × 3 vertices and 8 triangles, none pinned. In single precision a point is 4 floats; there are three
+  // arrays of points, the rest shape, and masses of double precision, and that is less than all.
+  const auto bytes = [](const std::string& settings) {
+    const std::string config = R"({"name": "memory", "bending": {"model": "crossover"}, )" + settings + "}";
+    const Scene scene = build_scene(parse_experiment(config, "test").runs.front());
+    return static_cast<double>(simulation_of(scene)->memory_bytes());
+  };
+  CHECK(bytes(R"("mesh": {"cells": 2})") > 9 * (4 * 16 + 8));
+  // Where padding no longer counts, four times the cloth takes four times as much, and a double twice a float but for the
+  // indices, which are about a third.
+  const double small = bytes(R"("mesh": {"cells": 40})"), large = bytes(R"("mesh": {"cells": 80})");
+  CHECK_THAT(large / small, WithinRel(4, 0.15));
+  const double in_double = bytes(R"("mesh": {"cells": 80}, "solver": {"precision": "double"})");
+  CHECK(in_double / large > 1.4);
+  CHECK(in_double / large < 2);
+}
