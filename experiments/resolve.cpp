@@ -250,6 +250,7 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   };
   if (model->name == "none") return;
   if (!model->springs_only || model->prestressed) {
+    bending.erase("at_curvature");  // B is theirs at any curvature
     if (quartic)
       report("quartic_coefficient",
              "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");

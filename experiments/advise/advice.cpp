@@ -26,11 +26,9 @@ struct Measured {
   bool failed = false;
 };
 
-// CPU time of the steps alone, by their thread's clock: a pass's own seconds are wall time, which other programs stretch.
+// A pass's own seconds are wall time, which other programs stretch.
 double cpu_per_frame(const RunOutcome& outcome) {
-  double seconds = outcome.cpu_s;
-  for (const PassTime& pass : outcome.passes)
-    if (pass.name == "set_up" || pass.name == "recording") seconds -= pass.seconds;
+  const double seconds = outcome.summary.at("step_cpu_s");
   const double simulated = read_metric(outcome.file, "time").back();
   constexpr double least = 1e-9;  // s
   return simulated > 0 ? std::max(least, seconds / simulated / frames_per_second) : least;
@@ -41,8 +39,13 @@ std::optional<double> number_in(const RunOutcome& outcome, const std::string& na
   return found == outcome.summary.end() ? std::nullopt : std::optional(found->second);
 }
 
+std::string on_a_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
 Measured measured_by(const CampaignRun& run) {
-  if (!run.outcome) return {.why = run.error, .failed = true};
+  if (!run.outcome) return {.why = on_a_line(run.error), .failed = true};
   const RunOutcome& outcome = *run.outcome;
   Measured measured{.error = number_in(outcome, "rms"),
                     .gap = number_in(outcome, "reference_gap"),
@@ -95,13 +98,23 @@ class Advisor {
           question_.run_with({name}, Json::object());
           models.push_back(name);
         } catch (const ConfigError& error) {
-          const ConfigProblem& problem = error.problems().front();
-          advice_.left_out.push_back({name, problem.pointer + " " + problem.message});
+          leave_out(name, error.problems().front());
           if (!first) first = error;
         }
     }
     if (models.empty() && first) throw *first;
     return models;
+  }
+
+  // Models that can't for the same reason stand together.
+  void leave_out(const std::string& model, const ConfigProblem& problem) {
+    std::string why = problem.pointer + " " + problem.message;
+    if (const std::size_t at = why.find(" of " + model); at != std::string::npos) why.erase(at, 4 + model.size());
+    const auto same = std::ranges::find(advice_.left_out, why, &LeftOut::why);
+    if (same != advice_.left_out.end())
+      same->what += ", " + model;
+    else
+      advice_.left_out.push_back({model, why});
   }
 
   // A motion's reference is itself known no better than to its own time step.
@@ -162,6 +175,7 @@ class Advisor {
     Experiment experiment;
     experiment.name = question_.name();
     experiment.runs = std::move(configs);
+    for (const auto& [pointer, value] : experiment.runs.front().point) experiment.axes.push_back({pointer, {}});
     std::vector<CampaignRun> runs;
     for (const RunConfig& config : experiment.runs)
       runs.push_back({.experiment = &experiment, .config = &config});
@@ -251,14 +265,13 @@ class Advisor {
       if (ahead) continue;
       const Rated best = *nearest(points, {.error = 0});
       advice_.left_out.push_back(
-          {model, fmt::format("{} settings measured, others are better; its best: error {} in "
-                              "{:.3g} ms ({})",
+          {model, fmt::format("{} measured, others are better; its best: error {} in {:.3g} ms ({})",
                               points.size(), percent_text(best.error), 1e3 * best.cpu_s,
                               setting_text(best.setting))});
     }
     for (const auto& [model, why] : without_error_)
       advice_.left_out.push_back(
-          {model, fmt::format("{} settings gave no error, the finest {}", why.size(), why.back())});
+          {model, fmt::format("{} gave no error, the finest {}", why.size(), why.back())});
   }
 
   const Question& question_;

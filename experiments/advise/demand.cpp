@@ -54,7 +54,7 @@ double parse_duration(std::string_view text) {
 }
 
 std::string percent_text(double share) {
-  return fmt::format("{:.2g} %", 100 * share);
+  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
 }
 
 }  // namespace bendlab

@@ -106,13 +106,15 @@ std::optional<double> Search::cost(const Setting& setting) const {
   return std::nullopt;
 }
 
-// The least error that the model's coarser runs leave possible; 0 where they had none.
+// The least error that the model's coarser runs leave possible; 0 where they had none. Of a cloth that is nowhere near, it
+// does not matter how far away it is.
 double Search::optimistic(const Setting& setting) const {
+  constexpr double nowhere_near = 0.25;
   double least = infinity;
   for (const auto& [other, result] : results_)
     if (other.model == setting.model && other.substeps <= setting.substeps &&
         other.iterations <= setting.iterations && result.error)
-      least = std::min(least, *result.error * std::pow(work_of(other) / work_of(setting), 2));
+      least = std::min(least, std::min(*result.error, nowhere_near) * std::pow(work_of(other) / work_of(setting), 2));
   return std::isfinite(least) ? least : 0;
 }
 
