@@ -41,6 +41,8 @@ std::optional<double> number_in(const RunOutcome& outcome, const std::string& na
 
 std::string on_a_line(std::string text) {
   std::ranges::replace(text, '\n', ' ');
+  const auto both_spaces = [](char a, char b) { return a == ' ' && b == ' '; };
+  text.erase(std::unique(text.begin(), text.end(), both_spaces), text.end());
   return text;
 }
 
@@ -109,7 +111,8 @@ class Advisor {
   // Models that can't for the same reason stand together.
   void leave_out(const std::string& model, const ConfigProblem& problem) {
     std::string why = problem.pointer + " " + problem.message;
-    if (const std::size_t at = why.find(" of " + model); at != std::string::npos) why.erase(at, 4 + model.size());
+    if (const std::size_t at = why.find(" of " + model); at != std::string::npos)
+      why.erase(at, 4 + model.size());
     const auto same = std::ranges::find(advice_.left_out, why, &LeftOut::why);
     if (same != advice_.left_out.end())
       same->what += ", " + model;
@@ -175,7 +178,8 @@ class Advisor {
     Experiment experiment;
     experiment.name = question_.name();
     experiment.runs = std::move(configs);
-    for (const auto& [pointer, value] : experiment.runs.front().point) experiment.axes.push_back({pointer, {}});
+    for (const auto& [pointer, value] : experiment.runs.front().point)
+      experiment.axes.push_back({pointer, {}});
     std::vector<CampaignRun> runs;
     for (const RunConfig& config : experiment.runs)
       runs.push_back({.experiment = &experiment, .config = &config});
@@ -243,7 +247,10 @@ class Advisor {
     advice_.points = search.measured();
     if (advice_.out_of_time) std::ranges::copy(search.predicted(), std::back_inserter(advice_.points));
     advice_.front = front_of(advice_.points);
-    advice_.best = chosen(advice_.points, options_.demand);
+    // No error is known that is smaller than the reference's own.
+    const bool knowable =
+        !options_.demand.error || advice_.reference_gap.value_or(0) < *options_.demand.error;
+    if (knowable) advice_.best = chosen(advice_.points, options_.demand);
     if (!advice_.best) advice_.nearest = nearest(advice_.points, options_.demand);
     say_what_is_behind();
     if (advice_.out_of_time)
@@ -265,9 +272,9 @@ class Advisor {
       if (ahead) continue;
       const Rated best = *nearest(points, {.error = 0});
       advice_.left_out.push_back(
-          {model, fmt::format("{} measured, others are better; its best: error {} in {:.3g} ms ({})",
-                              points.size(), percent_text(best.error), 1e3 * best.cpu_s,
-                              setting_text(best.setting))});
+          {model,
+           fmt::format("{} measured, others are better; its best: error {} in {:.3g} ms ({})", points.size(),
+                       percent_text(best.error), 1e3 * best.cpu_s, setting_text(best.setting))});
     }
     for (const auto& [model, why] : without_error_)
       advice_.left_out.push_back(

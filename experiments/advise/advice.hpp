@@ -31,8 +31,9 @@ struct Advice {
   bool many_equilibria = false;
   Json accuracy;  ///< the section that the errors come from
   std::optional<double> reference_gap =
-      std::nullopt;                             ///< what the reference itself is not known to, in sizes
-  std::optional<Rated> best = std::nullopt;     ///< what the demand asked for
+      std::nullopt;  ///< what the reference itself is not known to, in sizes
+  std::optional<Rated> best =
+      std::nullopt;  ///< what the demand asked for, if the reference is known that well
   std::optional<Rated> nearest = std::nullopt;  ///< where there is none
   std::vector<Rated> points, front;             ///< measured, and predicted where the time ended
   std::vector<LeftOut> left_out;

@@ -31,6 +31,15 @@ std::vector<Rated> front_of(std::span<const Rated> points) {
   return front;
 }
 
+std::vector<Rated> thinned(std::span<const Rated> front) {
+  constexpr double much_better = 0.9;
+  std::vector<Rated> kept;
+  for (const Rated& point : front)
+    if (kept.empty() || point.error <= much_better * kept.back().error || &point == &front.back())
+      kept.push_back(point);
+  return kept;
+}
+
 std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand) {
   std::vector<Rated> fitting;
   for (const Rated& point : points)

@@ -29,6 +29,9 @@ struct Rated {
 /// The points that no other beats in both error and time, the fastest first. Of equal ones the first.
 std::vector<Rated> front_of(std::span<const Rated> points);
 
+/// Of a front the points that are a tenth more accurate than the one before them, and the last.
+std::vector<Rated> thinned(std::span<const Rated> front);
+
 /// The fastest point whose error is at most the demanded one, or the most accurate whose time is.
 std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand);
 

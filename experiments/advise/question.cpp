@@ -64,7 +64,8 @@ void move_files(Json& document, const std::filesystem::path& from, const std::fi
   const auto move = [&](Json& holder) {
     if (!holder.is_object() || !holder.contains("file") || !holder["file"].is_string()) return;
     const auto there = std::filesystem::absolute(from / holder["file"].get<std::string>());
-    holder["file"] = there.lexically_proximate(std::filesystem::absolute(to)).string();
+    const std::filesystem::path here = std::filesystem::absolute(to.empty() ? "." : to).lexically_normal();
+    holder["file"] = there.lexically_normal().lexically_proximate(here).string();
   };
   if (document.contains("mesh")) move(document["mesh"]);
   if (document.contains("effects") && document["effects"].is_array())

@@ -55,7 +55,8 @@ void Search::drop(const std::string& model) {
 }
 
 std::vector<Rated> Search::predicted() const {
-  constexpr int farthest = 8;
+  constexpr int farthest = 4;
+  constexpr double allowance = 0.25;  // errors tend to fall ever more slowly, so that a law promises too much
   std::vector<Rated> points;
   for (const std::string& model : models_)
     for (const int iterations : iteration_levels)
@@ -76,7 +77,8 @@ std::vector<Rated> Search::predicted() const {
         for (const int substeps : substep_levels) {
           const Setting setting{model, substeps, iterations, double_precision};
           if (substeps <= last || substeps > std::min(farthest * last, limits_.most_substeps)) continue;
-          const double error = law->at(work_of(setting));
+          const double error =
+              law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
           if (error >= limits_.least_error) points.push_back({setting, error, *cost(setting), true});
         }
       }
@@ -114,7 +116,8 @@ double Search::optimistic(const Setting& setting) const {
   for (const auto& [other, result] : results_)
     if (other.model == setting.model && other.substeps <= setting.substeps &&
         other.iterations <= setting.iterations && result.error)
-      least = std::min(least, std::min(*result.error, nowhere_near) * std::pow(work_of(other) / work_of(setting), 2));
+      least = std::min(
+          least, std::min(*result.error, nowhere_near) * std::pow(work_of(other) / work_of(setting), 2));
   return std::isfinite(least) ? least : 0;
 }
 

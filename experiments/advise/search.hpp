@@ -43,7 +43,7 @@ class Search {
 
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Finer settings of models with at least three measured ones that follow a law, up to 8 times as much work.
+  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much work.
   std::vector<Rated> predicted() const;
 
  private:

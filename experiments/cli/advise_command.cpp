@@ -102,11 +102,14 @@ void print_text(const Advice& advice, const Question& question, const Demand& de
   else
     fmt::print("{}: no setting gave an error\n", question.name());
   fmt::print("\nerror: rms {}, in sizes of the mesh\n\n{}", what_text(advice, question),
-             front_text(advice.front));
+             front_text(thinned(advice.front)));
+  if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
+    fmt::print("\nThe reference itself is known to {} only: motions that fall and fold are chaotic.\n",
+               percent_text(*advice.reference_gap));
   if (const auto& point = advice.best ? advice.best : advice.nearest) {
-    constexpr double close = 3;
+    constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
-      fmt::print("\nThe reference is not known much better than this error.\n");
+      fmt::print("\nThe reference itself is not known ten times as well as this error.\n");
     fmt::print("\nto use it:\n");
     for (const std::string& change : question.changes(point->setting)) fmt::print("  --set {}\n", change);
   }
