@@ -261,20 +261,21 @@ class Advisor {
                                                     options_.time_limit_s)});
   }
 
-  // Of models without a place on the front, the best.
+  // Of models without a place on the front as it is shown, the best.
   void say_what_is_behind() {
     std::map<std::string, std::vector<Rated>> of_model;
     for (const Rated& point : advice_.points)
       if (!point.predicted) of_model[point.setting.model].push_back(point);
+    const std::vector<Rated> shown = thinned(advice_.front);
     for (const auto& [model, points] : of_model) {
-      const bool ahead =
-          std::ranges::any_of(advice_.front, [&](const Rated& p) { return p.setting.model == model; });
+      const bool ahead = std::ranges::any_of(shown, [&](const Rated& p) { return p.setting.model == model; });
       if (ahead) continue;
       const Rated best = *nearest(points, {.error = 0});
       advice_.left_out.push_back(
           {model,
-           fmt::format("{} measured, others are better; its best: error {} in {:.3g} ms ({})", points.size(),
-                       percent_text(best.error), 1e3 * best.cpu_s, setting_text(best.setting))});
+           fmt::format("{} measured, others are as good or better; its best: error {} in {:.3g} ms ({})",
+                       points.size(), percent_text(best.error), 1e3 * best.cpu_s,
+                       setting_text(best.setting))});
     }
     for (const auto& [model, why] : without_error_)
       advice_.left_out.push_back(

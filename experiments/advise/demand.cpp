@@ -53,8 +53,13 @@ double parse_duration(std::string_view text) {
       "'{}' is no time: write a number above 0 and its unit (us, ms, s, min), 2ms or 0.002s", text));
 }
 
+std::string percent_number(double share) {
+  constexpr double three_digits = 0.995;
+  return share < three_digits ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
+}
+
 std::string percent_text(double share) {
-  return share < 1 ? fmt::format("{:.2g} %", 100 * share) : fmt::format("{:.0f} %", 100 * share);
+  return percent_number(share) + " %";
 }
 
 }  // namespace bendlab

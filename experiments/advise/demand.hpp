@@ -19,7 +19,8 @@ double parse_error(std::string_view text);
 /// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument without a unit or above-zero number.
 double parse_duration(std::string_view text);
 
-/// 0.0512 → "5.1 %".
+/// 0.0512 → "5.1" and "5.1 %".
+std::string percent_number(double share);
 std::string percent_text(double share);
 
 }  // namespace bendlab

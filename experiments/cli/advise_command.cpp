@@ -81,10 +81,10 @@ std::string point_text(const Rated& point) {
 std::string front_text(const std::vector<Rated>& front) {
   Table table({"model", "substeps", "iterations", "precision", "error (%)", "ms per frame", ""});
   for (const Rated& point : front)
-    table.add_row(
-        {point.setting.model, std::to_string(point.setting.substeps),
-         std::to_string(point.setting.iterations), point.setting.double_precision ? "double" : "single",
-         fmt::format("{:.2g}", 100 * point.error), fmt::format("{:.3g}", 1e3 * point.cpu_s), how(point)});
+    table.add_row({point.setting.model, std::to_string(point.setting.substeps),
+                   std::to_string(point.setting.iterations),
+                   point.setting.double_precision ? "double" : "single", percent_number(point.error),
+                   fmt::format("{:.3g}", 1e3 * point.cpu_s), how(point)});
   return table.text();
 }
 

@@ -164,6 +164,9 @@ TEST_CASE("advise: demands are shares and times with their units", "[advise]") {
   CHECK_THAT(parse_error("2.5 %"), WithinRel(0.025, 1e-15));
   for (const char* wrong : {"5", "0", "-1%", "100%", "nan", "", "%", "5ms"})
     CHECK_THROWS_WITH(parse_error(wrong), ContainsSubstring("5% or 0.05"));
+  CHECK(percent_text(0.0512) == "5.1 %");
+  CHECK(percent_text(0.9999) == "100 %");
+  CHECK(percent_text(5.99) == "599 %");
   CHECK_THAT(parse_duration("2ms"), WithinRel(0.002, 1e-15));
   CHECK_THAT(parse_duration("0.002s"), WithinRel(0.002, 1e-15));
   CHECK_THAT(parse_duration("500 us"), WithinRel(5e-4, 1e-15));
