@@ -387,7 +387,9 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     accuracy.keep(frame, Recorder::kinetic_energy_of(frame));
     recorder.complete(frame);
   });
+  const double before_steps = thread_cpu_s();
   const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
+  const double step_cpu_s = thread_cpu_s() - before_steps + simulation->helper_seconds();
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;
@@ -400,6 +402,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
+  outcome.summary["step_cpu_s"] = step_cpu_s;
   if (stability) outcome.summary.merge(stability->summary());
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
   if (outcome.status != RunStatus::diverged) {

@@ -35,6 +35,7 @@ struct Arguments {
   QualityThresholds thresholds;
   std::string bad_triangles = "refuse";
   StiffnessArguments stiffness;
+  AdviseArguments advise;
   BenchOptions bench;
   std::function<int()> command;
 };
@@ -148,6 +149,42 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
   add_json(stiffness, a, "As one JSON object");
 }
 
+void add_advise_command(CLI::App& app, Arguments& a) {
+  CLI::App* advise =
+      add_command(app, a, "advise", "Which model, substeps, iterations and precision to take for a scene",
+                  [&a] { return advise_command(a.advise, a.options, a.json); });
+  advise
+      ->add_option("CONFIG", a.advise.file, "JSON file of the scene; it states the cloth's bending stiffness")
+      ->required();
+  advise->add_option("--error", a.advise.error, "The fastest with at most this error, in sizes of the mesh")
+      ->type_name("5%");
+  advise
+      ->add_option("--budget", a.advise.budget,
+                   "The most accurate with at most this CPU time per frame of 1/60 s")
+      ->type_name("2ms");
+  advise->add_option("--set", a.advise.overrides, "Override a value: --set /mesh/cells=64. Repeatable")
+      ->type_name("/POINTER=VALUE")
+      ->allow_extra_args(false);
+  advise
+      ->add_option(
+          "--what", a.advise.what,
+          "Error of the pose at rest, or of the motion (default: rest where only loads and damping act)")
+      ->check(CLI::IsMember({"auto", "rest", "motion"}))
+      ->capture_default_str();
+  advise->add_option("--models", a.advise.models, "Only these, separated by commas")->delimiter(',');
+  advise
+      ->add_option("--time-limit", a.advise.time_limit,
+                   "How long to run settings; what takes longer is predicted, and marked so")
+      ->capture_default_str();
+  advise->add_option("--write", a.advise.write, "Write the config with the advised settings")
+      ->type_name("FILE");
+  advise->add_option("--out", a.options.out, "Folder for the results; the runs lie in its advise/")
+      ->capture_default_str();
+  advise->add_option("--jobs,-j", a.options.jobs, "Runs side by side (default: cores / threads of a run)")
+      ->check(CLI::Range(1, 1024));
+  add_json(advise, a, "As one JSON object");
+}
+
 void add_mesh_command(CLI::App& app, Arguments& a) {
   CLI::App* mesh =
       add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
@@ -225,6 +262,7 @@ int dispatch(int argc, char** argv) {
   add_run_commands(app, arguments);
   add_read_commands(app, arguments);
   add_stiffness_command(app, arguments);
+  add_advise_command(app, arguments);
   add_mesh_command(app, arguments);
   add_bench_command(app, arguments);
   add_reference(app, arguments, "models", "List the bending models: parameters, defaults, sources",

@@ -51,6 +51,20 @@ struct StiffnessArguments {
 int stiffness_command(const std::string& run, const std::filesystem::path& folder,
                       const StiffnessArguments& arguments, bool json);
 
+struct AdviseArguments {
+  std::filesystem::path file;
+  std::vector<std::string> overrides;  ///< "/json/pointer=value"
+  std::string error, budget;           ///< "5%" or "2ms": one of the two
+  std::string what = "auto";           ///< rest, motion or auto
+  std::string time_limit = "120s";
+  std::vector<std::string> models;  ///< empty: every registered one
+  std::filesystem::path write;      ///< empty: the config is not written
+};
+
+/// Which model, substeps, iterations and precision to take for a scene, from a sweep below <out>/advise. Exit code 1 where
+/// no setting meets the demand.
+int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json);
+
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
 int bench_command(const BenchOptions& options, bool list, bool json);
 

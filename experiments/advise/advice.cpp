@@ -1,0 +1,302 @@
+#include "experiments/advise/advice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <thread>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "experiments/cli/errors.hpp"
+#include "experiments/cli/signals.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr double frames_per_second = 60;
+
+// What a run says of its setting.
+struct Measured {
+  std::optional<double> error, gap;
+  double cpu_s = 0;   // per frame
+  double wall_s = 0;  // of the run itself; 0 where it was there
+  std::string why;    // no error
+  bool failed = false;
+};
+
+// A pass's own seconds are wall time, which other programs stretch.
+double cpu_per_frame(const RunOutcome& outcome) {
+  const double seconds = outcome.summary.at("step_cpu_s");
+  const double simulated = read_metric(outcome.file, "time").back();
+  constexpr double least = 1e-9;  // s
+  return simulated > 0 ? std::max(least, seconds / simulated / frames_per_second) : least;
+}
+
+std::optional<double> number_in(const RunOutcome& outcome, const std::string& name) {
+  const auto found = outcome.summary.find("error_physical_" + name);
+  return found == outcome.summary.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::string on_a_line(std::string text) {
+  std::ranges::replace(text, '\n', ' ');
+  const auto both_spaces = [](char a, char b) { return a == ' ' && b == ' '; };
+  text.erase(std::unique(text.begin(), text.end(), both_spaces), text.end());
+  return text;
+}
+
+Measured measured_by(const CampaignRun& run) {
+  if (!run.outcome) return {.why = on_a_line(run.error), .failed = true};
+  const RunOutcome& outcome = *run.outcome;
+  Measured measured{.error = number_in(outcome, "rms"),
+                    .gap = number_in(outcome, "reference_gap"),
+                    .cpu_s = cpu_per_frame(outcome),
+                    .wall_s = outcome.reused ? 0 : outcome.wall_s,
+                    .why = outcome.message};
+  if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
+    measured.error.reset();
+  if (outcome.status == RunStatus::diverged) measured.why = "diverged";
+  return measured;
+}
+
+class Advisor {
+ public:
+  Advisor(const Question& question, const AdviceOptions& options,
+          const std::function<void(const std::string&)>& tell)
+      : question_(question), options_(options), tell_(tell) {
+    options_.campaign.out /= "advise";
+    jobs_ = options_.campaign.jobs > 0
+                ? options_.campaign.jobs
+                : std::max(1, static_cast<int>(std::thread::hardware_concurrency() /
+                                               question.scene().section("/solver").integer("threads")));
+  }
+
+  Advice advise() {
+    std::vector<std::string> models = models_that_can();
+    choose_reference();
+    if (advice_.exit_code != 0) return advice_;
+    Search search(std::move(models), options_.demand,
+                  {.most_substeps = most_substeps(), .least_error = 2 * advice_.reference_gap.value_or(0)});
+    start_ = Clock::now();
+    while (measure_some(search)) {
+    }
+    conclude(search);
+    return advice_;
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  // Asked for and able to be this cloth; what can't is left out.
+  std::vector<std::string> models_that_can() {
+    std::vector<std::string> models;
+    std::optional<ConfigError> first;
+    for (const BendingModel* model : bending_models()) {
+      const std::string name(model->name);
+      const bool asked =
+          options_.models.empty() || std::ranges::find(options_.models, name) != options_.models.end();
+      if (asked) try {
+          question_.run_with({name}, Json::object());
+          models.push_back(name);
+        } catch (const ConfigError& error) {
+          leave_out(name, error.problems().front());
+          if (!first) first = error;
+        }
+    }
+    if (models.empty() && first) throw *first;
+    return models;
+  }
+
+  // Models that can't for the same reason stand together.
+  void leave_out(const std::string& model, const ConfigProblem& problem) {
+    std::string why = problem.pointer + " " + problem.message;
+    if (const std::size_t at = why.find(" of " + model); at != std::string::npos)
+      why.erase(at, 4 + model.size());
+    const auto same = std::ranges::find(advice_.left_out, why, &LeftOut::why);
+    if (same != advice_.left_out.end())
+      same->what += ", " + model;
+    else
+      advice_.left_out.push_back({model, why});
+  }
+
+  // A motion's reference is itself known no better than to its own time step.
+  int most_substeps() const {
+    constexpr int most = 256;
+    return advice_.error_of == ErrorOf::motion ? std::min(most, question_.reference_substeps() / 4) : most;
+  }
+
+  void choose_reference() {
+    advice_.error_of = options_.error_of.value_or(question_.natural_error());
+    if (advice_.error_of == ErrorOf::rest && !choose_equilibrium()) {
+      if (advice_.exit_code != 0) return;
+      tell_("the scene comes to no equilibrium; its motion is compared");
+      advice_.error_of = ErrorOf::motion;
+    }
+    if (advice_.error_of == ErrorOf::rest) return;
+    advice_.accuracy = question_.accuracy(advice_.error_of);
+    if (advice_.error_of == ErrorOf::motion)
+      tell_(fmt::format("the reference is the same motion with {} substeps, and {} to know its own error",
+                        question_.reference_substeps(), question_.reference_substeps() / 2));
+    probe({advice_.accuracy});  // which makes it
+  }
+
+  // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the start?
+  bool choose_equilibrium() {
+    constexpr double same = 0.002;  // of the size
+    const std::vector<Json> accuracies = {question_.accuracy(ErrorOf::rest, false),
+                                          question_.accuracy(ErrorOf::rest, true)};
+    tell_("the reference is the equilibrium of the stated cloth");
+    const std::vector<Measured> found = probe(accuracies);
+    if (advice_.exit_code != 0) return false;
+    const auto &first = found[0].error, &beside = found[1].error;
+    if (!first && !beside) {
+      if (options_.error_of)
+        throw std::runtime_error("the equilibrium that errors are measured against is not found: " +
+                                 found[0].why + "; --what motion compares the motion instead");
+      return false;
+    }
+    advice_.many_equilibria = beside && (!first || std::abs(*first - *beside) > same);
+    advice_.accuracy = accuracies[advice_.many_equilibria ? 1 : 0];
+    return true;
+  }
+
+  // The reference's model, as coarse as it stays whole, with each of these accuracies.
+  std::vector<Measured> probe(const std::vector<Json>& accuracies) {
+    std::vector<Measured> found;
+    for (const int substeps : {16, 64, 256}) {
+      std::vector<RunConfig> runs;
+      for (const Json& accuracy : accuracies)
+        runs.push_back(question_.run_with({question_.reference_model(), substeps}, accuracy));
+      found = execute(std::move(runs));
+      if (advice_.exit_code != 0 || found.front().why != "diverged") break;
+    }
+    return found;
+  }
+
+  std::vector<Measured> execute(std::vector<RunConfig> configs) {
+    Experiment experiment;
+    experiment.name = question_.name();
+    experiment.runs = std::move(configs);
+    for (const auto& [pointer, value] : experiment.runs.front().point)
+      experiment.axes.push_back({pointer, {}});
+    std::vector<CampaignRun> runs;
+    for (const RunConfig& config : experiment.runs)
+      runs.push_back({.experiment = &experiment, .config = &config});
+    run_campaign(runs, options_.campaign, [](std::size_t) {});
+    advice_.exit_code = stop_exit_code();
+    for (const CampaignRun& run : runs)
+      if (run.exit_code == exit_io || run.exit_code == exit_mesh) advice_.exit_code = run.exit_code;
+    std::vector<Measured> measured;
+    if (advice_.exit_code != 0) return measured;
+    for (const CampaignRun& run : runs) {
+      measured.push_back(measured_by(run));
+      if (run.outcome && !run.outcome->reused) ++advice_.computed;
+      if (measured.back().gap) advice_.reference_gap = measured.back().gap;
+    }
+    return measured;
+  }
+
+  // A round of as many runs as go side by side. False when the search is over, or the time.
+  bool measure_some(Search& search) {
+    std::vector<Search::Next> next = search.next();
+    if (next.empty()) return false;
+    next.resize(std::min(next.size(), static_cast<std::size_t>(jobs_)));
+    std::vector<RunConfig> configs;
+    std::vector<Setting> settings;
+    for (const Search::Next& each : next) {
+      RunConfig config = question_.run_with(each.setting, advice_.accuracy);
+      if (!in_time(each, config)) continue;
+      configs.push_back(std::move(config));
+      settings.push_back(each.setting);
+    }
+    if (configs.empty()) return !(advice_.out_of_time = true);
+    const std::vector<Measured> found = execute(std::move(configs));
+    for (std::size_t i = 0; i < found.size(); ++i) take(settings[i], found[i], search);
+    return advice_.exit_code == 0;
+  }
+
+  // What is there takes none.
+  bool in_time(const Search::Next& next, const RunConfig& config) const {
+    Experiment experiment;
+    experiment.name = question_.name();
+    if (std::filesystem::exists(run_folder(options_.campaign.out, experiment, config) / "run.vtkhdf"))
+      return true;
+    const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
+    const double frames = frames_per_second * config.section("").number("duration");
+    return passed + next.cpu_s.value_or(0) * frames * wall_per_cpu_ < options_.time_limit_s;
+  }
+
+  void take(const Setting& setting, const Measured& found, Search& search) {
+    if (found.failed) {
+      advice_.left_out.push_back({setting.model, found.why});
+      search.drop(setting.model);
+      return;
+    }
+    search.add(setting, found.error, found.cpu_s);
+    if (!found.error)
+      without_error_[setting.model].push_back(fmt::format("{}: {}", setting_text(setting), found.why));
+    const double cpu_s = found.cpu_s * frames_per_second * question_.scene().section("").number("duration");
+    constexpr double long_enough = 0.1;  // s
+    if (found.wall_s > long_enough) wall_per_cpu_ = std::clamp(found.wall_s / cpu_s, 1.0, 10.0);
+    tell_(fmt::format("{}: {}, {:.3g} ms per frame", setting_text(setting),
+                      found.error ? "error " + percent_text(*found.error) : found.why, 1e3 * found.cpu_s));
+  }
+
+  void conclude(const Search& search) {
+    advice_.points = search.measured();
+    if (advice_.out_of_time) std::ranges::copy(search.predicted(), std::back_inserter(advice_.points));
+    advice_.front = front_of(advice_.points);
+    // No error is known that is smaller than the reference's own.
+    const bool knowable =
+        !options_.demand.error || advice_.reference_gap.value_or(0) < *options_.demand.error;
+    if (knowable) advice_.best = chosen(advice_.points, options_.demand);
+    if (!advice_.best) advice_.nearest = nearest(advice_.points, options_.demand);
+    say_what_is_behind();
+    if (advice_.out_of_time)
+      advice_.left_out.push_back(
+          {"settings that take longer", fmt::format("not run within --time-limit ({:.4g} s); predicted where "
+                                                    "three coarser ones of the model follow "
+                                                    "a power law. The same command again goes on",
+                                                    options_.time_limit_s)});
+  }
+
+  // Of models without a place on the front as it is shown, the best.
+  void say_what_is_behind() {
+    std::map<std::string, std::vector<Rated>> of_model;
+    for (const Rated& point : advice_.points)
+      if (!point.predicted) of_model[point.setting.model].push_back(point);
+    const std::vector<Rated> shown = thinned(advice_.front);
+    for (const auto& [model, points] : of_model) {
+      const bool ahead = std::ranges::any_of(shown, [&](const Rated& p) { return p.setting.model == model; });
+      if (ahead) continue;
+      const Rated best = *nearest(points, {.error = 0});
+      advice_.left_out.push_back(
+          {model,
+           fmt::format("{} measured, others are as good or better; its best: error {} in {:.3g} ms ({})",
+                       points.size(), percent_text(best.error), 1e3 * best.cpu_s,
+                       setting_text(best.setting))});
+    }
+    for (const auto& [model, why] : without_error_)
+      advice_.left_out.push_back(
+          {model, fmt::format("{} gave no error, the finest {}", why.size(), why.back())});
+  }
+
+  const Question& question_;
+  AdviceOptions options_;
+  const std::function<void(const std::string&)>& tell_;
+  int jobs_ = 1;
+  Clock::time_point start_;
+  double wall_per_cpu_ = 1;
+  std::map<std::string, std::vector<std::string>> without_error_;  // setting and why, by model
+  Advice advice_;
+};
+
+}  // namespace
+
+Advice advise(const Question& question, const AdviceOptions& options,
+              const std::function<void(const std::string&)>& tell) {
+  return Advisor(question, options, tell).advise();
+}
+
+}  // namespace bendlab

@@ -1,0 +1,43 @@
+// From a few measured settings of a model to others: how its error falls with the work, and what a step costs.
+#pragma once
+
+#include <optional>
+#include <span>
+
+namespace bendlab {
+
+/// error = factor · work^-exponent
+struct PowerLaw {
+  double factor = 0, exponent = 0;
+  double at(double work) const;
+};
+
+struct Worked {
+  double work = 0;  ///< any unit: projections, or substeps × iterations
+  double error = 0;
+};
+
+/// Least squares through ln error over ln work, `measured` by rising work. Beyond the last of them an error does not fall
+/// faster than it did at last: the law passes through the last point, with the smaller of the fit's and the last
+/// section's slope. Nothing for fewer than three points, errors that are not positive or do not fall, or scatter by more
+/// than a quarter about the line.
+std::optional<PowerLaw> fit_power_law(std::span<const Worked> measured);
+
+/// CPU seconds per frame of a model.
+struct StepCost {
+  double per_substep = 0, per_iteration = 0;
+  double at(int substeps, int iterations) const {
+    return substeps * (per_substep + iterations * per_iteration);
+  }
+};
+
+struct Timed {
+  int substeps = 1, iterations = 1;
+  double cpu_s = 0;
+};
+
+/// Least squares, neither part below 0. Where all have as many iterations everything counts as theirs. Nothing without
+/// points.
+std::optional<StepCost> fit_step_cost(std::span<const Timed> measured);
+
+}  // namespace bendlab

@@ -1,0 +1,62 @@
+#include "experiments/advise/front.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+namespace bendlab {
+namespace {
+
+bool faster(const Rated& a, const Rated& b) {
+  return std::tie(a.cpu_s, a.error) < std::tie(b.cpu_s, b.error);
+}
+
+bool more_accurate(const Rated& a, const Rated& b) {
+  return std::tie(a.error, a.cpu_s) < std::tie(b.error, b.cpu_s);
+}
+
+std::optional<Rated> first_by(std::span<const Rated> points, bool (*before)(const Rated&, const Rated&)) {
+  const auto first = std::ranges::min_element(points, before);
+  return first == points.end() ? std::nullopt : std::optional(*first);
+}
+
+}  // namespace
+
+std::vector<Rated> front_of(std::span<const Rated> points) {
+  std::vector<Rated> sorted(points.begin(), points.end()), front;
+  std::ranges::stable_sort(sorted, faster);
+  for (Rated& point : sorted)
+    if (front.empty() || point.error < front.back().error) front.push_back(std::move(point));
+  return front;
+}
+
+std::vector<Rated> thinned(std::span<const Rated> front) {
+  constexpr double much_better = 0.9;
+  std::vector<Rated> kept;
+  for (const Rated& point : front)
+    if (kept.empty() || point.error <= much_better * kept.back().error || &point == &front.back())
+      kept.push_back(point);
+  return kept;
+}
+
+std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand) {
+  std::vector<Rated> fitting;
+  for (const Rated& point : points)
+    if (demand.error ? point.error <= *demand.error : point.cpu_s <= *demand.cpu_s) fitting.push_back(point);
+  return first_by(fitting, demand.error ? faster : more_accurate);
+}
+
+std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand) {
+  return first_by(points, demand.error ? more_accurate : faster);
+}
+
+std::string setting_text(const Setting& setting) {
+  const auto many = [](int count, const char* what) {
+    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+  };
+  return fmt::format("{}, {}, {}, {}", setting.model, many(setting.substeps, "substep"),
+                     many(setting.iterations, "iteration"), setting.double_precision ? "double" : "single");
+}
+
+}  // namespace bendlab

@@ -1,0 +1,203 @@
+#include "experiments/advise/question.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "bendlab/bending/model.hpp"
+#include "experiments/overrides.hpp"
+#include "experiments/pointers.hpp"
+#include "experiments/scene.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> damping = {"rigid_damping", "constraint_damping"};
+constexpr std::array<std::string_view, 2> bounds = {"tethers", "strain_limiting"};
+
+template <class Names>
+bool among(const Json& effect, const Names& names) {
+  return std::ranges::find(names, effect["type"].get<std::string>()) != names.end();
+}
+
+std::string set(std::string_view pointer, const Json& value) {
+  return fmt::format("{}={}", pointer, value.dump());
+}
+
+// Hinges have a flexural rigidity; a quartic cloth is what springs are.
+std::string reference_model_of(const RunConfig& scene) {
+  return scene.section("/bending").has("flexural_rigidity") ? "dihedral" : scene.bending_model();
+}
+
+void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
+  const ParameterValues bending = scene.section("/bending");
+  const std::string& stiffness = bending.text("stiffness");
+  if (stiffness != "physical")
+    throw ConfigError(
+        source,
+        {{"/bending/stiffness",
+          fmt::format(
+              "is {}, which is another cloth with every model and setting, so that there is none to be "
+              "right about; state it: \"bending\": {{\"stiffness\": \"physical\", "
+              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5), with \"at_curvature\" in 1/m "
+              "beside it if springs may take its place",
+              stiffness)}});
+  if (!bending.has("flexural_rigidity") && !bending.has("quartic_coefficient"))
+    throw ConfigError(source, {{"/bending/flexural_rigidity",
+                                "is missing: how stiff is the cloth? B in N m, cotton about 1e-5"}});
+}
+
+Json without_effects(const Json& effects, auto left_out) {
+  Json kept = Json::array();
+  for (const Json& effect : effects)
+    if (!left_out(effect)) kept.push_back(effect);
+  return kept;
+}
+
+// Files as seen from another folder.
+void move_files(Json& document, const std::filesystem::path& from, const std::filesystem::path& to) {
+  const auto move = [&](Json& holder) {
+    if (!holder.is_object() || !holder.contains("file") || !holder["file"].is_string()) return;
+    const auto there = std::filesystem::absolute(from / holder["file"].get<std::string>());
+    const std::filesystem::path here = std::filesystem::absolute(to.empty() ? "." : to).lexically_normal();
+    holder["file"] = there.lexically_normal().lexically_proximate(here).string();
+  };
+  if (document.contains("mesh")) move(document["mesh"]);
+  if (document.contains("effects") && document["effects"].is_array())
+    for (Json& effect : document["effects"]) move(effect);
+}
+
+}  // namespace
+
+Question::Question(std::filesystem::path file, std::vector<std::string> overrides)
+    : file_(std::move(file)), overrides_(std::move(overrides)) {
+  const Experiment experiment = load_experiment(file_, overrides_);
+  if (experiment.runs.size() != 1)
+    throw ConfigError(file_.string(),
+                      {{"/sweep", fmt::format("has {} runs, and advice is for one scene: choose it with "
+                                              "--set {}=VALUE",
+                                              experiment.runs.size(), experiment.axes.front().first)}});
+  scene_ = experiment.runs.front();
+  name_ = experiment.name;
+  check_states_a_cloth(scene_, file_.string());
+  reference_model_ = reference_model_of(scene_);
+  const ParameterValues accuracy = scene_.section("/accuracy");
+  if (accuracy.has("solver") && !accuracy.has("physical"))
+    throw ConfigError(file_.string(),
+                      {{"/accuracy/physical",
+                        "is missing: models are compared with one stated cloth, solver compares each "
+                        "with itself. Name the reference there, or remove /accuracy"}});
+}
+
+ErrorOf Question::natural_error() const {
+  if (scene_.section("/accuracy").has("physical")) return ErrorOf::own;
+  bool damped = false;
+  for (const Json& effect : scene_.resolved["effects"]) {
+    const std::string type = effect["type"];
+    damped |= type == "viscous_drag" || among(effect, damping);
+    if (type != "gravity" && type != "viscous_drag" && !among(effect, damping) && !among(effect, bounds))
+      return ErrorOf::motion;
+  }
+  const ParameterValues initial = scene_.section("/initial");
+  const auto still = [&](const char* velocity) {
+    return std::ranges::all_of(initial.numbers(velocity), [](double v) { return v == 0; });
+  };
+  return damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
+}
+
+Json Question::accuracy(ErrorOf what, bool start_from_end) const {
+  if (what == ErrorOf::own) return scene_.resolved["accuracy"];
+  Json accuracy = Json::object();
+  if (what == ErrorOf::motion) {
+    accuracy["physical"] = motion_changes();
+    accuracy["physical_coarser"] = {fmt::format("/solver/substeps={}", reference_substeps() / 2)};
+    accuracy["over_time"] = true;
+  } else {
+    accuracy["physical"] = rest_changes();
+    accuracy["align"] = "vertical";
+    accuracy["start_from_end"] = start_from_end;
+  }
+  return accuracy;
+}
+
+int Question::reference_substeps() const {
+  constexpr double allowed_s = 60, projection_s = 6e-9;
+  constexpr double per_triangle = 2 * (3 + 1.5);  // strain and hinges, there and back
+  const double triangles = static_cast<double>(rest_mesh_of(scene_).mesh.triangles.rows());
+  const double steps = scene_.section("").number("duration") / scene_.section("/solver").number("dt");
+  const double substeps = allowed_s / (steps * triangles * per_triangle * projection_s);
+  return std::clamp(
+      static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(substeps, 1.0, 1024.0)))), 64, 1024);
+}
+
+std::vector<std::string> Question::rest_changes() const {
+  const Json& strain = scene_.resolved["material"]["strain"];
+  Json bending = scene_.resolved["bending"];
+  bending["model"] = reference_model_;
+  std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})", "/duration=20",
+                                      "/settled_speed=0", "/output/frames_per_second=1",
+                                      set("/bending", bending)};
+  if (strain["stiffness"] != "compliance" || strain["compliance"].get<double>() == 0) {
+    changes.emplace_back("/material/strain/stiffness=compliance");
+    changes.emplace_back("/material/strain/compliance=1e-5");
+  }
+  changes.push_back(set("/effects", without_effects(scene_.resolved["effects"], [](const Json& effect) {
+                          return among(effect, damping) || among(effect, bounds);
+                        })));
+  return changes;
+}
+
+std::vector<std::string> Question::motion_changes() const {
+  Json bending = scene_.resolved["bending"];
+  bending["model"] = reference_model_;
+  return {"/solver/method=pbd",       fmt::format("/solver/substeps={}", reference_substeps()),
+          "/solver/iterations=1",     "/solver/sweep=symmetric",
+          "/solver/precision=double", set("/bending", bending)};
+}
+
+std::vector<std::string> Question::changes(const Setting& setting) const {
+  std::vector<std::string> changes = {
+      "/bending/model=" + setting.model, fmt::format("/solver/substeps={}", setting.substeps),
+      fmt::format("/solver/iterations={}", setting.iterations),
+      fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single")};
+  if (scene_.section("/solver").text("method") != "pbd")
+    changes.insert(changes.begin(), "/solver/method=pbd");
+  return changes;
+}
+
+RunConfig Question::run_with(const Setting& setting, const Json& accuracy) const {
+  std::vector<std::string> overrides = overrides_;
+  std::ranges::copy(changes(setting), std::back_inserter(overrides));
+  overrides.push_back(set("/accuracy", accuracy));
+  const bool of_the_end = !accuracy.value("over_time", false);
+  if (of_the_end) overrides.emplace_back("/output/frames_per_second=1");
+  RunConfig run = load_experiment(file_, overrides).runs.front();
+  run.point = {{"/bending/model", setting.model},
+               {"/solver/substeps", setting.substeps},
+               {"/solver/iterations", setting.iterations},
+               {"/solver/precision", setting.double_precision ? "double" : "single"}};
+  return run;
+}
+
+Json Question::written(const Setting& setting, const std::filesystem::path& folder) const {
+  std::ifstream stream(file_, std::ios::binary);
+  Json document = parse_strict_json(std::string(std::istreambuf_iterator<char>(stream), {}), file_.string());
+  std::vector<std::string> overrides = overrides_;
+  std::ranges::copy(changes(setting), std::back_inserter(overrides));
+  ConfigProblems problems;
+  apply_overrides(document, overrides, problems);
+  if (!problems.empty()) throw ConfigError(file_.string(), std::move(problems));
+  document.erase("accuracy");
+  if (document.contains("expect"))
+    document["expect"] =
+        without_effects(document["expect"], [](const Json& entry) { return entry.contains("where"); });
+  move_files(document, file_.parent_path(), folder);
+  return document;
+}
+
+}  // namespace bendlab

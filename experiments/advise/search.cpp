@@ -1,0 +1,213 @@
+#include "experiments/advise/search.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace bendlab {
+namespace {
+
+constexpr std::array substep_levels = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
+constexpr std::array iteration_levels = {1, 2, 4, 10};
+constexpr double double_cost = 1.8;  // of single, until it is measured
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+bool doubled(int substeps) {
+  return (substeps & (substeps - 1)) == 0;
+}
+
+int fewer(int iterations) {
+  return *std::prev(std::ranges::find(iteration_levels, iterations));
+}
+
+Setting with_substeps(Setting setting, int substeps) {
+  setting.substeps = substeps;
+  return setting;
+}
+
+double work_of(const Setting& setting) {
+  return static_cast<double>(setting.substeps) * setting.iterations;
+}
+
+}  // namespace
+
+Search::Search(std::vector<std::string> models, const Demand& demand, const Limits& limits)
+    : models_(std::move(models)), demand_(demand), limits_(limits) {}
+
+std::vector<Search::Next> Search::next() const {
+  std::vector<Next> found;
+  for (const std::string& model : models_)
+    for (const Setting& setting : all_settings(model))
+      if (!find(setting) && is_next(setting) && worth(setting)) found.push_back({setting, cost(setting)});
+  std::ranges::stable_sort(found, {}, [](const Next& next) { return next.cpu_s.value_or(0); });
+  return found;
+}
+
+void Search::add(const Setting& setting, std::optional<double> error, double cpu_s) {
+  results_[setting] = {error, cpu_s};
+  if (error) measured_.push_back({setting, *error, cpu_s});
+  front_ = front_of(measured_);
+}
+
+void Search::drop(const std::string& model) {
+  std::erase(models_, model);
+}
+
+std::vector<Rated> Search::predicted() const {
+  constexpr int farthest = 4;
+  constexpr double allowance = 0.25;  // errors tend to fall ever more slowly, so that a law promises too much
+  std::vector<Rated> points;
+  for (const std::string& model : models_)
+    for (const int iterations : iteration_levels)
+      for (const bool double_precision : {false, true}) {
+        std::vector<Worked> known;
+        int last = 0;
+        for (const int substeps : substep_levels) {
+          const Setting setting{model, substeps, iterations, double_precision};
+          const Result* result = find(setting);
+          if (result == nullptr) continue;
+          last = substeps;
+          if (result->error) known.push_back({work_of(setting), *result->error});
+        }
+        constexpr std::size_t most = 4;  // what was coarser tells little of what is finer
+        const std::size_t first = known.size() > most ? known.size() - most : 0;
+        const auto law = fit_power_law(std::span(known).subspan(first));
+        if (!law) continue;
+        for (const int substeps : substep_levels) {
+          const Setting setting{model, substeps, iterations, double_precision};
+          if (substeps <= last || substeps > std::min(farthest * last, limits_.most_substeps)) continue;
+          const double error =
+              law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
+          if (error >= limits_.least_error) points.push_back({setting, error, *cost(setting), true});
+        }
+      }
+  return points;
+}
+
+const Search::Result* Search::find(const Setting& setting) const {
+  const auto found = results_.find(setting);
+  return found == results_.end() ? nullptr : &found->second;
+}
+
+std::optional<double> Search::error_of(const Setting& setting) const {
+  const Result* result = find(setting);
+  return result ? result->error : std::nullopt;
+}
+
+// From the runs of its model in its precision, or else in the other.
+std::optional<double> Search::cost(const Setting& setting) const {
+  for (const bool same : {true, false}) {
+    std::vector<Timed> timed;
+    for (const auto& [other, result] : results_)
+      if (other.model == setting.model && (other.double_precision == setting.double_precision) == same)
+        timed.push_back({other.substeps, other.iterations, result.cpu_s});
+    const double factor = same ? 1 : setting.double_precision ? double_cost : 1 / double_cost;
+    if (const auto fit = fit_step_cost(timed)) return factor * fit->at(setting.substeps, setting.iterations);
+  }
+  return std::nullopt;
+}
+
+// The least error that the model's coarser runs leave possible; 0 where they had none. Of a cloth that is nowhere near, it
+// does not matter how far away it is.
+double Search::optimistic(const Setting& setting) const {
+  constexpr double nowhere_near = 0.25;
+  double least = infinity;
+  for (const auto& [other, result] : results_)
+    if (other.model == setting.model && other.substeps <= setting.substeps &&
+        other.iterations <= setting.iterations && result.error)
+      least = std::min(
+          least, std::min(*result.error, nowhere_near) * std::pow(work_of(other) / work_of(setting), 2));
+  return std::isfinite(least) ? least : 0;
+}
+
+bool Search::on_front(const Setting& setting) const {
+  return std::ranges::find(front_, setting, &Rated::setting) != front_.end();
+}
+
+bool Search::is_next(const Setting& setting) const {
+  if (setting == Setting{setting.model}) return true;
+  if (!doubled(setting.substeps)) return between(setting);
+  if (setting.double_precision) return rounding_suspected(setting);
+  return setting.iterations == 1 ? continues(setting) : more_iterations(setting);
+}
+
+// Up from half as many substeps, unless the error stays as it is and others are better.
+bool Search::continues(const Setting& setting) const {
+  const auto error = [&](int fraction) {
+    return error_of(with_substeps(setting, setting.substeps / fraction));
+  };
+  const Setting half = with_substeps(setting, setting.substeps / 2);
+  if (find(half) == nullptr) return false;
+  constexpr double much_the_same = 0.9;
+  constexpr int early = 8;  // coarse settings may all be as bad
+  const bool stays = half.substeps >= early && error(2) && error(8) && *error(2) > much_the_same * *error(8);
+  return !stays || on_front(half);
+}
+
+// Where the next fewer are on the front, until two in a row were not.
+bool Search::more_iterations(const Setting& setting) const {
+  Setting less = setting;
+  less.iterations = fewer(setting.iterations);
+  if (!on_front(less)) return false;
+  int in_vain = 0;
+  for (const auto& [other, result] : results_)  // by rising substeps
+    if (other.model == setting.model && other.iterations == setting.iterations && !other.double_precision)
+      in_vain = on_front(other) ? 0 : in_vain + 1;
+  return in_vain < 2;
+}
+
+// Double, where single diverged, hardly gained from its last doubling, or was worse than double before.
+bool Search::rounding_suspected(const Setting& setting) const {
+  Setting single = setting;
+  single.double_precision = false;
+  const auto gains = [&](int substeps) {
+    const auto mine = error_of(with_substeps(setting, substeps)),
+               other = error_of(with_substeps(single, substeps));
+    return mine && (!other || *mine < 0.95 * *other);
+  };
+  const int half = setting.substeps / 2;
+  if (half >= 1 && gains(half)) return true;
+  for (int substeps = half; substeps >= 1 && substeps > setting.substeps / 8; substeps /= 2)
+    if (find(with_substeps(setting, substeps))) return false;  // tried, in vain
+  const Result* tried = find(single);
+  if (tried == nullptr || setting.substeps < 8) return false;
+  const auto before = error_of(with_substeps(single, half));
+  return !tried->error || (before && *tried->error > 0.75 * *before);
+}
+
+// 3 · 2^k substeps, where 2 · 2^k don't meet the demand and these may.
+bool Search::between(const Setting& setting) const {
+  const int below = setting.substeps / 3 * 2;
+  const auto error = error_of(with_substeps(setting, below));
+  if (!error) return false;
+  if (demand_.error) return *error > *demand_.error && optimistic(setting) <= *demand_.error;
+  const auto above = cost(with_substeps(setting, 2 * below));
+  return above && *above > *demand_.cpu_s;
+}
+
+bool Search::worth(const Setting& setting) const {
+  const std::optional<double> cpu_s = cost(setting);
+  if (!cpu_s) return true;
+  const std::optional<Rated> best = demand_.error ? chosen(measured_, demand_) : std::nullopt;
+  const double most = demand_.error ? (best ? best->cpu_s : infinity) : *demand_.cpu_s;
+  if (*cpu_s >= most) return false;
+  double least = infinity;  // error for that time
+  for (const Rated& point : front_)
+    if (point.cpu_s <= *cpu_s) least = point.error;
+  // On the way up a setting may be behind, and the next one ahead.
+  const bool on_the_way = setting.iterations == 1 && !setting.double_precision && doubled(setting.substeps);
+  return optimistic(setting) < (on_the_way ? 2 : 1) * least;
+}
+
+std::vector<Setting> Search::all_settings(const std::string& model) const {
+  std::vector<Setting> settings;
+  for (const int iterations : iteration_levels)
+    for (const bool double_precision : {false, true})
+      for (const int substeps : substep_levels)
+        if (substeps <= limits_.most_substeps)
+          settings.push_back({model, substeps, iterations, double_precision});
+  return settings;
+}
+
+}  // namespace bendlab

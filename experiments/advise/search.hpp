@@ -1,0 +1,75 @@
+// Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and little else is run.
+//
+//   substeps   1 2 3 4 6 8 … 256    every model goes up by doubling; 3, 6, 12 … only where they may just meet the demand
+//   iterations 1 2 4 10             where the next fewer is on the front
+//   precision  single, double       where rounding seems to hold single back
+//
+// A setting is worth a run if it could be on the front: an error falls at best with the square of the work (substeps ×
+// iterations), and what is known to cost more than a setting that already meets the demand need not be run. Since the
+// cheapest come first, a tighter demand measures what a looser one did, and more.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/advise/fit.hpp"
+#include "experiments/advise/front.hpp"
+
+namespace bendlab {
+
+class Search {
+ public:
+  struct Limits {
+    int most_substeps = 256;
+    double least_error = 0;  ///< below it nothing is predicted: as well as the reference is known
+  };
+  struct Next {
+    Setting setting;
+    std::optional<double> cpu_s = std::nullopt;  ///< expected per frame; nothing before the model's first run
+  };
+
+  Search(std::vector<std::string> models, const Demand& demand, const Limits& limits);
+
+  /// What is worth a run now, the cheapest first; empty when the search is over.
+  std::vector<Next> next() const;
+
+  /// What a run gave; without an error it diverged, or had no reference.
+  void add(const Setting& setting, std::optional<double> error, double cpu_s);
+
+  /// No further run of the model.
+  void drop(const std::string& model);
+
+  const std::vector<Rated>& measured() const { return measured_; }
+
+  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much work.
+  std::vector<Rated> predicted() const;
+
+ private:
+  struct Result {
+    std::optional<double> error;
+    double cpu_s = 0;
+  };
+
+  const Result* find(const Setting& setting) const;
+  std::optional<double> error_of(const Setting& setting) const;
+  std::optional<double> cost(const Setting& setting) const;
+  double optimistic(const Setting& setting) const;
+  bool on_front(const Setting& setting) const;
+  bool is_next(const Setting& setting) const;
+  bool continues(const Setting& setting) const;
+  bool more_iterations(const Setting& setting) const;
+  bool rounding_suspected(const Setting& setting) const;
+  bool between(const Setting& setting) const;
+  bool worth(const Setting& setting) const;
+  std::vector<Setting> all_settings(const std::string& model) const;
+
+  std::vector<std::string> models_;
+  Demand demand_;
+  Limits limits_;
+  std::map<Setting, Result> results_;
+  std::vector<Rated> measured_, front_;
+};
+
+}  // namespace bendlab
