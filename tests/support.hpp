@@ -2,28 +2,16 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <cfenv>
 #include <random>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/without_traps.hpp"
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab::test {
-
-/// Suspends floating-point traps (CMake option BENDLAB_TRAPS) where a test means infinities and NaNs to arise.
-class WithoutTraps {
- public:
-  WithoutTraps() { std::feholdexcept(&environment_); }
-  ~WithoutTraps() { std::fesetenv(&environment_); }
-  WithoutTraps(const WithoutTraps&) = delete;
-  WithoutTraps& operator=(const WithoutTraps&) = delete;
-
- private:
-  std::fenv_t environment_;
-};
 
 inline double uniform(std::mt19937_64& random, double low, double high) {
   return std::uniform_real_distribution<double>(low, high)(random);

@@ -200,7 +200,7 @@ TEMPLATE_TEST_CASE("kernels agree with the reference on collapsed elements", "[c
 }
 
 TEMPLATE_TEST_CASE("no finite state makes a NaN", "[constraints]", float, double) {
-  const test::WithoutTraps overflows;
+  const WithoutTraps overflows;
   std::mt19937_64 random(11);
   for (int trial = 0; trial < 40; ++trial) {
     Crumpled<TestType> cloth(static_cast<unsigned>(trial) + 1);

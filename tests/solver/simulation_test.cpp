@@ -264,7 +264,7 @@ TEST_CASE("a compliant spring stretches by its compliance times the load", "[sol
 }
 
 TEST_CASE("divergence is noticed with its vertex", "[solver]") {
-  const test::WithoutTraps infinities;
+  const WithoutTraps infinities;
   SimulationInput input = pinned_sheet(4);
   input.velocities = Positions::Zero(input.positions.rows(), 3);
   input.velocities(7, 1) = 1e300;

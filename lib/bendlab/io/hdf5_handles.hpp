@@ -16,6 +16,8 @@
 #include <utility>
 #include <vector>
 
+#include "bendlab/mesh/without_traps.hpp"
+
 namespace bendlab::hdf5 {
 
 /// A call of the library failed. what() is the reason: the system's text where there is one, else the
@@ -32,13 +34,15 @@ class Failure : public std::runtime_error {
 /// The Failure that the library's error stack of this thread describes.
 Failure last_failure();
 
-/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread.
+/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread, and lets it convert a NaN
+/// as a fill value.
 class Lock {
  public:
   Lock();
 
  private:
   std::lock_guard<std::mutex> guard_;
+  WithoutTraps without_traps_;
 };
 
 /// Passes a result on, or throws last_failure() where the library says so by a negative number.

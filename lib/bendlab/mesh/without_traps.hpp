@@ -1,0 +1,21 @@
+// Suspends floating-point traps (CMake option BENDLAB_TRAPS).
+#pragma once
+
+#include <cfenv>
+
+namespace bendlab {
+
+/// While it lives, this thread may compute infinities and NaNs: around libraries that do so on purpose (HDF5 converts a NaN
+/// as a fill value).
+class WithoutTraps {
+ public:
+  WithoutTraps() { std::feholdexcept(&environment_); }
+  ~WithoutTraps() { std::fesetenv(&environment_); }
+  WithoutTraps(const WithoutTraps&) = delete;
+  WithoutTraps& operator=(const WithoutTraps&) = delete;
+
+ private:
+  std::fenv_t environment_;
+};
+
+}  // namespace bendlab
