@@ -25,6 +25,8 @@ class TangentPlanes {
                                  .cross(rest.position(corner(2)) - rest.position(corner(0)));
       for (int c = 0; c < 3; ++c) normal_.row(corner(c)) += normal.transpose();
     }
+    for (auto normal : normal_.rowwise())
+      if (normal.isZero(0)) normal = Vector3::UnitZ();  // its triangles have no area: any plane will do
   }
 
   double angle(int from, int to) const {
