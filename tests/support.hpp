@@ -7,8 +7,8 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/generators.hpp"
-#include "bendlab/mesh/without_traps.hpp"
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab::test {

@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "bendlab/mesh/without_traps.hpp"
+#include "bendlab/io/without_traps.hpp"
 
 namespace bendlab::hdf5 {
 
