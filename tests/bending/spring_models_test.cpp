@@ -124,6 +124,19 @@ TEST_CASE("sparse_lod has the same number of springs per vertex at any resolutio
   for (const double count : per_vertex) CHECK_THAT(count, WithinRel(per_vertex.front(), 0.02));
 }
 
+TEST_CASE("sparse_lod finds directions where a vertex's triangles have no area", "[bending]") {
+  // The corner lies on its cell's opposite corner, exactly or all but: the springs are the same.
+  const auto springs = [](double away) {
+    TriangleMesh mesh = grid(1, 1, 8, 8);
+    const double x = mesh.positions(10, 0), y = mesh.positions(10, 1);  // 9 vertices a row: one up, one along
+    mesh.positions.row(0) << x - away, y - 1.1 * away, 0;
+    auto found = sparse_springs(RestMesh(std::move(mesh)), 3).vertices;
+    std::ranges::sort(found);
+    return found;
+  };
+  CHECK(springs(0) == springs(1e-9));
+}
+
 TEST_CASE("sparse_lod bends alike in all directions", "[bending]") {
   // Springs spread evenly and weighed by length: 5 % between any two directions on structured, triangular and
   // irregular meshes, where the whole ring has up to ± 23 % (Σ cos⁸ over three directions).
