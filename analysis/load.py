@@ -52,6 +52,7 @@ class Run:
     summary: dict  # name → number
     metrics: Mapping  # name → (F) array, `time` among them
     wall_s: float = 0.0
+    step_cpu_s: float = 0.0  # of the steps alone
     cpu_s: float = 0.0
     passes: dict = field(default_factory=dict)  # pass → seconds
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
@@ -178,6 +179,7 @@ def load_run(path):
             summary={name: float(np.ravel(value)[0]) for name, value in attributes("summary").items()},
             metrics=Metrics(path, file["metrics"], frames),
             wall_s=float(np.ravel(attributes("timing").get("wall_s", 0))[0]),
+            step_cpu_s=float(np.ravel(attributes("timing").get("step_cpu_s", 0))[0]),
             cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
             passes=passes,
             source_hash=_text(attributes("provenance").get("source_hash", "")),

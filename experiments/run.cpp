@@ -282,6 +282,7 @@ RunOutcome outcome_of(const RunRecord& record) {
           .message = message == record.provenance.end() ? "" : message->second,
           .wall_s = record.wall_s,
           .cpu_s = record.cpu_s,
+          .step_cpu_s = record.step_cpu_s,
           .summary = record.summary,
           .passes = record.passes};
 }
@@ -389,7 +390,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   });
   const double before_steps = thread_cpu_s();
   const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
-  const double step_cpu_s = thread_cpu_s() - before_steps + simulation->helper_seconds();
+  outcome.step_cpu_s = thread_cpu_s() - before_steps + simulation->helper_seconds();
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;
@@ -402,7 +403,6 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     outcome.differs = comparison.differs;
   }
   outcome.summary = recorder.summary(*simulation);
-  outcome.summary["step_cpu_s"] = step_cpu_s;
   if (stability) outcome.summary.merge(stability->summary());
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
   if (outcome.status != RunStatus::diverged) {
@@ -421,7 +421,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                    .summary = outcome.summary,
                    .passes = outcome.passes,
                    .wall_s = outcome.wall_s,
-                   .cpu_s = outcome.cpu_s};
+                   .cpu_s = outcome.cpu_s,
+                   .step_cpu_s = outcome.step_cpu_s};
   if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
   writer.finish(footer);
   return outcome;

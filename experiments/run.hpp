@@ -30,7 +30,8 @@ struct RunOutcome {
   std::filesystem::path file;
   std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
   double wall_s = 0, cpu_s = 0;
-  std::map<std::string, double> summary;  ///< with step_cpu_s, the CPU time of the steps alone
+  double step_cpu_s = 0;  ///< of the steps alone, without set-up and recording
+  std::map<std::string, double> summary;
   std::vector<PassTime> passes;
 };
 

@@ -28,10 +28,9 @@ struct Measured {
 
 // A pass's own seconds are wall time, which other programs stretch.
 double cpu_per_frame(const RunOutcome& outcome) {
-  const double seconds = outcome.summary.at("step_cpu_s");
   const double simulated = read_metric(outcome.file, "time").back();
   constexpr double least = 1e-9;  // s
-  return simulated > 0 ? std::max(least, seconds / simulated / frames_per_second) : least;
+  return simulated > 0 ? std::max(least, outcome.step_cpu_s / simulated / frames_per_second) : least;
 }
 
 std::optional<double> number_in(const RunOutcome& outcome, const std::string& name) {

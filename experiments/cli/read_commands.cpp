@@ -45,6 +45,7 @@ Json to_json(const RunRecord& record) {
           {"config", config.is_discarded() ? Json(record.config) : config},
           {"wall_s", record.wall_s},
           {"cpu_s", record.cpu_s},
+          {"step_cpu_s", record.step_cpu_s},
           {"summary", record.summary},
           {"passes", passes},
           {"provenance", record.provenance}};

@@ -179,6 +179,7 @@ Json run_json(const CampaignRun& run) {
           {"config", run.config->resolved},
           {"wall_s", outcome.wall_s},
           {"cpu_s", outcome.cpu_s},
+          {"step_cpu_s", outcome.step_cpu_s},
           {"summary", outcome.summary},
           {"passes", passes},
           {"expectations", expectations},

@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, summary, passes, expectations,
+/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, step_cpu_s, summary, passes, expectations,
 /// message}.
 Json run_json(const CampaignRun& run);
 

@@ -42,6 +42,7 @@ TEST_CASE("run file: what is written is read back", "[io]") {
   CHECK(run.summary == square_footer().summary);
   CHECK(run.wall_s == 3.5);
   CHECK(run.cpu_s == 7);
+  CHECK(run.step_cpu_s == 5);
   CHECK(run.config == square_header().config);
   CHECK(run.provenance == std::map<std::string, std::string>{{"commit", "0a1b2c3"},
                                                              {"compiler", "g++ <12> \"−O2\""},

@@ -68,6 +68,7 @@ inline RunFooter square_footer() {
   footer.passes = {{"strain", 1.5, 100}, {"gravity", 0.25, 10}};
   footer.wall_s = 3.5;
   footer.cpu_s = 7;
+  footer.step_cpu_s = 5;
   footer.provenance = {{"ordering_hash", "hash of both"}};
   return footer;
 }

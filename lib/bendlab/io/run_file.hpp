@@ -6,7 +6,7 @@
 //   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of
 //                           them
 //   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
-//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s
+//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
 //   /provenance             attributes; dataset `config` (resolved config, JSON text)
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted; id; name
@@ -81,6 +81,7 @@ struct RunFooter {
   std::map<std::string, double> summary;
   std::vector<PassTime> passes;
   double wall_s = 0, cpu_s = 0;
+  double step_cpu_s = 0;                          ///< of the steps alone, without set-up and recording
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
@@ -111,7 +112,7 @@ struct RunRecord {
   std::uint64_t frames = 0;
   std::map<std::string, double> summary;
   std::vector<PassTime> passes;
-  double wall_s = 0, cpu_s = 0;
+  double wall_s = 0, cpu_s = 0, step_cpu_s = 0;
   std::map<std::string, std::string> provenance;
   std::string config;
 };

@@ -65,6 +65,7 @@ void write_footer(hid_t file, const RunFooter& footer) {
   hdf5::write_array(timing, "acted", acted);
   hdf5::write_attribute(timing, "wall_s", footer.wall_s);
   hdf5::write_attribute(timing, "cpu_s", footer.cpu_s);
+  hdf5::write_attribute(timing, "step_cpu_s", footer.step_cpu_s);
   write_texts(hdf5::open_group(file, "provenance"), footer.provenance);
   const Handle summary = hdf5::create_group(file, "summary");
   for (const auto& [name, value] : footer.summary) hdf5::write_attribute(summary, name, value);
