@@ -5,21 +5,20 @@
 
 #include <cctype>
 #include <chrono>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <iterator>
 #include <memory>
 #include <optional>
 
-#include "bendlab/constraints/pack.hpp"
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/metrics/drape.hpp"
-#include "bendlab/solver/colouring.hpp"
 #include "experiments/accuracy.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/recorder.hpp"
+#include "experiments/run_header.hpp"
 #include "experiments/stability.hpp"
+#include "experiments/stepping.hpp"
 #include "experiments/strip.hpp"
 #include "experiments/version.hpp"
 
@@ -36,174 +35,6 @@ std::string file_bytes(const std::string& pointer, const std::filesystem::path& 
     throw RunFileError(fmt::format("{}: the mesh file cannot be read; check {} and the file's permissions",
                                    file.string(), pointer));
   return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-// Vertices and rest values of a list in the order the solver projects them (padded lanes left out). Hashed
-// one by one: a copy of millions of springs would be the largest thing in memory.
-template <class List, class RestOf>
-ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
-                           RestOf rest_of) {
-  ConstraintRecord record{.kind = kind, .count = list.size()};
-  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), &XXH3_freeState);
-  XXH3_64bits_reset(hash.get());
-  for (const int constraint : order.constraint_of_lane) {
-    if (constraint < 0) continue;
-    const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
-    const double rest = rest_of(static_cast<std::size_t>(constraint));
-    record.vertices_per_constraint = static_cast<int>(vertices.size());
-    XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
-    XXH3_64bits_update(hash.get(), &rest, sizeof(rest));
-    if (!in_full) continue;
-    record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
-    record.rest.push_back(rest);
-  }
-  record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
-  return record;
-}
-
-RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
-                    const Scene& scene, const Simulation& simulation, const Recorder& recorder) {
-  const BuildInfo& build = build_info();
-  const RestMesh& rest = scene.rest;
-  const bool in_full = config.section("/output").boolean("constraints");
-  RunHeader header;
-  header.id = id;
-  header.name = experiment.name;
-  header.rest_positions.assign(rest.positions().data(), rest.positions().data() + rest.positions().size());
-  header.triangles.assign(rest.triangles().data(), rest.triangles().data() + rest.triangles().size());
-  header.pinned.assign(scene.pins.is_pinned.begin(), scene.pins.is_pinned.end());
-  header.pin_seeds = scene.pins.seeds;
-  header.metrics = recorder.metrics();
-  header.cell_fields = recorder.cell_fields();
-  header.constraints = {record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
-                                  [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
-                                    const InverseRest& q = scene.input.strain.inverse_rest[c];
-                                    return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
-                                  }),
-                        record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
-                                  [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
-  if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
-    header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
-                                           [&](std::size_t c) { return edges.rest_length[c]; }));
-  for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-    if (list.size() > 0)  // of the rest values, the first
-      header.constraints.push_back(record_of(std::string(Kind::name), list,
-                                             simulation.element_order(Kind::name), in_full,
-                                             [&](std::size_t c) { return list.rest[c][0]; }));
-  });
-  std::string ordering_hash;
-  for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;
-  header.provenance = {{"version", std::string(build.version)},
-                       {"git_commit", std::string(build.git_commit)},
-                       {"git_dirty", build.git_dirty ? "yes" : "no"},
-                       {"source_hash", std::string(build.source_hash)},
-                       {"compiler", std::string(build.compiler)},
-                       {"compiler_flags", std::string(build.flags)},
-                       {"build_type", std::string(build.build_type)},
-                       {"vector_bits", std::to_string(8 * pack_bytes)},
-                       {"processor", processor_name()},
-                       {"host", host_name()},
-                       {"threads", std::to_string(scene.input.settings.threads)},
-                       {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
-                       {"ordering_hash", ordering_hash},
-                       {"started", utc_now()}};
-  if (!scene.mesh_notes.empty())
-    header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
-  header.config = config.resolved.dump(2);
-  header.double_positions = scene.precision == Precision::double_precision;
-  return header;
-}
-
-// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without strain
-// constraints.
-std::string worst_triangle_text(const Divergence& divergence, const Triangles& triangles) {
-  const auto& [a, b, c] = divergence.triangle;
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    if (triangles(t, 0) == a && triangles(t, 1) == b && triangles(t, 2) == c)
-      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest",
-                         t, a, b, c, divergence.stretch);
-  return "";
-}
-
-std::string divergence_message(const Divergence& divergence, const Scene& scene) {
-  const bool projects = scene.input.settings.method == Method::pbd;
-  const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
-  return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
-      "kept. "
-      "A smaller /solver/dt{}{} or a lower stiffness may help",
-      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
-      divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
-      projects ? ", more /solver/substeps" : "",
-      published_shear ? ", /material/strain/form: angle, the effect tethers" : "");
-}
-
-// Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
-class Calm {
- public:
-  explicit Calm(double speed) : speed_(speed) {}
-
-  // Whether no look in the last half second found a vertex faster than `speed`.
-  bool settled(const Simulation& simulation) {
-    constexpr double looks_per_second = 60, calm_s = 0.5, rounding = 1e-9;
-    if (speed_ == 0 || simulation.time() < next_look_ - rounding) return false;
-    next_look_ = simulation.time() + 1 / looks_per_second;
-    if (!(simulation.velocities().rowwise().squaredNorm().maxCoeff() <= speed_ * speed_))
-      since_ = simulation.time();
-    return simulation.time() - since_ >= calm_s - rounding;
-  }
-  double since() const { return since_; }  // s
-
- private:
-  double speed_, next_look_ = 0, since_ = 0;
-};
-
-// Steps to the end, rest, a stop or divergence, and records frames on the way.
-struct Stepping {
-  RunStatus status = RunStatus::complete;
-  std::string message;
-  std::optional<double> settled_at = std::nullopt;  // s
-};
-
-Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
-                     FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
-                     const RunControl& control) {
-  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
-  const double frame_interval = 1 / config.section("/output").number("frames_per_second");
-  constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
-  const std::int64_t steps = step_count(config);
-  writer.push(recorder.capture(simulation));
-  if (stability) stability->look(simulation);
-  double next_frame = frame_interval;
-  Calm calm(config.section("").number("settled_speed"));
-  for (std::int64_t step = 1; step <= steps; ++step) {
-    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence(), scene)};
-    if (stability) stability->look(simulation);
-    const double time = simulation.time();
-    const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
-    const bool balanced = simulation.settled(),
-               settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
-    if (time < next_frame - rounding * dt && step < steps && !stop && !settled) continue;
-    while (next_frame <= time + rounding * dt) next_frame += frame_interval;
-    writer.push(recorder.capture(simulation));
-    if (control.progress) control.progress(time, duration);
-    if (settled) return {.settled_at = balanced ? time : calm.since()};
-    if (stop && step < steps)
-      return {
-          RunStatus::interrupted,
-          fmt::format(
-              "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs "
-              "what is not complete",
-              time, duration)};
-  }
-  if (const std::optional<double> unbalanced = simulation.unbalanced())
-    return {RunStatus::complete,
-            fmt::format(
-                "no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; a longer /duration "
-                "allows more steps",
-                steps, *unbalanced)};
-  return {};
 }
 
 // The strip whose stiffness the config asks for. Throws ConfigError before the run where it is none.

@@ -140,6 +140,15 @@ class Builder : public nlohmann::json_sax<Json> {
 
 }  // namespace
 
+std::string given_text(const Json& given) {
+  if (given.is_object()) return "an object";
+  if (given.is_array()) return given.empty() ? "an empty list" : "a list";
+  constexpr std::size_t longest = 60;
+  const std::string dumped = given.dump(-1, ' ', false, Json::error_handler_t::replace);
+  const bool cut = dumped.size() > longest;
+  return (given.is_string() ? "the text " : "") + dumped.substr(0, longest) + (cut ? "…" : "");
+}
+
 ConfigError::ConfigError(std::string_view source, ConfigProblems problems)
     : std::runtime_error(error_text(source, problems)), problems_(std::move(problems)) {}
 

@@ -22,6 +22,9 @@ struct ConfigProblem {
 
 using ConfigProblems = std::vector<ConfigProblem>;
 
+/// What was given, short enough for a message.
+std::string given_text(const Json& given);
+
 /// All problems of a config at once; what() lists them line by line. Exit code 3.
 class ConfigError : public std::runtime_error {
  public:

@@ -1,0 +1,26 @@
+// The steps of a run: to its end, rest, a stop or divergence, with the frames on the way.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "bendlab/io/frame_writer.hpp"
+#include "bendlab/solver/simulation.hpp"
+#include "experiments/recorder.hpp"
+#include "experiments/run.hpp"
+#include "experiments/stability.hpp"
+
+namespace bendlab {
+
+struct Stepping {
+  RunStatus status = RunStatus::complete;
+  std::string message;  ///< where it diverged, why it stopped, what is not balanced
+  std::optional<double> settled_at = std::nullopt;  ///< s
+};
+
+/// Records the first pose and then frames as /output/frames_per_second has it; `stability`, if any, looks at every step.
+Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
+                     FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
+                     const RunControl& control);
+
+}  // namespace bendlab
