@@ -1,12 +1,13 @@
 """What the figures of accuracy share: what a run costs, how far it is off, and which runs nobody beats in both."""
-import json
-
 import numpy as np
 
 import style
 from load import group, load_experiment
+from report import rounded
 
 LEVELS = (0.20, 0.05, 0.01)  # errors that the tables ask the time for
+FRONTS = (("front", "front_slow", "front_work_slow"),  # configs that sweep one scene between them: the curtain, the cantilever
+          ("front_cantilever", "front_cantilever_slow", "front_cantilever_work_slow"))
 FRAMES_PER_SECOND = 60  # a frame is 1/60 s of simulated time
 NAMES = {**style.MODEL_NAMES, "k_ring": "k-ring, k = 2"}  # as configs/accuracy has it
 UNBALANCED = 1e-3  # of the loads: a reference with more has found no equilibrium
@@ -93,6 +94,7 @@ def slope(x, y):
 def as_json(run, on_front):
     """One object of summary.json."""
     errors = {name: value for name, value in run.summary.items() if name.startswith("error_")}
-    return {"experiment": run.name, "model": run.model, "settings": json.loads(json.dumps(run.get("/solver"))), "cells": run.get("/mesh/cells"),
-            "stiffness": run.get("/bending/stiffness"), "status": run.status, **errors, "cpu_s": run.cpu_s, "ms_per_frame": cost(run),
-            "projections": run.summary.get("projections"), "memory_bytes": run.summary.get("memory_bytes"), "on_front": on_front}
+    numbers = {**errors, "cpu_s": run.cpu_s, "ms_per_frame": cost(run), "projections": run.summary.get("projections"),
+               "memory_bytes": run.summary.get("memory_bytes")}
+    return {"experiment": run.name, "model": run.model, "settings": run.get("/solver"), "cells": run.get("/mesh/cells"),
+            "stiffness": run.get("/bending/stiffness"), "status": run.status, **rounded(numbers), "on_front": on_front}

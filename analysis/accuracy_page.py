@@ -1,6 +1,5 @@
 """Writes the page of accuracy and its cost: index.html and summary.json, one object per run."""
 import argparse
-import json
 from pathlib import Path
 
 import accuracy
@@ -11,6 +10,7 @@ import fig_accuracy_scaling
 import fig_accuracy_solver
 from html_parts import document, escape, section_html
 from load import CONFIGS, load_experiment
+from report import write_objects
 from stiffness_page import checks_html
 
 FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_scaling, fig_accuracy_roads]
@@ -21,16 +21,17 @@ def main(results, out):
     """Everything the page needs, from runs below `results` into `out`; returns the sections."""
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
-    (out / "summary.json").write_text(json.dumps(summary(results), indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    write_objects(out / "summary.json", summary(results))
     (out / "index.html").write_text(document("bendlab: what does accuracy cost?", body(sections)), encoding="utf-8")
     return sections
 
 
 def summary(results):
-    """One object per run of configs/accuracy, `on_front` among the runs of its config."""
+    """One object per run of configs/accuracy, `on_front` among the runs on its scene."""
+    single = {config.stem for config in (CONFIGS / "accuracy").glob("*.json")}.difference(*accuracy.FRONTS)
     objects = []
-    for config in sorted((CONFIGS / "accuracy").glob("*.json")):
-        runs = load_experiment(results, f"accuracy/{config.stem}").runs
+    for configs in [*accuracy.FRONTS, *((name,) for name in sorted(single))]:
+        runs = [run for name in configs for run in load_experiment(results, f"accuracy/{name}").runs]
         front = {run.id for run in accuracy.front([run for run in runs if run.complete])}
         objects += [accuracy.as_json(run, run.id in front) for run in runs]
     return objects

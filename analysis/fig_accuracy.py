@@ -8,8 +8,7 @@ from report import Section, Table, figure_main
 
 PAPER = "10 rounds, 1/60 s, k = 0.5"  # the paper's own setting
 MEASURES = (("physical", "from the stated cloth"), ("solver", "from its own equilibrium"))
-SCENES = {"curtain on two pins": (("front", "front_slow"), "paper"),
-          "cantilever": (("front_cantilever", "front_cantilever_slow"), "paper_cantilever")}
+SCENES = {"curtain on two pins": (accuracy.FRONTS[0], "paper"), "cantilever": (accuracy.FRONTS[1], "paper_cantilever")}
 
 
 def main(results, out):

@@ -12,7 +12,7 @@ EQUAL = (16, 64, 256)  # substeps × iterations
 
 def main(results, out):
     section = Section("The same work, spent differently", "accuracy_solver")
-    told = [run for run in accuracy.experiment_runs(results, section, "front", "front_slow") if run.complete]
+    told = [run for run in accuracy.experiment_runs(results, section, *accuracy.FRONTS[0]) if run.complete]
     time_step = accuracy.experiment_runs(results, section, "time_step")
     precision = accuracy.experiment_runs(results, section, "precision")
     order = accuracy.experiment_runs(results, section, "order")

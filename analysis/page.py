@@ -16,7 +16,7 @@ import fig_scenes
 import fig_structure
 from html_parts import claim_html, document, escape, mark, section_html
 from load import CONFIGS, at, group, load_experiment, statuses, summary_spread
-from report import rounded
+from report import rounded, write_objects
 
 FIGURES = [fig_1, fig_structure, fig_5, fig_6, fig_7, fig_ablations, fig_models, fig_scenes]
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
@@ -29,8 +29,7 @@ def main(results, out):
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
     claims = [claim for section in sections for claim in section.claims]
-    text = json.dumps([claim.as_json() for claim in claims], indent=2, ensure_ascii=False)
-    (out / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_objects(out / "summary.json", [claim.as_json() for claim in claims])
     write_reference(results, out / "reference.csv")
     text = document("bendlab: the paper, repeated", body(sections, claims))
     (out / "index.html").write_text(text, encoding="utf-8")

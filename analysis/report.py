@@ -97,6 +97,12 @@ def rounded(value):
     return float(f"{value:.4g}") if abs(value) != float("inf") else str(value)
 
 
+def write_objects(path, objects):
+    """A JSON list with a line per object."""
+    lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in objects)
+    path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
+
+
 def figure_main(main):
     """Command line of one figure: draws it and prints its claims as JSON."""
     parser = argparse.ArgumentParser(description=main.__doc__)

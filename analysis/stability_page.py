@@ -1,6 +1,5 @@
 """Writes the page of the hard cases: index.html with the matrix, and summary.json with one object per run."""
 import argparse
-import json
 import string
 from pathlib import Path
 
@@ -9,7 +8,7 @@ import fig_stability_pin
 import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
-from report import Table, rounded
+from report import Table, rounded, write_objects
 from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
@@ -21,8 +20,7 @@ def main(results, out):
     """Everything the page needs, from runs below `results` into `out`; returns the section."""
     out.mkdir(parents=True, exist_ok=True)
     section = fig_stability.main(results, out)
-    text = json.dumps([as_json(cell) for cell in section.cells.values()], indent=2, ensure_ascii=False)
-    (out / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_objects(out / "summary.json", [as_json(cell) for cell in section.cells.values()])
     pin = fig_stability_pin.main(results, out)
     (out / "index.html").write_text(document("bendlab: what is stable?", body(section, pin)), encoding="utf-8")
     return section

@@ -1,6 +1,5 @@
 """Writes the page of the stiffness laboratory: index.html and summary.json, one object per check."""
 import argparse
-import json
 from pathlib import Path
 
 import fig_stiffness_buckling
@@ -13,11 +12,10 @@ import fig_stiffness_textile
 import style
 from html_parts import document, escape, mark, section_html, table_html
 from load import group
-from report import Table
+from report import Table, write_objects
 
 FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_resolution,
-           fig_stiffness_calibrated,
-           fig_stiffness_buckling, fig_stiffness_textile]
+           fig_stiffness_calibrated, fig_stiffness_buckling, fig_stiffness_textile]
 EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
 
 
@@ -26,8 +24,7 @@ def main(results, out):
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
     checks = [check for section in sections for check in section.checks]
-    text = json.dumps([check.as_json() for check in checks], indent=2, ensure_ascii=False)
-    (out / "summary.json").write_text(text + "\n", encoding="utf-8")
+    write_objects(out / "summary.json", [check.as_json() for check in checks])
     (out / "index.html").write_text(document("bendlab: how stiff is it really?", body(sections)), encoding="utf-8")
     return sections
 

@@ -34,7 +34,7 @@ import stiffness_page  # noqa: E402
 import strips  # noqa: E402
 import style  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
-from report import Check, rounded  # noqa: E402
+from report import Check, rounded, write_objects  # noqa: E402
 
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
@@ -569,6 +569,21 @@ class AccuracyTest(unittest.TestCase):
         self.assertAlmostEqual(fig_accuracy_solver.gain(runs, 16), 3)
         self.assertTrue(np.isnan(fig_accuracy_solver.gain(runs, 64)))
         self.assertIn("1 of 1", fig_accuracy_solver.message({("dihedral", 16): 3.0}))
+
+    def test_configs_that_share_a_front_ask_for_no_run_twice(self):
+        for configs in accuracy.FRONTS:
+            experiments = [load.load_experiment("none", f"accuracy/{name}") for name in configs]
+            self.assertEqual(len({json.dumps(experiment.settings["accuracy"]) for experiment in experiments}), 1)
+            wanted = [run for experiment in experiments for run in experiment.missing]
+            self.assertEqual(len(wanted), len(set(wanted)))
+            self.assertEqual(len(wanted), 12 * 15)  # all models × all ways to spend the work
+
+    def test_objects_stand_on_a_line_each(self):
+        with tempfile.TemporaryDirectory() as folder:
+            write_objects(Path(folder) / "summary.json", [{"a": 1}, {"b": [2, "ö"]}])
+            text = (Path(folder) / "summary.json").read_text(encoding="utf-8")
+        self.assertEqual(json.loads(text), [{"a": 1}, {"b": [2, "ö"]}])
+        self.assertEqual(text.count("\n"), 4)
 
     def test_the_page_is_made_without_runs_and_says_so(self):
         with tempfile.TemporaryDirectory() as folder:
