@@ -161,7 +161,7 @@ def _frames(stories, out):
             panel.set_yscale("log")
             panel.axhline(bound, color=style.GREY, linewidth=0.8, linestyle="--")
     axes[0, 1].set_ylim(1e-2, 1e3), axes[1, 1].set_ylim(1, 1e3), axes[2, 1].set_ylim(1e-2, 1e3)
-    axes[0, -1].legend(loc="upper left", bbox_to_anchor=(1, 1))
+    style.legend_below(figure, axes[0, 0], 6)
     figure.suptitle(message(stories), x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stability_pin_frames")
 

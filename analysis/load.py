@@ -190,8 +190,8 @@ def load_run(path):
 def load_runs(folder, axes=None):
     """Every run below a folder, the newest of each config, in the order of their configs; [] where there is none.
 
-    Old results may lie beside new ones. With `axes` (JSON pointers) only runs that differ from the newest one in
-    nothing but these are kept, so that a trial with other settings never mixes into a figure. References of runs
+    Old results may lie beside new ones. With `axes` (JSON pointers) only runs of the newest one's program that differ
+    from it in nothing but these are kept, so that neither an older program nor a trial with other settings mixes into a figure. References of runs
     (`/accuracy`) lie in a folder `references` of their own and are left out, unless that is the folder.
     """
     found = {}
@@ -208,7 +208,8 @@ def load_runs(folder, axes=None):
             if key not in found or rank > found[key][0]:
                 found[key] = (rank, run)
     runs = [run for _, run in sorted(found.values(), key=lambda entry: entry[0][1])]
-    if axes is not None:
+    if axes is not None and runs:
+        runs = [run for run in runs if run.source_hash == runs[-1].source_hash]
         newest = {}
         for run in runs:
             newest[run.model] = _fixed_part(run.config, axes)
