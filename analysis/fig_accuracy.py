@@ -9,6 +9,7 @@ from report import Section, Table, figure_main
 PAPER = "10 rounds, 1/60 s, k = 0.5"  # the paper's own setting
 MEASURES = (("physical", "from the stated cloth"), ("solver", "from its own equilibrium"))
 SCENES = {"curtain on two pins": (accuracy.FRONTS[0], "paper"), "cantilever": (accuracy.FRONTS[1], "paper_cantilever")}
+BASINS = {"drape": "front_drape_slow", "sheet on one pin": "front_one_pin_slow"}  # of many equilibria
 
 
 def main(results, out):
@@ -33,6 +34,11 @@ def main(results, out):
     for scene, (told, paper) in scenes.items():
         section.tables += [levels_table(told, scene, against, meaning) for against, meaning in MEASURES]
         section.tables.append(_front_table(told + paper, scene))
+    basins = {scene: runs for scene, config in BASINS.items() if (runs := [run for run in accuracy.experiment_runs(results, section, config) if run.complete])}
+    if basins:
+        section.pictures.append((_basins(basins, out), "Scenes of many equilibria: each run against the equilibrium of the stated cloth that Newton's method finds from where the "
+                                 "run ends, on the same mesh, after the best turn about the vertical. Another run may end in another fold."))
+        section.tables += [levels_table(runs, scene, *MEASURES[0]) for scene, runs in basins.items()]
     if "cantilever" in scenes:
         section.tables.append(_stiffness_table(sum(scenes["cantilever"], [])))
     return section
@@ -113,6 +119,18 @@ def _fronts(scenes, out):
     style.legend_below(figure, axes[0, 1], 6)
     figure.suptitle("\n".join(titles), x=0.01, ha="left", fontsize=10.5)
     return style.save(figure, out, "fig_accuracy")
+
+
+def _basins(basins, out):
+    figure, axes = plt.subplots(1, len(basins), figsize=(10.4, 4.4), layout="constrained", squeeze=False)
+    for panel, (scene, runs) in zip(axes[0], basins.items()):
+        _front(panel, runs, "physical")
+        panel.set_title(scene)
+        panel.set_xlabel("CPU time per frame of 1/60 s (ms)")
+        panel.set_ylabel("distance from the stated cloth (% of size)")
+    style.legend_below(figure, axes[0, 0], 6)
+    figure.suptitle("\n".join(f"{scene}: {message(runs, [])}" for scene, runs in basins.items()), x=0.01, ha="left", fontsize=10.5)
+    return style.save(figure, out, "fig_accuracy_basins")
 
 
 def _front(panel, told, against):
