@@ -220,6 +220,15 @@ TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
   obstacle.push_back({"obstacle", Stage::project, [](PassContext<double>&) {}});
   CHECK_THROWS_AS(make_simulation<double>(compliant(input, 1, 1), std::move(obstacle)),
                   std::invalid_argument);
+  // Where everything is pinned there is nothing to find, and where nothing pulls nothing moves.
+  const auto held = balanced(
+      compliant(test::sheet(rest, make_pins(rest, {0, 1, 2, 3, 4, 5, 6, 7, 8}, 0), "crossover"), 1, 1));
+  CHECK(held->settled());
+  CHECK(held->positions() == rest.positions());
+  const auto idle = make_simulation<double>(compliant(input, 1, 1), {});
+  for (int step = 0; step < 3; ++step) REQUIRE(idle->step());
+  CHECK(*idle->unbalanced() == 0);
+  CHECK(idle->positions() == rest.positions());
   // Falls for ever: nothing holds it.
   const auto falling = balanced(compliant(test::sheet(rest, make_pins(rest, {}, 0), "crossover"), 1, 1), 20);
   CHECK_FALSE(falling->settled());

@@ -110,9 +110,12 @@ class Equilibrium final : public TimeStep<double> {
   // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it,
   // and a softer one may not have the basin in which the cloth lies.
   void start() {
+    inverse_tau_squared_ = 0;
+    if (system_.unknowns() == 0) return;
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
     const double softest = settings_.starts_there ? 1 : settings_.starts_near ? 10 : 1000;
-    if (strain_compliance_ > 0) soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
+    if (strain_compliance_ > 0 && load > 0)
+      soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
   }
