@@ -67,8 +67,12 @@ void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane,
 
 }  // namespace
 
+bool same_rest_positions(const RestMesh& one, const RestMesh& other) {
+  return one.vertex_count() == other.vertex_count() && one.positions() == other.positions();
+}
+
 PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
-  if (from.positions() == to.positions()) return;
+  if (same_rest_positions(from, to)) return;
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
     throw std::invalid_argument("another mesh can only be that of the same flat sheet");

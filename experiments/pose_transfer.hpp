@@ -8,6 +8,9 @@
 
 namespace bendlab {
 
+/// Whether two meshes have the same vertices at the same places, to the bit.
+bool same_rest_positions(const RestMesh& one, const RestMesh& other);
+
 /// Interpolates linearly in the rest plane; beyond the outline, which may differ by an edge's length, linearly on. Between
 /// meshes with the same rest positions it changes no bit.
 class PoseTransfer {

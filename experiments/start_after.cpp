@@ -47,7 +47,7 @@ void start_from(Scene& scene, const StartingPose& start, const std::string& poin
   for (int v = 0; v < scene.rest.vertex_count(); ++v)
     if (!scene.pins.pinned(v)) scene.input.positions.row(v) = pose.row(v);
   scene.input.settings.starts_near = true;
-  scene.input.settings.starts_there = start.rest.positions() == scene.rest.positions();
+  scene.input.settings.starts_there = same_rest_positions(start.rest, scene.rest);
 } catch (const std::invalid_argument& error) {
   throw ConfigError("initial pose", {{pointer, error.what()}});
 }
