@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <mutex>
+#include <new>
 #include <optional>
 
 #include "bendlab/constraints/build.hpp"
@@ -244,7 +245,9 @@ std::optional<Course> Accuracy::course_of_reference(const std::string& id, const
       result.summary[fmt::format("error_{}_{}", name_of(against), which)] = outcome.summary.at("unbalanced");
     }
     return course_of(*config, outcome.file, over_time_);
-  } catch (const RunFileError&) {  // of the disk: a later try may do better
+  } catch (const RunFileError&) {  // of the disk, or the memory: a later try may do better
+    throw;
+  } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     tell(error.what());

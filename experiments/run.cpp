@@ -151,10 +151,17 @@ void make_folder(const std::filesystem::path& folder) {
                                    folder.string(), error.message()));
 }
 
-// Errors are in the summary: another reference makes another run. One that cannot be is told when its turn comes.
+// The id of a run that another one needs. Throws RunFileError that names the setting which asks for it.
+std::string id_of_other(const RunConfig& other, const std::string& pointer) try {
+  return run_id(other);
+} catch (const RunFileError& error) {
+  throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
+}
+
+// Errors are in the summary: another reference makes another run. Settings that can't be are told when its turn comes.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
-  return reference ? run_id(*reference) : "";
+  return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";
 } catch (const ConfigError&) {
   return "";
 }
@@ -177,7 +184,8 @@ void add_errors(const Accuracy& accuracy, const Simulation& simulation, const st
 std::string run_id(const RunConfig& config) {
   std::string identity = identity_text(config) + std::string(build_info().source_hash);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
-  if (const std::optional<RunConfig> before = run_before(config)) identity += run_id(*before);
+  if (const std::optional<RunConfig> before = run_before(config))
+    identity += id_of_other(*before, "/initial/after");
   for (const Against against : references)
     for (const bool coarser : {false, true}) identity += reference_id(config, against, coarser);
   return hex_hash(identity + config.starts_at_end_of);
@@ -219,9 +227,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     accuracy.keep(frame, Recorder::kinetic_energy_of(frame));
     recorder.complete(frame);
   });
-  const double before_steps = thread_cpu_s();
   const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
-  outcome.step_cpu_s = thread_cpu_s() - before_steps + simulation->helper_seconds();
+  outcome.step_cpu_s = stepping.cpu_s;
   writer.drain();
   const double recording_s = writer.cpu_s();
   outcome.status = stepping.status;

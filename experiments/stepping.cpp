@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "experiments/machine.hpp"
+#include "experiments/start_after.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -49,6 +52,32 @@ class Calm {
   double speed_, next_look_ = 0, since_ = 0;
 };
 
+// CPU time of this thread and its helpers in the steps.
+class StepClock {
+ public:
+  explicit StepClock(Simulation& simulation) : simulation_(simulation) {}
+
+  bool step() {
+    const double before = thread_cpu_s();
+    const bool whole = simulation_.step();
+    seconds_ += thread_cpu_s() - before;
+    return whole;
+  }
+  double seconds() const { return seconds_ + simulation_.helper_seconds(); }
+
+ private:
+  Simulation& simulation_;
+  double seconds_ = 0;
+};
+
+std::string stop_message(double time, double duration) {
+  return fmt::format(
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs what is "
+      "not "
+      "complete",
+      time, duration);
+}
+
 }  // namespace
 
 Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
@@ -62,8 +91,12 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
   if (stability) stability->look(simulation);
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
+  StepClock clock(simulation);
+  const auto ended = [&](RunStatus status, std::string message, std::optional<double> settled_at = {}) {
+    return Stepping{status, std::move(message), clock.seconds(), settled_at};
+  };
   for (std::int64_t step = 1; step <= steps; ++step) {
-    if (!simulation.step()) return {RunStatus::diverged, divergence_message(simulation.divergence(), scene)};
+    if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     if (stability) stability->look(simulation);
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
@@ -74,22 +107,16 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));
     if (control.progress) control.progress(time, duration);
-    if (settled) return {.settled_at = balanced ? time : calm.since()};
-    if (stop && step < steps)
-      return {
-          RunStatus::interrupted,
-          fmt::format(
-              "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs "
-              "what is not complete",
-              time, duration)};
+    if (settled) return ended(RunStatus::complete, "", balanced ? time : calm.since());
+    if (stop && step < steps) return ended(RunStatus::interrupted, stop_message(time, duration));
   }
-  if (const std::optional<double> unbalanced = simulation.unbalanced())
-    return {RunStatus::complete,
-            fmt::format(
-                "no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; a longer /duration "
-                "allows more steps",
-                steps, *unbalanced)};
-  return {};
+  const std::optional<double> unbalanced = simulation.unbalanced();
+  return ended(RunStatus::complete,
+               unbalanced
+                   ? fmt::format("no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; "
+                                 "a longer /duration allows more steps",
+                                 steps, *unbalanced)
+                   : "");
 }
 
 }  // namespace bendlab

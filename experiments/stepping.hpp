@@ -15,10 +15,12 @@ namespace bendlab {
 struct Stepping {
   RunStatus status = RunStatus::complete;
   std::string message;  ///< where it diverged, why it stopped, what is not balanced
+  double cpu_s = 0;     ///< of the steps alone
   std::optional<double> settled_at = std::nullopt;  ///< s
 };
 
 /// Records the first pose and then frames as /output/frames_per_second has it; `stability`, if any, looks at every step.
+/// Throws RunFileError where frames can't be written.
 Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
                      FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
                      const RunControl& control);
