@@ -69,16 +69,20 @@ void set_folder(RunConfig& run, const std::filesystem::path& folder) {
 
 // This run with settings changed: one run, which has no errors of its own.
 RunConfig with_changes(const RunConfig& config, std::string_view what, std::span<const std::string> changes) {
+  for (const std::string& change : changes)
+    for (const char* section : {"/sweep", "/expect", "/accuracy"})
+      if (lies_within(change.substr(0, change.find('=')), section))
+        throw ConfigError(
+            std::string(what),
+            {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors of "
+                                   "its own; remove \"{}\"",
+                                   what, change)}});
   Json settings = config.resolved;
   settings["name"] = "changed";
   settings["accuracy"] = Json::object();
   RunConfig changed = parse_experiment(settings.dump(), what, changes).runs.front();
   set_folder(changed, config.folder);
   return changed;
-}
-
-std::string reference_pointer(Against against, bool coarser) {
-  return fmt::format("/accuracy/{}{}", name_of(against), coarser ? "_coarser" : "");
 }
 
 // Before anything is computed; the first that is wrong, others most likely are for the same reason.
@@ -90,14 +94,24 @@ void check_runs_before(const std::vector<RunConfig>& runs, std::string_view sour
     }
 }
 
-// A reference that no run can have is a mistake; one that some can't (k has no energy) is told by those runs.
+bool same_run(RunConfig one, RunConfig other) {
+  for (RunConfig* run : {&one, &other}) run->resolved.erase("accuracy");
+  return identity_text(one) == identity_text(other);
+}
+
+// A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has no energy)
+// is told by those runs.
 void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const Against against : references)
     for (const bool coarser : {false, true}) {
       std::optional<std::string> wrong;
       bool one_is_right = false;
       for (const RunConfig& run : runs) try {
-          one_is_right |= reference_of(run, against, coarser).has_value();
+          const std::optional<RunConfig> reference = reference_of(run, against, coarser);
+          const bool itself =
+              reference && !run.section("/accuracy").boolean("start_from_end") && same_run(run, *reference);
+          if (itself && !wrong) wrong = "changes nothing: a run differs from itself by 0";
+          one_is_right |= reference && !itself;
         } catch (const ConfigError& error) {
           if (!wrong) wrong = error.what();
         }
@@ -186,6 +200,10 @@ std::optional<RunConfig> run_before(const RunConfig& config) {
 
 std::string_view name_of(Against against) {
   return against == Against::solver ? "solver" : "physical";
+}
+
+std::string reference_pointer(Against against, bool coarser) {
+  return fmt::format("/accuracy/{}{}", name_of(against), coarser ? "_coarser" : "");
 }
 
 std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser) {

@@ -56,6 +56,7 @@ std::optional<RunConfig> run_before(const RunConfig& config);
 enum class Against { solver, physical };
 inline constexpr std::array<Against, 2> references = {Against::solver, Against::physical};
 std::string_view name_of(Against against);  ///< "solver", "physical": as the settings and errors are called
+std::string reference_pointer(Against against, bool coarser);  ///< "/accuracy/solver_coarser": the setting
 
 /// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where `coarser`.
 /// Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.

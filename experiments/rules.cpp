@@ -106,7 +106,13 @@ void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
   if (accuracy["start_from_end"] == true && accuracy["over_time"] == true)
     problems.push_back({"/accuracy/start_from_end",
                         "does not go with over_time: a motion is compared with one that starts as it does"});
-  if (!accuracy.contains("solver") && !accuracy.contains("physical")) accuracy = Json::object();
+  if (accuracy.contains("solver") || accuracy.contains("physical")) return;
+  for (const char* how : {"over_time", "start_from_end"})
+    if (accuracy[how] == true)
+      problems.push_back(
+          {fmt::format("/accuracy/{}", how),
+           "has nothing to compare with: name a reference in /accuracy/solver or /accuracy/physical"});
+  accuracy = Json::object();
 }
 
 // What a method needs and what it does not use, which is not part of the result.
