@@ -102,7 +102,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       ->add_option(
           "WHAT", a.reproduce.what,
           "paper: its figures, ablations, every model and the scenes; stiffness: how stiff every model is, "
-          "against theory")
+          "against theory; stability: what is stable; accuracy: what accuracy costs in time")
       ->check(CLI::IsMember(reproducible()))
       ->capture_default_str();
   add_campaign(reproduce, a);
@@ -173,8 +173,9 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   advise->add_option("--models", a.advise.models, "Only these, separated by commas")->delimiter(',');
   advise
-      ->add_option("--time-limit", a.advise.time_limit,
-                   "How long to run settings; what takes longer is predicted, and marked so")
+      ->add_option(
+          "--time-limit", a.advise.time_limit,
+          "How long to run settings, besides their reference; what takes longer is predicted, and marked so")
       ->capture_default_str();
   advise->add_option("--write", a.advise.write, "Write the config with the advised settings")
       ->type_name("FILE");

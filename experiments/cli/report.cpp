@@ -37,14 +37,19 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(*run.experiment, *run.config, run.outcome->summary);
 }
 
+/// What the run itself says, where it has no such metric.
+std::string why_missing(const CampaignRun& run, const ExpectationResult& result) {
+  return result.measured || run.outcome->message.empty() ? "" : "; the run says: " + run.outcome->message;
+}
+
 /// A line per expectation and run where it does not hold.
 std::string failed_expectations(std::span<const CampaignRun> runs) {
   std::string text;
   for (const CampaignRun& run : runs)
     for (const ExpectationResult& result : check(run))
       if (!result.holds)
-        text += fmt::format("{} {}: {}\n", coloured("FAIL", Colour::red, stdout), place_text(run),
-                            result.message);
+        text += fmt::format("{} {}: {}{}\n", coloured("FAIL", Colour::red, stdout), place_text(run),
+                            result.message, why_missing(run, result));
   return text;
 }
 
@@ -86,6 +91,16 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
     text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", pass.name, 100 * pass.seconds / all);
   }
   return text;
+}
+
+/// The main ones, and the errors where runs have them.
+std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
+  std::vector<std::string> columns(main_columns.begin(), main_columns.end());
+  for (const char* error : {"error_solver_rms", "error_physical_rms"})
+    if (std::ranges::any_of(
+            runs, [&](const auto& run) { return run.outcome && run.outcome->summary.contains(error); }))
+      columns.emplace_back(error);
+  return columns;
 }
 
 /// Wall and CPU time of the runs (reused ones: when they were computed), and which passes took it.
@@ -188,13 +203,14 @@ Json run_json(const CampaignRun& run) {
 
 std::string experiment_text(std::span<const CampaignRun> runs) {
   const Experiment& experiment = *runs.front().experiment;
+  const std::vector<std::string> columns = columns_of(runs);
   std::vector<std::string> headings = axis_headings(experiment);
-  headings.insert(headings.end(), main_columns.begin(), main_columns.end());
+  headings.insert(headings.end(), columns.begin(), columns.end());
   headings.insert(headings.end(), {"wall_s", "status"});
   Table table(headings);
   for (const CampaignRun& run : runs) {
     std::vector<std::string> cells = axis_cells(experiment, *run.config);
-    for (const char* column : main_columns) {
+    for (const std::string& column : columns) {
       const bool there = run.outcome && run.outcome->summary.contains(column);
       cells.push_back(there ? format_number(run.outcome->summary.at(column)) : "");
     }
