@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -11,6 +12,8 @@
 #include "bendlab/io/run_file.hpp"
 #include "experiments/cli/errors.hpp"
 #include "experiments/cli/signals.hpp"
+#include "experiments/machine.hpp"
+#include "experiments/scene.hpp"
 
 namespace bendlab {
 namespace {
@@ -20,18 +23,39 @@ constexpr double share_of_search = 0.7;  // of the time limit: the rest is for r
 
 // What a run says of its setting.
 struct Measured {
-  std::optional<double> error, gap;
+  std::optional<double> error, gap, strain;
   double cpu_s = 0;   // per frame
   double wall_s = 0;  // of the run itself; 0 where it was there
   std::string why;    // no error
-  bool failed = false;
+  bool failed = false, diverged = false;
+  double kinetic_energy = 0;  // at the end, J
 };
 
+// CPU seconds of the steps of a run: simulated again, without recording, until it took long enough to be told from noise.
+double steps_again(const RunConfig& config, double simulated) {
+  constexpr double long_enough = 0.05, rounding = 1e-9;  // s
+  constexpr int most = 20;
+  double seconds = 0;
+  int repeats = 0;
+  for (; seconds < long_enough && repeats < most; ++repeats) {
+    const Scene scene = build_scene(config);
+    const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+    const double before = thread_cpu_s();
+    while (simulation->time() < simulated - rounding && simulation->step()) {
+    }
+    seconds += thread_cpu_s() - before + simulation->helper_seconds();
+  }
+  return seconds / repeats;
+}
+
 // A pass's own seconds are wall time, which other programs stretch.
-double cpu_per_frame(const RunOutcome& outcome) {
+double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome) {
+  constexpr double least = 1e-9, short_s = 0.05;  // s
   const double simulated = read_metric(outcome.file, "time").back();
-  constexpr double least = 1e-9;  // s
-  return simulated > 0 ? std::max(least, outcome.step_cpu_s / simulated / frames_per_second) : least;
+  if (!(simulated > 0)) return least;
+  const bool repeat = outcome.step_cpu_s < short_s && outcome.status == RunStatus::complete;
+  const double seconds = repeat ? steps_again(config, simulated) : outcome.step_cpu_s;
+  return std::max(least, seconds / simulated / frames_per_second);
 }
 
 std::optional<double> number_in(const RunOutcome& outcome, const std::string& name) {
@@ -51,12 +75,15 @@ Measured measured_by(const CampaignRun& run) {
   const RunOutcome& outcome = *run.outcome;
   Measured measured{.error = number_in(outcome, "rms"),
                     .gap = number_in(outcome, "reference_gap"),
-                    .cpu_s = cpu_per_frame(outcome),
+                    .strain = number_in(outcome, "strain"),
+                    .cpu_s = cpu_per_frame(*run.config, outcome),
                     .wall_s = outcome.reused ? 0 : outcome.wall_s,
-                    .why = outcome.message};
+                    .why = outcome.message,
+                    .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back()};
   if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
     measured.error.reset();
-  if (outcome.status == RunStatus::diverged) measured.why = "diverged";
+  measured.diverged = outcome.status == RunStatus::diverged;
+  if (measured.diverged) measured.why = "diverged";
   return measured;
 }
 
@@ -140,7 +167,9 @@ class Advisor {
     if (advice_.error_of == ErrorOf::motion)
       tell_(fmt::format("the reference is the same motion with {} substeps, and {} to know its own error",
                         question_.reference_substeps(), question_.reference_substeps() / 2));
-    probe({advice_.accuracy});  // which makes it
+    const std::vector<Measured> found = probe({advice_.accuracy});  // which makes it
+    if (advice_.exit_code == 0 && !found.front().error)
+      throw std::runtime_error("there is nothing to measure errors against: " + why_none(found.front()));
   }
 
   // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the start?
@@ -153,14 +182,23 @@ class Advisor {
     if (advice_.exit_code != 0) return false;
     const auto &first = found[0].error, &beside = found[1].error;
     if (!first && !beside) {
-      if (options_.error_of)
-        throw std::runtime_error("the equilibrium that errors are measured against is not found: " +
-                                 found[0].why + "; --what motion compares the motion instead");
+      if (options_.error_of || found[0].diverged)
+        throw std::runtime_error("there is no equilibrium that errors could be measured against: " +
+                                 why_none(found[0]) + "; --what motion compares the motion instead");
       return false;
     }
+    advice_.still_moving = question_.speed(found[0].kinetic_energy);
     advice_.many_equilibria = beside && (!first || std::abs(*first - *beside) > same);
     advice_.accuracy = accuracies[advice_.many_equilibria ? 1 : 0];
     return true;
+  }
+
+  // Of the probe.
+  std::string why_none(const Measured& found) const {
+    return found.diverged
+               ? fmt::format("{} diverges even with 256 substeps in /solver/dt; a smaller one may help",
+                             question_.reference_model())
+               : found.why;
   }
 
   // The reference's model, as coarse as it stays whole, with each of these accuracies.
@@ -171,7 +209,7 @@ class Advisor {
       for (const Json& accuracy : accuracies)
         runs.push_back(question_.run_with({question_.reference_model(), substeps}, accuracy));
       found = execute(std::move(runs));
-      if (advice_.exit_code != 0 || found.front().why != "diverged") break;
+      if (advice_.exit_code != 0 || !found.front().diverged) break;
     }
     return found;
   }
@@ -251,6 +289,7 @@ class Advisor {
       return;
     }
     search.add(setting, found.error, found.cpu_s);
+    if (found.error && found.strain) advice_.strain[setting] = *found.strain;
     if (!found.error)
       without_error_[setting.model].push_back(fmt::format("{}: {}", setting_text(setting), found.why));
     const double cpu_s = found.cpu_s * frames_per_second * question_.scene().section("").number("duration");

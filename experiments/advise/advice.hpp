@@ -31,7 +31,10 @@ struct Advice {
   bool many_equilibria = false;
   Json accuracy;  ///< the section that the errors come from
   std::optional<double> reference_gap =
-      std::nullopt;  ///< what the reference itself is not known to, in sizes
+      std::nullopt;         ///< what the reference itself is not known to, in sizes
+  double still_moving = 0;  ///< of the pose at rest: the cloth's rms speed at the end, sizes per second
+  std::map<Setting, double>
+      strain;  ///< of measured points: rms of the Green strain, of which the stated cloth has none
   std::optional<Rated> best =
       std::nullopt;  ///< what the demand asked for, if the reference is known that well
   std::optional<Rated> nearest = std::nullopt;  ///< where there is none
@@ -44,7 +47,7 @@ struct Advice {
 };
 
 /// `tell` gets a line of news from time to time. Throws as Question::run_with does where no model can be this cloth, and
-/// std::runtime_error where the reference fails.
+/// std::runtime_error where there is no reference.
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& tell);
 

@@ -34,6 +34,14 @@ std::string reference_model_of(const RunConfig& scene) {
   return scene.section("/bending").has("flexural_rigidity") ? "dihedral" : scene.bending_model();
 }
 
+// Which axis of a sweep leaves the choice open.
+std::string open_axes(const Experiment& experiment) {
+  std::string text;
+  for (const auto& [pointer, values] : experiment.axes)
+    if (values.size() > 1) text += fmt::format("{}--set {}=VALUE", text.empty() ? "" : " ", pointer);
+  return text;
+}
+
 void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
   const ParameterValues bending = scene.section("/bending");
   const std::string& stiffness = bending.text("stiffness");
@@ -47,6 +55,11 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
               "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5), with \"at_curvature\" in 1/m "
               "beside it if springs may take its place",
               stiffness)}});
+  if (scene.bending_model() == "none" && !bending.has("flexural_rigidity"))
+    throw ConfigError(
+        source, {{"/bending/model",
+                  "is none, which is no cloth that bends: give flexural_rigidity (in N m), or the model of "
+                  "springs that quartic_coefficient is of"}});
   if (!bending.has("flexural_rigidity") && !bending.has("quartic_coefficient"))
     throw ConfigError(source, {{"/bending/flexural_rigidity",
                                 "is missing: how stiff is the cloth? B in N m, cotton about 1e-5"}});
@@ -59,18 +72,43 @@ Json without_effects(const Json& effects, auto left_out) {
   return kept;
 }
 
-// Files as seen from another folder.
-void move_files(Json& document, const std::filesystem::path& from, const std::filesystem::path& to) {
-  const auto move = [&](Json& holder) {
-    if (!holder.is_object() || !holder.contains("file") || !holder["file"].is_string()) return;
-    const auto there = std::filesystem::absolute(from / holder["file"].get<std::string>());
-    const std::filesystem::path here = std::filesystem::absolute(to.empty() ? "." : to).lexically_normal();
-    holder["file"] = there.lexically_normal().lexically_proximate(here).string();
-  };
-  if (document.contains("mesh")) move(document["mesh"]);
-  if (document.contains("effects") && document["effects"].is_array())
-    for (Json& effect : document["effects"]) move(effect);
-}
+// Files as seen from another folder: settings called `file`, in sweeps and in changes ("/mesh/file=sheet.obj"), too.
+class MovedFiles {
+ public:
+  MovedFiles(const std::filesystem::path& from, const std::filesystem::path& to)
+      : from_(from), to_(std::filesystem::absolute(to.empty() ? "." : to).lexically_normal()) {}
+
+  void move(Json& node) const {
+    if (node.is_object())
+      for (auto& [key, value] : node.items())
+        key == "file" || key.ends_with("/file") ? rename(value) : move(value);
+    if (node.is_array())
+      for (Json& entry : node) entry.is_string() ? move_change(entry) : move(entry);
+  }
+
+ private:
+  void rename(Json& file) const {
+    if (file.is_array())
+      for (Json& each : file) rename(each);
+    if (!file.is_string()) return;
+    const auto there = std::filesystem::absolute(from_ / file.get<std::string>());
+    file = there.lexically_normal().lexically_proximate(to_).string();
+  }
+
+  void move_change(Json& entry) const {
+    const std::string text = entry.get<std::string>();
+    const std::size_t at = text.find('=');
+    if (!text.starts_with('/') || at == std::string::npos) return;
+    const std::string pointer = text.substr(0, at), value = text.substr(at + 1);
+    const Json parsed = Json::parse(value, nullptr, false);
+    const Json before = {{pointer, parsed.is_discarded() ? Json(value) : parsed}};
+    Json after = before;
+    move(after);
+    if (after != before) entry = pointer + "=" + after[pointer].dump();
+  }
+
+  std::filesystem::path from_, to_;
+};
 
 }  // namespace
 
@@ -79,9 +117,8 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
   const Experiment experiment = load_experiment(file_, overrides_);
   if (experiment.runs.size() != 1)
     throw ConfigError(file_.string(),
-                      {{"/sweep", fmt::format("has {} runs, and advice is for one scene: choose it with "
-                                              "--set {}=VALUE",
-                                              experiment.runs.size(), experiment.axes.front().first)}});
+                      {{"/sweep", fmt::format("has {} runs, and advice is for one scene: choose it with {}",
+                                              experiment.runs.size(), open_axes(experiment))}});
   scene_ = experiment.runs.front();
   name_ = experiment.name;
   check_states_a_cloth(scene_, file_.string());
@@ -107,7 +144,9 @@ ErrorOf Question::natural_error() const {
   const auto still = [&](const char* velocity) {
     return std::ranges::all_of(initial.numbers(velocity), [](double v) { return v == 0; });
   };
-  return damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
+  const ParameterValues pins = scene_.section("/pins");
+  const bool held = !pins.texts("vertices").empty() || !pins.numbers("indices").empty();
+  return held && damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
 }
 
 Json Question::accuracy(ErrorOf what, bool start_from_end) const {
@@ -135,6 +174,15 @@ int Question::reference_substeps() const {
       static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(substeps, 1.0, 1024.0)))), 64, 1024);
 }
 
+double Question::speed(double kinetic_energy) const {
+  const AcceptedMesh accepted = rest_mesh_of(scene_);
+  const RestMesh rest(accepted.mesh);
+  double area = 0;
+  for (const double each : rest.areas()) area += each;
+  const double mass = scene_.section("/material").number("density") * area;
+  return mass > 0 ? std::sqrt(2 * kinetic_energy / mass) / rest.size() : 0;
+}
+
 std::vector<std::string> Question::rest_changes() const {
   const Json& strain = scene_.resolved["material"]["strain"];
   Json bending = scene_.resolved["bending"];
@@ -155,9 +203,13 @@ std::vector<std::string> Question::rest_changes() const {
 std::vector<std::string> Question::motion_changes() const {
   Json bending = scene_.resolved["bending"];
   bending["model"] = reference_model_;
-  return {"/solver/method=pbd",       fmt::format("/solver/substeps={}", reference_substeps()),
-          "/solver/iterations=1",     "/solver/sweep=symmetric",
-          "/solver/precision=double", set("/bending", bending)};
+  return {"/settled_speed=0",
+          "/solver/method=pbd",
+          fmt::format("/solver/substeps={}", reference_substeps()),
+          "/solver/iterations=1",
+          "/solver/sweep=symmetric",
+          "/solver/precision=double",
+          set("/bending", bending)};
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
@@ -175,7 +227,7 @@ RunConfig Question::run_with(const Setting& setting, const Json& accuracy) const
   std::ranges::copy(changes(setting), std::back_inserter(overrides));
   overrides.push_back(set("/accuracy", accuracy));
   const bool of_the_end = !accuracy.value("over_time", false);
-  if (of_the_end) overrides.emplace_back("/output/frames_per_second=1");
+  overrides.emplace_back(of_the_end ? "/output/frames_per_second=1" : "/settled_speed=0");
   RunConfig run = load_experiment(file_, overrides).runs.front();
   run.point = {{"/bending/model", setting.model},
                {"/solver/substeps", setting.substeps},
@@ -196,7 +248,7 @@ Json Question::written(const Setting& setting, const std::filesystem::path& fold
   if (document.contains("expect"))
     document["expect"] =
         without_effects(document["expect"], [](const Json& entry) { return entry.contains("where"); });
-  move_files(document, file_.parent_path(), folder);
+  MovedFiles(file_.parent_path(), folder).move(document);
   return document;
 }
 

@@ -28,16 +28,19 @@ class Question {
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
 
-  /// own where the config has an /accuracy; rest where nothing but loads and damping acts on a cloth that starts at rest;
-  /// else motion.
+  /// own where the config has an /accuracy; rest where nothing but loads and damping acts on a pinned cloth that starts at
+  /// rest; else motion.
   ErrorOf natural_error() const;
 
   /// The /accuracy section of its runs. `start_from_end`: for scenes with many equilibria, see there.
   Json accuracy(ErrorOf what, bool start_from_end = false) const;
 
-  /// Substeps of the reference of a motion: as many as about a minute allows, at most 1024. Its error is told by one of
-  /// half as many.
+  /// Substeps of the reference of a motion: as many as about a minute of projections allows, but 64 at least and 1024 at
+  /// most. Its error is told by one of half as many.
   int reference_substeps() const;
+
+  /// Root mean square of the speed of the cloth that has this kinetic energy (J), in sizes of the mesh per second.
+  double speed(double kinetic_energy) const;
 
   /// The scene's run with that setting. Throws ConfigError where the model cannot be this cloth.
   RunConfig run_with(const Setting& setting, const Json& accuracy) const;

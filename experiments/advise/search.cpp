@@ -95,12 +95,13 @@ std::optional<double> Search::error_of(const Setting& setting) const {
   return result ? result->error : std::nullopt;
 }
 
-// From the runs of its model in its precision, or else in the other.
+// From the runs of its model in its precision, or else in the other. One that diverged tells no time.
 std::optional<double> Search::cost(const Setting& setting) const {
   for (const bool same : {true, false}) {
     std::vector<Timed> timed;
     for (const auto& [other, result] : results_)
-      if (other.model == setting.model && (other.double_precision == setting.double_precision) == same)
+      if (result.error && other.model == setting.model &&
+          (other.double_precision == setting.double_precision) == same)
         timed.push_back({other.substeps, other.iterations, result.cpu_s});
     const double factor = same ? 1 : setting.double_precision ? double_cost : 1 / double_cost;
     if (const auto fit = fit_step_cost(timed)) return factor * fit->at(setting.substeps, setting.iterations);

@@ -2,6 +2,8 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -47,7 +49,8 @@ void check_models(const std::vector<std::string>& models) {
   for (const std::string& model : models)
     if (find_bending_model(model) == nullptr)
       throw UsageError(fmt::format("--models: there is no bending model '{}'{} Models: {}", model,
-                                   suggestion(model, known), fmt::join(known, ", ")));
+                                   suggestion(model, known).empty() ? "." : suggestion(model, known),
+                                   fmt::join(known, ", ")));
 }
 
 std::string what_text(const Advice& advice, const Question& question) {
@@ -78,13 +81,18 @@ std::string point_text(const Rated& point) {
                      percent_text(point.error), 1e3 * point.cpu_s, how(point));
 }
 
-std::string front_text(const std::vector<Rated>& front) {
-  Table table({"model", "substeps", "iterations", "precision", "error (%)", "ms per frame", ""});
+std::string front_text(const std::vector<Rated>& front, const Advice& advice) {
+  const auto strain = [&](const Rated& point) {
+    const auto found = advice.strain.find(point.setting);
+    return found == advice.strain.end() ? "" : percent_number(found->second);
+  };
+  Table table(
+      {"model", "substeps", "iterations", "precision", "error (%)", "strain (%)", "ms per frame", ""});
   for (const Rated& point : front)
     table.add_row({point.setting.model, std::to_string(point.setting.substeps),
                    std::to_string(point.setting.iterations),
                    point.setting.double_precision ? "double" : "single", percent_number(point.error),
-                   fmt::format("{:.3g}", 1e3 * point.cpu_s), how(point)});
+                   strain(point), fmt::format("{:.3g}", 1e3 * point.cpu_s), how(point)});
   return table.text();
 }
 
@@ -97,12 +105,19 @@ void print_text(const Advice& advice, const Question& question, const Demand& de
   if (advice.best)
     fmt::print("{}: take {}\n", question.name(), point_text(*advice.best));
   else if (advice.nearest)
-    fmt::print("{}: no setting meets {}; nearest is {}\n", question.name(), demand_text(demand),
-               point_text(*advice.nearest));
+    fmt::print("{}: no setting {}meets {}; nearest is {}\n", question.name(),
+               advice.out_of_time ? "run so far " : "", demand_text(demand), point_text(*advice.nearest));
   else
     fmt::print("{}: no setting gave an error\n", question.name());
   fmt::print("\nerror: rms {}, in sizes of the mesh\n\n{}", what_text(advice, question),
-             front_text(thinned(advice.front)));
+             front_text(thinned(advice.front), advice));
+  constexpr double at_rest = 0.02;  // sizes per second
+  if (advice.error_of == ErrorOf::rest && advice.still_moving > at_rest)
+    fmt::print(
+        "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer one brings "
+        "it to "
+        "rest, --what motion compares its motion.\n",
+        percent_text(advice.still_moving));
   if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
     fmt::print("\nThe reference itself is known to {} only: motions that fall and fold are chaotic.\n",
                percent_text(*advice.reference_gap));
@@ -117,20 +132,22 @@ void print_text(const Advice& advice, const Question& question, const Demand& de
   for (const LeftOut& each : advice.left_out) fmt::print("  {}: {}\n", each.what, each.why);
 }
 
-Json point_json(const std::optional<Rated>& point) {
+Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   if (!point) return nullptr;
+  const auto strain = advice.strain.find(point->setting);
   return {{"model", point->setting.model},
           {"substeps", point->setting.substeps},
           {"iterations", point->setting.iterations},
           {"precision", point->setting.double_precision ? "double" : "single"},
           {"error", point->error},
+          {"strain", strain == advice.strain.end() ? Json(nullptr) : Json(strain->second)},
           {"cpu_s_per_frame", point->cpu_s},
           {"predicted", point->predicted}};
 }
 
-Json points_json(const std::vector<Rated>& points) {
+Json points_json(const std::vector<Rated>& points, const Advice& advice) {
   Json list = Json::array();
-  for (const Rated& point : points) list.push_back(point_json(point));
+  for (const Rated& point : points) list.push_back(point_json(point, advice));
   return list;
 }
 
@@ -143,19 +160,36 @@ Json advice_json(const Advice& advice, const Question& question, const Demand& d
       {"demand", demand.error ? Json{{"error", *demand.error}} : Json{{"cpu_s_per_frame", *demand.cpu_s}}},
       {"error_of", kinds[static_cast<int>(advice.error_of)]},
       {"many_equilibria", advice.many_equilibria},
+      {"still_moving", advice.still_moving},
       {"reference_gap", advice.reference_gap ? Json(*advice.reference_gap) : Json(nullptr)},
       {"accuracy", advice.accuracy},
-      {"advice", point_json(advice.best)},
-      {"nearest", point_json(advice.nearest)},
+      {"advice", point_json(advice.best, advice)},
+      {"nearest", point_json(advice.nearest, advice)},
       {"set", Json::array()},
-      {"front", points_json(advice.front)},
-      {"points", points_json(advice.points)},
+      {"front", points_json(advice.front, advice)},
+      {"points", points_json(advice.points, advice)},
       {"left_out", left_out},
       {"computed_runs", advice.computed},
       {"complete", !advice.out_of_time}};
   if (const auto& point = advice.best ? advice.best : advice.nearest)
     json["set"] = question.changes(point->setting);
   return json;
+}
+
+// Before anything is computed.
+void check_can_write(const std::filesystem::path& file, const std::filesystem::path& config) {
+  const auto refuse = [&](std::string_view why) {
+    throw UsageError(fmt::format("--write {}: {}", file.string(), why));
+  };
+  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  std::error_code ignored;
+  if (std::filesystem::equivalent(file, config, ignored))
+    refuse("is the config itself, whose /accuracy and /expect would be lost; name another file");
+  if (std::filesystem::is_directory(file)) refuse("is a folder; name a file in it");
+  if (!std::filesystem::is_directory(folder))
+    refuse("its folder does not exist; make it, or name another one");
+  if (access(folder.c_str(), W_OK) != 0 || (std::filesystem::exists(file) && access(file.c_str(), W_OK) != 0))
+    refuse(fmt::format("cannot be written ({}); choose another place", std::strerror(errno)));
 }
 
 void write_config(const Json& config, const std::filesystem::path& file) {
@@ -176,6 +210,7 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
       .time_limit_s = read_option("--time-limit", arguments.time_limit, parse_duration),
       .campaign = campaign};
   check_models(options.models);
+  if (!arguments.write.empty()) check_can_write(arguments.write, arguments.file);
   const Question question(arguments.file, arguments.overrides);
   catch_stop_signals();
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
@@ -190,6 +225,9 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     fmt::print("{}\n", advice_json(advice, question, options.demand).dump());
   else
     print_text(advice, question, options.demand);
+  if (!advice.best && !arguments.write.empty())
+    fmt::print(stderr, "bendlab: {} is not written, as no setting meets the demand\n",
+               arguments.write.string());
   if (!advice.best) return exit_failed;
   if (!arguments.write.empty())
     write_config(question.written(advice.best->setting, arguments.write.parent_path()), arguments.write);
