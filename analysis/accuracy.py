@@ -15,7 +15,8 @@ MEANING = {
     "rms": "root mean square distance of the points from the reference's, in diagonals of the rest box",
     "hausdorff": "farthest that either surface is from the other, in diagonals of the rest box",
     "strain": "root mean square of the Green strain's difference over the cloth",
-    "energy": "difference of the total energy to the reference's, as a share of the scene's energy",
+    "energy": "of a motion: difference to the reference in what kinetic, elastic and weight's energy gained since the start, mean over the frames, "
+              "over the scene's scale: kinetic and elastic energy at the start, and weight times size",
 }
 
 
@@ -47,6 +48,22 @@ def error(run, measure="rms", against="physical"):
     if run.summary.get(f"error_{against}_unbalanced", 0) > UNBALANCED:
         return np.nan
     return run.summary.get(f"error_{against}_{measure}", np.inf if run.status == "diverged" else np.nan)
+
+
+def gap(runs, against="physical"):
+    """Distance of the reference from one that is coarser, the largest of these runs: nothing is known nearer than that. NaN where
+    there is no coarser one."""
+    return max((run.summary.get(f"error_{against}_reference_gap", np.nan) for run in runs), default=np.nan)
+
+
+def percent(error, gap):
+    """An error for a reader, %; below the gap of its reference no more is known than that."""
+    return f"below {style.number(100 * gap, 2)}" if error < gap else style.number(100 * error)
+
+
+def known_levels(runs, against="physical"):
+    """The levels that the reference of these runs can tell."""
+    return [level for level in LEVELS if not level < gap(runs, against)]
 
 
 def work(run):

@@ -45,6 +45,11 @@ def elastica_checks(runs):
             if run.get("/solver/method") == "equilibrium" and run.model in ("dihedral", "isometric")]
 
 
+def effect_of(run):
+    """The effect that helps at the pin, "" where there is none."""
+    return next((effect["type"] for effect in run.get("/effects") if effect["type"] in EFFECTS), "")
+
+
 def remedy(run):
     """What was done for the pin, for a reader."""
     names = [EFFECTS[effect["type"]] for effect in run.get("/effects") if effect["type"] in EFFECTS]
@@ -59,16 +64,18 @@ def remedy(run):
 
 
 def _pin(runs, out):
-    figure, axes = plt.subplots(figsize=(8.4, 4.6), layout="constrained")
-    kinds = group(runs, lambda run: next((effect["type"] for effect in run.get("/effects") if effect["type"] in EFFECTS), "none"))
-    for (kind, some), colour in zip(kinds.items(), style.SEQUENCE):
-        axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], color=colour, s=26,
-                     label=EFFECTS.get(kind, "no effect"))
-        for run in some:
-            axes.annotate(remedy(run), (accuracy.cost(run), 100 * accuracy.error(run)), xytext=(5, 3), textcoords="offset points", fontsize=6.5)
-    axes.set_xscale("log"), axes.set_yscale("log")
-    axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel("distance from equilibrium (% of size)")
-    axes.legend()
+    runs = sorted(runs, key=accuracy.error, reverse=True)
+    figure, axes = plt.subplots(1, 3, figsize=(10.4, 0.25 * len(runs) + 1), layout="constrained", sharey=True)
+    numbers = (("distance from equilibrium (% of size)", lambda run: 100 * accuracy.error(run)),
+               ("CPU time per frame of 1/60 s (ms)", accuracy.cost), ("strain (RMS, %)", lambda run: 100 * accuracy.error(run, "strain")))
+    for panel, (label, number) in zip(axes, numbers):
+        for (kind, some), colour in zip(sorted(group(runs, effect_of).items()), style.SEQUENCE):
+            panel.plot([number(run) for run in some], [runs.index(run) for run in some], "o", color=colour, label=EFFECTS.get(kind, "no effect"))
+        panel.set_xscale("log")
+        panel.set_xlabel(label)
+    axes[0].set_yticks(range(len(runs)), labels=[remedy(run) for run in runs])
+    axes[0].invert_yaxis()
+    style.legend_below(figure, axes[0], 3)
     plain = next(run for run in runs if remedy(run).startswith("plain"))
     best = min(runs, key=lambda run: accuracy.error(run) * accuracy.cost(run))
     figure.suptitle(f"At one pin: {remedy(best)} comes {style.number(accuracy.error(plain) / accuracy.error(best), 2)} × as near as plain rounds "

@@ -15,6 +15,9 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import accuracy  # noqa: E402
 import accuracy_page  # noqa: E402
 import fig_5  # noqa: E402
+import fig_accuracy  # noqa: E402
+import fig_accuracy_beat  # noqa: E402
+import fig_accuracy_roads  # noqa: E402
 import fig_accuracy_scaling  # noqa: E402
 import fig_accuracy_solver  # noqa: E402
 import fig_models  # noqa: E402
@@ -513,6 +516,16 @@ class StabilityTest(unittest.TestCase):
             there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
             self.assertEqual(used, there, config.stem)
 
+    def test_the_overview_counts_shares_and_says_what_its_control_is(self):
+        cells = {(name, model, precision): SimpleNamespace(verdict=verdict, model=model) for name, model, precision, verdict in
+                 [("meshes: grid", "none", "single", "amber"), ("meshes: grid", "none", "double", "green"), ("flaws: hole", "none", "single", "red"),
+                  ("flaws: hole", "none", "double", "green"), ("meshes: grid", "dihedral", "single", "green")]}
+        text = stability_page.overview(cells)
+        self.assertEqual([text.count(f">{share} %<") for share in (25, 50, 100)], [2, 1, 1])  # red and amber, green; dihedral
+        self.assertLess(text.index("red"), text.index("green"))
+        self.assertIn("amber in 1 of 2 models", text)
+        self.assertEqual(stability_page.plain_grid({}), "")
+
     def test_all_stands_for_every_registered_model(self):
         self.assertIn("adaptive", load.MODELS)
         self.assertEqual(len(load.MODELS), len(set(load.MODELS)))
@@ -568,7 +581,64 @@ class AccuracyTest(unittest.TestCase):
         runs = [self.run_of(1, 0.3, substeps=1, iterations=16, against="solver"), self.run_of(1, 0.1, substeps=16, iterations=1, against="solver")]
         self.assertAlmostEqual(fig_accuracy_solver.gain(runs, 16), 3)
         self.assertTrue(np.isnan(fig_accuracy_solver.gain(runs, 64)))
-        self.assertIn("1 of 1", fig_accuracy_solver.message({("dihedral", 16): 3.0}))
+        self.assertIn("1 of 1", fig_accuracy_solver.message({("dihedral", 16): 3.0}, {("dihedral", 16): None}))
+
+    def test_the_best_split_of_the_same_work_may_be_in_between(self):
+        errors = {(1, 16): 0.3, (4, 4): 0.05, (16, 1): 0.1, (16, 4): 0.01}  # the last is more work
+        runs = [self.run_of(1, error, substeps=s, iterations=i, against="solver") for (s, i), error in errors.items()]
+        line = fig_accuracy_solver.along(runs, 16)
+        self.assertEqual(line, [(1, 0.3), (4, 0.05), (16, 0.1)])
+        self.assertTrue(fig_accuracy_solver.best_between(line))
+        self.assertFalse(fig_accuracy_solver.best_between([(1, 0.3), (4, 0.2), (16, 0.1)]))
+        self.assertIsNone(fig_accuracy_solver.best_between([(1, 0.3), (16, 0.1)]))
+        text = fig_accuracy_solver.message({("dihedral", 16): 3.0, ("none", 16): 2.0}, {("dihedral", 16): True, ("none", 16): False})
+        self.assertIn("1 of 2 at work 16", text)
+
+    def test_no_level_is_claimed_below_what_the_reference_is_known_to(self):
+        runs = [self.run_of(1, 0.004, error_physical_reference_gap=0.012), self.run_of(2, 0.03, model="none", error_physical_reference_gap=0.012)]
+        self.assertEqual(accuracy.known_levels(runs), [0.20, 0.05])
+        self.assertEqual(accuracy.known_levels([self.run_of(1, 0.1)]), list(accuracy.LEVELS))  # with no coarser reference
+        none, dihedral = fig_accuracy.levels_table(runs, "", "physical", "").rows
+        self.assertEqual([none[5:], dihedral[5:]], [["–", "not known", "3.00"], ["–", "not known", "below 1.2"]])
+        self.assertIn("within 1 % is not known", fig_accuracy.message(runs, []))
+        self.assertIn("is within 5 % in 1.0 ms", fig_accuracy.message(runs, []))
+
+    def test_the_gain_is_told_beside_that_of_the_mesh(self):
+        def run_of(cells, ms, error):
+            run = self.run_of(ms, error, model="adaptive")
+            run.config["mesh"] = {"cells": cells}
+            return run
+
+        line = [run_of(8, 1, 0.04), run_of(64, 100, 0.2)]
+        rest = [run_of(8, 0.5, 0.2), run_of(8, 2, 0.04), run_of(24, 50, 0.01)]
+        np.testing.assert_allclose(fig_accuracy_beat.ratios(rest, line[1]), (0.005, 0.05))
+        np.testing.assert_allclose(fig_accuracy_beat.ratios(rest, line[0]), (2, 5))
+        np.testing.assert_allclose(fig_accuracy_beat.ratios(line, line[1]), (0.01, 0.2))
+        self.assertTrue(np.isnan(fig_accuracy_beat.ratios([], line[0])).all())
+        text = fig_accuracy_beat.message(rest, line, line[1])
+        for ratio in ("0.0050", "0.050", "on 8 cells", "2.0", "5.0"):
+            self.assertIn(ratio, text)
+
+    def test_motion_names_a_setting_and_no_model(self):
+        runs = [self.run_of(ms, error, model, substeps, against="solver") for model, substeps, ms, error in
+                [("none", 4, 1, 0.04), ("dihedral", 4, 2, 0.1), ("none", 16, 4, 0.02), ("dihedral", 16, 8, 0.03), ("none", 64, 16, 0.001),
+                 ("dihedral", 64, 32, 0.001)]]
+        for run in runs:
+            run.config["solver"]["precision"] = "single"
+        text = fig_accuracy_scaling.motion_message(runs)
+        self.assertTrue(text.startswith("16 × 1, single: 2 of 2 models"), text)
+        self.assertIn("6.0 ms", text)  # between 4 and 8
+        self.assertNotIn("dihedral", text)
+
+    def test_scenes_are_compared_with_one_cloth(self):
+        physical = lambda name: json.loads((load.CONFIGS / f"accuracy/{name}.json").read_text(encoding="utf-8"))["accuracy"]["physical"]
+        for front, others in (("front", ("paper", "paper_64", "paper_cells", "beat")), ("front_cantilever", ("paper_cantilever",))):
+            for other in others:  # which is told a membrane where its own is k
+                self.assertEqual([setting for setting in physical(other) if not setting.startswith("/material")], physical(front), other)
+
+    def test_a_remedys_effect_is_the_one_that_is_none_of_the_scene(self):
+        run = lambda *types: SimpleNamespace(get=lambda _: [{"type": kind} for kind in types])
+        self.assertEqual([fig_accuracy_roads.effect_of(run("gravity", *more)) for more in ((), ("tethers",))], ["", "tethers"])
 
     def test_configs_that_share_a_front_ask_for_no_run_twice(self):
         for configs in accuracy.FRONTS:
