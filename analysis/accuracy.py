@@ -14,7 +14,7 @@ UNBALANCED = 1e-3  # of the loads: a reference with more has found no equilibriu
 MEANING = {
     "rms": "root mean square distance of the points from the reference's, in diagonals of the rest box",
     "hausdorff": "farthest that either surface is from the other, in diagonals of the rest box",
-    "strain": "root mean square of the Green strain's difference over the cloth",
+    "strain": "root mean square of the Green strain's difference over the cloth; of the strain itself where the reference is the stated cloth",
     "energy": "of a motion: difference to the reference in what kinetic, elastic and weight's energy gained since the start, mean over the frames, "
               "over the scene's scale: kinetic and elastic energy at the start, and weight times size",
 }

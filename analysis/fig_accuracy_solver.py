@@ -83,7 +83,7 @@ def message(gains, between):
     mixed = ", ".join(f"{sum(some)} of {len(some)} at work {work}" for work in EQUAL
                       if (some := [best for (_, at), best in between.items() if at == work and best is not None]))
     return (f"All work in substeps comes nearer than all in iterations in {wins} of {len(gains)} comparisons: by × "
-            f"{style.number(np.median(list(gains.values())), 2)} in the middle, × {style.number(gains[worst, least], 2)} ({accuracy.NAMES[worst]}, work "
+            f"{style.number(np.median(list(gains.values())), 2)} in the middle,\nfrom × {style.number(gains[worst, least], 2)} ({accuracy.NAMES[worst]}, work "
             f"{least}) to × {style.number(gains[best, most], 2)} ({accuracy.NAMES[best]}, work {most}).\nThe best is in between in {mixed or 'none'}")
 
 
