@@ -16,7 +16,7 @@ SOURCE = "the paper's adaptive model: 64 cells, 10 rounds, 1/60 s, k = 0.5"
 def main(results, out):
     section = Section("Nearer than the paper, for less", "accuracy_beat")
     paper = [run for run in accuracy.experiment_runs(results, section, "paper_64") if run.complete]
-    coarse = [run for run in accuracy.experiment_runs(results, section, "paper_cells") if run.complete]
+    coarse = [run for run in accuracy.experiment_runs(results, section, "paper_cells_slow") if run.complete]
     rest = [run for run in accuracy.experiment_runs(results, section, "beat") if run.complete]
     star = next((run for run in paper if run.model == "adaptive"), None)
     if star is None or not rest:

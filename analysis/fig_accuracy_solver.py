@@ -17,8 +17,8 @@ def main(results, out):
     section = Section("The same work, spent differently", "accuracy_solver")
     told = [run for run in accuracy.experiment_runs(results, section, *accuracy.FRONTS[0]) if run.complete]
     time_step = accuracy.experiment_runs(results, section, "time_step")
-    precision = accuracy.experiment_runs(results, section, "precision")
-    order = accuracy.experiment_runs(results, section, "order")
+    precision = accuracy.experiment_runs(results, section, "precision_slow")
+    order = accuracy.experiment_runs(results, section, "order_slow")
     section.text = ("Work is rounds over all constraints: substeps times iterations. Errors are distances from the equilibrium of the run's own "
                     "energies, so that only the solver is asked.")
     if told:
