@@ -186,7 +186,8 @@ class Equilibrium final : public TimeStep<double> {
 
   void move(double) {
     if (settled()) return;
-    double share = std::min(1.0, longest_move * size_ / direction_.cwiseAbs().maxCoeff());
+    const double farthest = direction_.cwiseAbs().maxCoeff();
+    double share = farthest > 0 ? std::min(1.0, longest_move * size_ / farthest) : 1;
     while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step) share *= 0.5;
     const VectorXd step = share * direction_;
     // Of a shortened step the share of what the whole one aimed at.
