@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "bendlab/io/without_traps.hpp"
 #include "experiments/machine.hpp"
 #include "experiments/start_after.hpp"
 
@@ -20,6 +21,7 @@ std::string worst_triangle_text(const Divergence& divergence, const Triangles& t
 }
 
 std::string divergence_message(const Divergence& divergence, const Scene& scene) {
+  const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
   const bool projects = scene.input.settings.method == Method::pbd;
   const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
   return fmt::format(

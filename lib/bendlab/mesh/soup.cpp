@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 #include <stdexcept>
 
@@ -17,6 +18,17 @@ constexpr std::size_t listed_offenders = 5;
 struct KindText {
   std::string_view one, many;
 };
+
+// allFinite() would subtract infinities, which traps in the debug program.
+bool finite(const Vector3& p) {
+  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
+}
+
+// fmt compares a NaN, which traps in the debug program.
+std::string number_text(double number) {
+  if (std::isfinite(number)) return fmt::format("{}", number);
+  return std::isnan(number) ? "nan" : number < 0 ? "-inf" : "inf";
+}
 
 KindText text_of(MeshProblemKind kind) {
   switch (kind) {
@@ -112,11 +124,12 @@ class Diagnosis {
   void check_vertices() {
     for (std::size_t v = 0; v < soup_.points.size(); ++v) {
       const Vector3 p = point(static_cast<std::int64_t>(v));
-      if (p.allFinite())
+      if (finite(p))
         box_min_ = box_min_.cwiseMin(p), box_max_ = box_max_.cwiseMax(p);
       else
         report(MeshProblemKind::non_finite_vertex,
-               fmt::format("vertex {} ({})", v, fmt::join(soup_.points[v], ", ")));
+               fmt::format("vertex {} ({}, {}, {})", v, number_text(p.x()), number_text(p.y()),
+                           number_text(p.z())));
     }
   }
 
@@ -141,7 +154,8 @@ class Diagnosis {
     const double thickness = zero_area_thickness * (box_max_ - box_min_).norm();
     for (const std::size_t t : sound_) {
       const auto& [a, b, c] = soup_.triangles[t];
-      if (collinear_within(thickness, point(a), point(b), point(c)))
+      const bool known = finite(point(a)) && finite(point(b)) && finite(point(c));
+      if (known && collinear_within(thickness, point(a), point(b), point(c)))
         report_triangle(MeshProblemKind::zero_area, t);
     }
   }
