@@ -33,7 +33,7 @@ constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropi
 constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
 constexpr std::array<std::string_view, 3> orders = {"colour", "mesh", "pins"};
 constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
-constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
+constexpr std::array<std::string_view, 3> precisions = {"auto", "single", "double"};
 constexpr std::array<std::string_view, 3> alignments = {"none", "vertical", "rigid"};
 
 constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
@@ -268,8 +268,10 @@ constexpr std::array solver = {
     Parameter{.name = "first", .type = text, .unit = "", .default_value = "strain",
               .meaning = "Which kind is projected first within an iteration",
               .choices = constraint_kinds},
-    Parameter{.name = "precision", .type = text, .unit = "", .default_value = "single",
-              .meaning = "Floating-point numbers of the solver",
+    Parameter{.name = "precision", .type = text, .unit = "", .default_value = "auto",
+              .meaning = "Floating-point numbers of the solver. auto: single, but double where an effect moves vertices itself "
+                         "(an obstacle, tethers, …) and what gravity does in a substep is too small for single precision "
+                         "(g h against the rounding of a position over h); the run's provenance says which was taken",
               .choices = precisions},
     Parameter{.name = "threads", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "Threads of one run; the result has the same bits for any number",

@@ -240,6 +240,12 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   return passes;
 }
 
+Precision precision_of(const Scene& scene, const std::string& asked) {
+  const bool wide = asked == "double" || scene.input.settings.method == Method::equilibrium ||
+                    (asked == "auto" && !rounding_speed(scene).single_suffices());
+  return wide ? Precision::double_precision : Precision::single_precision;
+}
+
 template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
@@ -269,8 +275,6 @@ Scene build_scene(const RunConfig& config) {
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
   scene.thresholds = quality_thresholds(config.section("/quality"));
-  const bool in_double = solver.text("precision") == "double" || solver.text("method") == "equilibrium";
-  scene.precision = in_double ? Precision::double_precision : Precision::single_precision;
 
   SimulationInput& input = scene.input;
   input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
@@ -299,6 +303,7 @@ Scene build_scene(const RunConfig& config) {
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
   if (solver.text("order") == "pins") order_from_pins(input, rest);
+  scene.precision = precision_of(scene, solver.text("precision"));
   return scene;
 }
 
@@ -318,6 +323,13 @@ std::vector<std::size_t> idle_effects(const Scene& scene) {
       idle.push_back(index);
   }
   return idle;
+}
+
+bool moves_vertices(const Scene& scene) {
+  for (std::size_t index = 0; index < scene.effects.size(); ++index)
+    for (const Pass<float>& pass : passes_of<float>(scene, index))
+      if (pass.stage != Stage::force && pass.stage != Stage::damp) return true;
+  return false;
 }
 
 std::unique_ptr<Simulation> simulation_of(const Scene& scene) {

@@ -14,6 +14,7 @@
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/solver/simulation.hpp"
 #include "experiments/config.hpp"
+#include "experiments/precision.hpp"
 
 namespace bendlab {
 
@@ -21,8 +22,6 @@ namespace bendlab {
 class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
-
-enum class Precision { single_precision, double_precision };
 
 struct Scene {
   RestMesh rest;
@@ -49,6 +48,9 @@ std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t in
 
 /// Places in scene.effects of those that provably change nothing: idle by their settings, or without a pass here.
 std::vector<std::size_t> idle_effects(const Scene& scene);
+
+/// Whether an effect of the scene moves vertices itself, besides the constraints.
+bool moves_vertices(const Scene& scene);
 
 /// The scene's simulation, in the scene's precision.
 std::unique_ptr<Simulation> simulation_of(const Scene& scene);

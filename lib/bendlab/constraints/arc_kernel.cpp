@@ -8,6 +8,11 @@ struct PackKernel<ArcSpring> {
   using Law = ArcSpring::Law;
   using Laws = LawList<Law::exact, Law::polynomial>;
 
+  template <class Real>
+  BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 1>& rest) {
+    return rest[0] * rest[0];
+  }
+
   template <class Real, Law law>
   BENDLAB_INLINE static PackConstraint<Real, 2> evaluate(const std::array<PackPoints<Real>, 2>& p,
                                                          const std::array<Pack<Real>, 1>& rest,

@@ -25,6 +25,12 @@ struct ArcSpring {
   static constexpr std::size_t rest_values = 1;  ///< L, m
   static constexpr bool one_sided = true;
 
+  /// m, see largest_move.
+  template <class Real>
+  static Real rest_size(const std::array<Real, 1>& rest) {
+    return rest[0];
+  }
+
   enum class Law {
     exact,       ///< the arc's push
     polynomial,  ///< P = -(4 k_b/L²) p(r/L), p of degree 4: within 1.6 % of that

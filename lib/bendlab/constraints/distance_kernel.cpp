@@ -28,9 +28,12 @@ struct RestEnds {
 //   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n
 //        n = (p_a - p_b) / |p_a - p_b|, of a collapsed spring as in the rest shape: there as if |p_a - p_b| were just
 //        long enough to have a direction
+// A correction is no longer than the spring's own, and its gradient is never rounding: nothing has to be bounded.
+// Returns how far b moves; a has moved.
 template <class Real, bool compliant>
-BENDLAB_INLINE void project_pack(PackPoints<Real>& a, PackPoints<Real>& b, const Pack<Real>& rest, Real k,
-                                 const Pack<Real>& alpha, Real* multipliers, const RestEnds<Real>& at_rest) {
+BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoints<Real>& b,
+                                             const Pack<Real>& rest, Real k, const Pack<Real>& alpha,
+                                             Real* multipliers, const RestEnds<Real>& at_rest) {
   using P = Pack<Real>;
   const P zero{}, one = broadcast<Real>(1), shortest = collapsed_ratio<Real> * rest, weight = a.w + b.w;
   PackVector<Real> d = a.position - b.position;
@@ -53,13 +56,13 @@ BENDLAB_INLINE void project_pack(PackPoints<Real>& a, PackPoints<Real>& b, const
     step = acts ? k * inverse_sum * (rest * inverse_length - one) : zero;
   }
   a.position = a.position + scaled<Real>(step * a.w, d);
-  b.position = b.position - scaled<Real>(step * b.w, d);
+  return scaled<Real>(-step * b.w, d);
 }
 
 enum class Alpha { none, common, own };  // PBD; XPBD with one compliance for all springs; or each its own
 
-template <class Real, Alpha kind>
-void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
+template <class Real, Alpha kind, bool split>
+void project_runs(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
                   Real compliance_over_h2, bool backwards) {
   constexpr bool compliant = kind != Alpha::none;
   Pack<Real> alpha = broadcast(compliance_over_h2);
@@ -69,34 +72,51 @@ void project_runs(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t f
       const std::size_t begin = batch.order.runs[run] + part,
                         groups = (batch.order.runs[run + 1] - begin + part) / width;
       const int* const centres = &batch.a[run * width + part];
-      PackPoints<Real> a = gather(points, centres);
+      PackPoints<Real> a;
+      [[maybe_unused]] detail::BaseRows<Real> base;
+      if constexpr (split)
+        base = detail::base_rows(places, centres, a);
+      else
+        a = gather(places.moved, centres);
       for (std::size_t group = 0; group < groups; ++group) {
         const std::size_t lane = begin + (backwards ? groups - 1 - group : group) * width;
         prefetch(batch.b, lane + ahead);
         prefetch(batch.rest_length, lane + ahead);
-        PackPoints<Real> b = gather(points, &batch.b[lane]);
+        PackPoints<Real> b;
+        if constexpr (split)
+          b = base.relative(places, &batch.b[lane]);
+        else
+          b = gather(places.moved, &batch.b[lane]);
         if constexpr (kind == Alpha::own) alpha = compliance_over_h2 * load(&batch.softness[lane]);
-        project_pack<Real, compliant>(a, b, load(&batch.rest_length[lane]), batch.k, alpha,
-                                      compliant ? &batch.multiplier[lane] : nullptr,
-                                      {batch.rest_points, centres, &batch.b[lane]});
-        scatter(points, &batch.b[lane], b);
+        const PackVector<Real> move = project_pack<Real, compliant>(
+            a, b, load(&batch.rest_length[lane]), batch.k, alpha,
+            compliant ? &batch.multiplier[lane] : nullptr, {batch.rest_points, centres, &batch.b[lane]});
+        if constexpr (split) {
+          scatter_added(places.moved, &batch.b[lane], move);
+        } else {
+          b.position = b.position + move;
+          scatter(places.moved, &batch.b[lane], b);
+        }
       }
-      scatter(points, centres, a);
+      if constexpr (split) a.w = Pack<Real>{};
+      scatter(places.moved, centres, a);
     }
 }
 
 }  // namespace
 
 template <class Real>
-void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
+void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
-  if (batch.kind != StiffnessKind::compliance)
-    project_runs<Real, Alpha::none>(points, batch, first, last, 0, backwards);
-  else if (batch.softness.empty())
-    project_runs<Real, Alpha::common>(points, batch, first, last, compliance, backwards);
-  else
-    project_runs<Real, Alpha::own>(points, batch, first, last, compliance, backwards);
+  with_split(places, [&]<bool split>(std::bool_constant<split>) {
+    if (batch.kind != StiffnessKind::compliance)
+      project_runs<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
+    else if (batch.softness.empty())
+      project_runs<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
+    else
+      project_runs<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
+  });
 }
 
 template <class Real>
@@ -123,8 +143,8 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatc
     }
 }
 
-template void project(Point<float>*, DistanceBatch<float>&, std::size_t, std::size_t, float, bool);
-template void project(Point<double>*, DistanceBatch<double>&, std::size_t, std::size_t, double, bool);
+template void project(const Places<float>&, DistanceBatch<float>&, std::size_t, std::size_t, float, bool);
+template void project(const Places<double>&, DistanceBatch<double>&, std::size_t, std::size_t, double, bool);
 template void damp(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
 template void damp(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
 

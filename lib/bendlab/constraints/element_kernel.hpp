@@ -24,7 +24,7 @@ struct LawList {};
 /// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest, law)`, there the
 /// value to be corrected by, and elsewhere 0 (see ConstraintValue).
 ///
-/// Of a kind: `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
+/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at rest; `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
 /// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
 /// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
 template <class Kind>
@@ -32,8 +32,16 @@ struct PackKernel;
 
 namespace detail {
 
+template <std::size_t N>
+BENDLAB_INLINE std::array<const int*, N> offsets_at(const std::array<LargeArray<int>, N>& corner,
+                                                    std::size_t lane) {
+  std::array<const int*, N> offsets;
+  for (std::size_t i = 0; i < N; ++i) offsets[i] = &corner[i][lane];
+  return offsets;
+}
+
 template <class Real, std::size_t N>
-BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_corners(const Point<Real>* points,
+BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_points(const Point<Real>* points,
                                                               const std::array<LargeArray<int>, N>& corner,
                                                               std::size_t lane) {
   std::array<PackPoints<Real>, N> packs;
@@ -55,12 +63,43 @@ BENDLAB_INLINE std::array<Pack<Real>, N> load_rest(const std::array<LargeArray<R
   return packs;
 }
 
-template <class Real, std::size_t N>
-BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>& p,
-                                          const std::array<PackVector<Real>, N>& gradient) {
-  Pack<Real> sum{};
-  for (std::size_t i = 0; i < N; ++i) sum = sum + p[i].w * dot(gradient[i], gradient[i]);
-  return sum;
+// What ∇C says of a projection: how far it gets, and whether it is one.
+template <class Real>
+struct Leverage {
+  Pack<Real> weighted{};  // Σ w|∇C|²
+  Pack<Real> farthest{};  // max w²|∇C|²: the square of how far a corner moves per multiplier
+  PackMask<Real> acts;    // the gradient of the free corners is more than rounding
+
+  template <std::size_t N>
+  BENDLAB_INLINE Leverage(const std::array<PackPoints<Real>, N>& p,
+                          const std::array<PackVector<Real>, N>& gradient) {
+    Pack<Real> whole{}, largest_w{};
+    for (std::size_t i = 0; i < N; ++i) {
+      const Pack<Real> squared = dot(gradient[i], gradient[i]), part = p[i].w * squared, way = p[i].w * part;
+      weighted = weighted + part, whole = whole + squared;
+      farthest = way > farthest ? way : farthest;
+      largest_w = p[i].w > largest_w ? p[i].w : largest_w;
+    }
+    acts = weighted > least_lever<Real> * largest_w * whole;
+  }
+};
+
+// Shortens a multiplier that would move a corner farther than largest_move sizes.
+template <class Kind, class Real>
+[[gnu::noinline]] Pack<Real> within_reach(const Pack<Real>& change, const Leverage<Real>& leverage,
+                                          const std::array<PackPoints<Real>, Kind::arity>& p,
+                                          const std::array<Pack<Real>, Kind::rest_values>& rest) {
+  Pack<Real> size = PackKernel<Kind>::template rest_size_squared<Real>(rest);
+  for (std::size_t i = 0; i < Kind::arity; ++i)
+    for (std::size_t j = i + 1; j < Kind::arity; ++j) {
+      const PackVector<Real> d = p[j].position - p[i].position;
+      const Pack<Real> squared = dot(d, d);
+      size = squared > size ? squared : size;
+    }
+  const Pack<Real> one = broadcast<Real>(1), way = change * change * leverage.farthest,
+                   most = Real(largest_move * largest_move) * size;
+  const auto too_far = way > most;
+  return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
 // Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
@@ -75,7 +114,7 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   if constexpr (requires { PackKernel<Kind>::template when_collapsed<Real>(p, rest, law); }) {
     if (batch.rest_points != nullptr) {
       const auto at_rest = PackKernel<Kind>::template evaluate<Real>(
-          gather_corners<Real>(batch.rest_points, batch.corner, lane), rest, law);
+          gather_points<Real>(batch.rest_points, batch.corner, lane), rest, law);
       const Pack<Real> value = PackKernel<Kind>::template when_collapsed<Real>(p, rest, law);
       opens = ~c.defined & at_rest.defined & (value != Pack<Real>{});
       c.value = opens ? value : c.value;
@@ -88,42 +127,51 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   return c;
 }
 
-template <class Real, class Kind, typename Kind::Law law, bool compliant>
-void project_lanes(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
-                   Real compliance_over_h2) {
+template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
+void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
+                   std::size_t last, Real compliance_over_h2) {
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
        lane += static_cast<std::size_t>(lanes<Real>)) {
-    auto p = gather_corners<Real>(points, batch.corner, lane);
+    auto p = gather_corners<Real, split>(places, offsets_at(batch.corner, lane));
     const auto rest = load_rest(batch.rest, lane);
     constexpr std::integral_constant<typename Kind::Law, law> this_law;
     PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
     if (any(~c.defined)) [[unlikely]]
       c = opened<Kind>(c, p, rest, this_law, batch, lane);
-    Pack<Real> sum = weighted_square<Real>(p, c.gradient), alpha{};
+    const Leverage<Real> leverage(p, c.gradient);
+    Pack<Real> sum = leverage.weighted, alpha{}, multiplier{};
     if constexpr (compliant) {
       alpha = compliance_over_h2 * load(&batch.softness[lane]);
       if constexpr (!OneSided<Kind>) sum = sum + alpha;
     }
-    PackMask<Real> acts = c.defined & (sum > zero);
+    PackMask<Real> acts = c.defined & leverage.acts;
     if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
     const Pack<Real> divisor = acts ? sum : one;
     Pack<Real> change;
     if constexpr (compliant) {
-      const Pack<Real> multiplier = load(&batch.multiplier[lane]);
+      multiplier = load(&batch.multiplier[lane]);
       if constexpr (OneSided<Kind>)
         change = acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha,
                                                                 multiplier)
                       : zero;
       else
         change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
-      store(&batch.multiplier[lane], multiplier + change);
     } else {
       change = acts ? -batch.k * c.value / divisor : zero;
     }
-    for (std::size_t i = 0; i < Kind::arity; ++i)
-      p[i].position = p[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
-    scatter_corners(points, batch.corner, lane, p);
+    if (any(change * change * leverage.farthest > PackKernel<Kind>::template rest_size_squared<Real>(rest)))
+        [[unlikely]]
+      change = within_reach<Kind>(change, leverage, p, rest);
+    if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
+    for (std::size_t i = 0; i < Kind::arity; ++i) {
+      const PackVector<Real> move = scaled<Real>(change * p[i].w, c.gradient[i]);
+      if constexpr (split)
+        scatter_added(places.moved, &batch.corner[i][lane], move);
+      else
+        p[i].position = p[i].position + move;
+    }
+    if constexpr (!split) scatter_corners(places.moved, batch.corner, lane, p);
   }
 }
 
@@ -133,8 +181,8 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size();
        lane += static_cast<std::size_t>(lanes<Real>)) {
-    const auto p = gather_corners<Real>(points, batch.corner, lane);
-    auto v = gather_corners<Real>(velocities, batch.corner, lane);
+    const auto p = gather_points<Real>(points, batch.corner, lane);
+    auto v = gather_points<Real>(velocities, batch.corner, lane);
     PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
         p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
     if (any(~c.defined)) [[unlikely]]
@@ -142,10 +190,10 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
         gradient = select(c.defined, gradient, PackVector<Real>{});
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
-    const Pack<Real> sum = weighted_square<Real>(p, c.gradient);
-    PackMask<Real> acts = c.defined & (sum > zero);
+    const Leverage<Real> leverage(p, c.gradient);
+    PackMask<Real> acts = c.defined & leverage.acts;
     if constexpr (OneSided<Kind>) acts = acts & (c.value < zero);
-    const Pack<Real> change = acts ? -k * rate / (acts ? sum : one) : zero;
+    const Pack<Real> change = acts ? -k * rate / (acts ? leverage.weighted : one) : zero;
     for (std::size_t i = 0; i < Kind::arity; ++i)
       v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
     scatter_corners(velocities, batch.corner, lane, v);
@@ -162,13 +210,15 @@ void with_law(Law chosen, LawList<laws...>, const Action& action) {
 
 // Within a run no two constraints share a vertex, so backwards is as forwards.
 template <class Real, class Kind>
-void project(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
+void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {
   const Real compliance = batch.compliance / (substep * substep);
   detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
-    batch.kind == StiffnessKind::compliance
-        ? detail::project_lanes<Real, Kind, law.value, true>(points, batch, first, last, compliance)
-        : detail::project_lanes<Real, Kind, law.value, false>(points, batch, first, last, compliance);
+    with_split(places, [&]<bool split>(std::bool_constant<split>) {
+      batch.kind == StiffnessKind::compliance
+          ? detail::project_lanes<Real, Kind, law.value, true, split>(places, batch, first, last, compliance)
+          : detail::project_lanes<Real, Kind, law.value, false, split>(places, batch, first, last, compliance);
+    });
   });
 }
 
@@ -180,9 +230,10 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch
 }
 
 #define BENDLAB_ELEMENT_KERNELS(Kind)                                                                      \
-  template void project(Point<float>*, ElementBatch<float, Kind>&, std::size_t, std::size_t, float, bool); \
-  template void project(Point<double>*, ElementBatch<double, Kind>&, std::size_t, std::size_t, double,     \
+  template void project(const Places<float>&, ElementBatch<float, Kind>&, std::size_t, std::size_t, float, \
                         bool);                                                                             \
+  template void project(const Places<double>&, ElementBatch<double, Kind>&, std::size_t, std::size_t,      \
+                        double, bool);                                                                     \
   template void damp(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float);         \
   template void damp(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&, double)
 

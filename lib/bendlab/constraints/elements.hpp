@@ -11,6 +11,8 @@
 //     enum class Law { … };          // variants of C
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
+//     template <class Real>
+//     static Real rest_size(rest);   // m, a length that is no longer than the constraint at rest, see largest_move
 //   };
 //
 // Its energy is ½ C² / α. A kind with another energy that is free where C ≥ 0 is OneSided: k and damping act on it

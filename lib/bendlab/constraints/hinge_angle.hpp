@@ -23,6 +23,12 @@ struct HingeAngle {
   /// Rest angle θ0, inverse rest length of the edge in 1/m, sin(θ0/2), cos(θ0/2).
   static constexpr std::size_t rest_values = 4;
 
+  /// m, see largest_move.
+  template <class Real>
+  static Real rest_size(const std::array<Real, 4>& rest) {
+    return 1 / rest[1];
+  }
+
   enum class Law {
     angle,      ///< C = θ - θ0, wrapped into (-π, π] (Müller et al. 2007, §3.3, with a sign)
     half_sine,  ///< ½C² = V, dV/dθ = sin(θ/2) - sin(θ0/2) (the elastic force of Bridson et al. 2003, §4)

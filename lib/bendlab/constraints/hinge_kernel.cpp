@@ -7,6 +7,11 @@ template <>
 struct PackKernel<HingeAngle> {
   using Laws = LawList<HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
 
+  template <class Real>
+  BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 4>& rest) {
+    return 1 / (rest[1] * rest[1]);
+  }
+
   template <class Real, HingeAngle::Law law>
   BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
                                                          const std::array<Pack<Real>, 4>& rest,

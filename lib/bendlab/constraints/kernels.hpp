@@ -3,18 +3,20 @@
 // opposite order.
 #pragma once
 
+#include <type_traits>
+
 #include "bendlab/constraints/elements.hpp"
 
 namespace bendlab {
 
 template <class Real>
-void project(Point<Real>* points, DistanceBatch<Real>& batch, std::size_t first_run, std::size_t last_run,
-             Real substep, bool backwards = false);
+void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size_t first_run,
+             std::size_t last_run, Real substep, bool backwards = false);
 template <class Real>
-void project(Point<Real>* points, StrainBatch<Real>& batch, std::size_t first_run, std::size_t last_run,
-             Real substep, bool backwards = false);
+void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first_run,
+             std::size_t last_run, Real substep, bool backwards = false);
 template <class Real, class Kind>
-void project(Point<Real>* points, ElementBatch<Real, Kind>& batch, std::size_t first_run,
+void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first_run,
              std::size_t last_run, Real substep, bool backwards = false);
 
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
@@ -27,5 +29,14 @@ template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch, Real k);
 template <class Real, class Kind>
 void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k);
+
+/// Calls action(std::bool_constant<whether the places are split>). Split places are single precision's.
+template <class Real, class Action>
+void with_split(const Places<Real>& places, const Action& action) {
+  if constexpr (sizeof(Real) == sizeof(float)) {
+    if (places.base != nullptr) return action(std::true_type{});
+  }
+  action(std::false_type{});
+}
 
 }  // namespace bendlab

@@ -220,7 +220,7 @@ BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* of
   } else if constexpr (lanes<Real> == 8) {
 #if defined(__AVX512F__)
     const __m512d low = _mm512_castpd256_pd512((__m256d)load_point(point_at(points, offsets[0])));
-    return (Pack<Real>)_mm512_insertf64x4(low, (__m256d)load_point(point_at(points, offsets[4])), 1);
+    return (Pack<Real>)_mm512_maskz_insertf64x4(0xff, low, (__m256d)load_point(point_at(points, offsets[4])), 1);
 #else
     return concatenated(load_point(point_at(points, offsets[0])), load_point(point_at(points, offsets[4])),
                         std::make_integer_sequence<int, 8>{});
@@ -248,7 +248,7 @@ BENDLAB_INLINE void store_rows_by_fours(Point<Real>* points, const int* offsets,
   if constexpr (lanes<Real> == 16) {
 #if defined(__AVX512F__)
     const __m256 low = _mm512_castps512_ps256((__m512)row);
-    __m256 high = _mm256_castpd_ps(_mm512_extractf64x4_pd((__m512d)row, 1));
+    __m256 high = _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xf, (__m512d)row, 1));
     asm("" : "+x"(high));
     _mm_store_ps(&point_at(points, offsets[0]).x, _mm256_castps256_ps128(low));
     _mm_store_ps(&point_at(points, offsets[4]).x, _mm256_extractf128_ps(low, 1));
@@ -278,6 +278,73 @@ BENDLAB_INLINE void scatter(Point<Real>* points, const int* offsets, const PackP
   Pack<Real> row[4] = {packs.position.x, packs.position.y, packs.position.z, packs.w};
   detail::transpose<Real>(row[0], row[1], row[2], row[3]);
   for (int r = 0; r < 4; ++r) detail::store_rows_by_fours(points, offsets + r, row[r]);
+}
+
+namespace detail {
+
+// Lanes that hold an inverse mass before points are transposed: every fourth.
+template <class Real>
+BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
+  PackMask<Real> mask{};
+  for (int l = 3; l < lanes<Real>; l += 4) mask[l] = -1;
+  return mask;
+}
+
+// base + moved of one point per lane, less the base of another, before they are transposed. The difference of bases comes
+// first: it is the one that is exact.
+template <class Real>
+struct BaseRows {
+  Pack<Real> row[4];  // positions, 0 in the lanes of inverse masses
+
+  BENDLAB_INLINE PackPoints<Real> relative(const Places<Real>& places, const int* offsets) const {
+    Pack<Real> sum[4];
+    for (int r = 0; r < 4; ++r)
+      sum[r] = (rows_by_fours(places.base, offsets + r) - row[r]) + rows_by_fours(places.moved, offsets + r);
+    transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
+    return {{sum[0], sum[1], sum[2]}, sum[3]};
+  }
+};
+
+// The base at `offsets`, and the points there relative to it: what they moved, and their inverse masses.
+template <class Real>
+BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* offsets,
+                                        PackPoints<Real>& relative) {
+  const PackMask<Real> masses = inverse_mass_lanes<Real>();
+  BaseRows<Real> base;
+  Pack<Real> moved[4];
+  for (int r = 0; r < 4; ++r) {
+    const Pack<Real> whole = rows_by_fours(places.base, offsets + r), zero{};
+    base.row[r] = masses ? zero : whole;
+    moved[r] = rows_by_fours(places.moved, offsets + r) + (masses ? whole : zero);
+  }
+  transpose<Real>(moved[0], moved[1], moved[2], moved[3]);
+  relative = {{moved[0], moved[1], moved[2]}, moved[3]};
+  return base;
+}
+
+}  // namespace detail
+
+/// The corners of a constraint per lane; of split places relative to the base of the first corner.
+template <class Real, bool split, std::size_t N>
+BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_corners(const Places<Real>& places,
+                                                              const std::array<const int*, N>& offsets) {
+  std::array<PackPoints<Real>, N> corners;
+  if constexpr (split) {
+    const detail::BaseRows<Real> base = detail::base_rows(places, offsets[0], corners[0]);
+    for (std::size_t i = 1; i < N; ++i) corners[i] = base.relative(places, offsets[i]);
+  } else {
+    for (std::size_t i = 0; i < N; ++i) corners[i] = gather(places.moved, offsets[i]);
+  }
+  return corners;
+}
+
+/// Adds to the points at `offsets[0 .. lanes)`; none may stand twice.
+template <class Real>
+BENDLAB_INLINE void scatter_added(Point<Real>* points, const int* offsets, const PackVector<Real>& change) {
+  Pack<Real> row[4] = {change.x, change.y, change.z, Pack<Real>{}};
+  detail::transpose<Real>(row[0], row[1], row[2], row[3]);
+  for (int r = 0; r < 4; ++r)
+    detail::store_rows_by_fours(points, offsets + r, row[r] + detail::rows_by_fours(points, offsets + r));
 }
 
 }  // namespace bendlab

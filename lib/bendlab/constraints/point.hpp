@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <type_traits>
+
 #include "bendlab/constraints/large_array.hpp"
 
 namespace bendlab {
@@ -19,6 +21,25 @@ struct alignas(4 * sizeof(Real)) Point {
 
 template <class Real>
 using Points = LargeArray<Point<Real>>;
+
+/// Where the vertices are, for projections. `moved` alone where `base` is null; else base + moved, and projections change
+/// `moved`. Inverse masses stand in `base` then, and 0 in moved.w.
+///
+/// The sum is what single precision needs: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps, far below
+/// the last digit of a position near 1 m. Constraints depend on differences, and that of two neighbours' bases is exact to
+/// the last digit of an edge, not of a position; what a substep adds to it is kept apart, to its own last digit.
+template <class Real>
+struct Places {
+  const Point<Real>* base = nullptr;
+  Point<Real>* moved = nullptr;
+
+  Places(Point<Real>* whole) : moved(whole) {}  // NOLINT: positions are places
+  Places(const Point<Real>* at, Point<Real>* displacements) : base(at), moved(displacements) {}
+};
+
+/// Of a parameter from which Real is not deduced, so that an array of points will do.
+template <class Real>
+using PlacesOf = std::type_identity_t<Places<Real>>;
 
 /// Where a vertex stands in an array of points, counted in numbers. Batches store this instead of the vertex:
 /// a processor scales an address by 4 or 8 on the way, but not by the size of a point.

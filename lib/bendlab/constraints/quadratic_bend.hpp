@@ -16,6 +16,12 @@ struct QuadraticBend {
   /// K_0 … K_3, |Kx| of the rest shape in m, rest length of the edge in m.
   static constexpr std::size_t rest_values = 6;
 
+  /// m, see largest_move.
+  template <class Real>
+  static Real rest_size(const std::array<Real, 6>& rest) {
+    return rest[5];
+  }
+
   enum class Law {
     norm,    ///< C = |Kx| - |Kx|_rest: ½C² is Bergou's energy, moment ∝ sin θ
     energy,  ///< C = ½|Kx|² - ½|Kx|²_rest, as libraries ship it: ½C² is quartic

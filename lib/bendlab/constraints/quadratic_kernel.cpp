@@ -6,6 +6,11 @@ template <>
 struct PackKernel<QuadraticBend> {
   using Laws = LawList<QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
 
+  template <class Real>
+  BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 6>& rest) {
+    return rest[5] * rest[5];
+  }
+
   template <class Real, QuadraticBend::Law law>
   BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
                                                          const std::array<Pack<Real>, 6>& rest,

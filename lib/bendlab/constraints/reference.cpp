@@ -33,6 +33,12 @@ std::array<Vector3Of<Real>, N> vectors_of(const std::array<P*, N>& points) {
   for (std::size_t i = 0; i < N; ++i) vectors[i] = points[i]->vector();
   return vectors;
 }
+template <class Real, std::size_t N>
+std::array<Vector3Of<Real>, N> vectors_of(const std::array<Corner<Real>, N>& corners) {
+  std::array<Vector3Of<Real>, N> vectors;
+  for (std::size_t i = 0; i < N; ++i) vectors[i] = corners[i].vector();
+  return vectors;
+}
 
 template <class Kind, class P, class Batch>
 std::array<P*, Kind::arity> corners_of(P* points, const Batch& batch, std::size_t lane) {
@@ -50,7 +56,7 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
 
 // A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if any.
 template <class Real, std::size_t N, class ValueAt>
-ConstraintValue<Real, N> opening(const std::array<Point<Real>*, N>& p,
+ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
                                  const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
   ConstraintValue<Real, N> c = value_at(vectors_of<Real>(p));
   if (c.defined || c.value == 0 || rest[0] == nullptr) return c;
@@ -67,28 +73,27 @@ std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real
 
 // XPBD where the kind itself says how the multiplier changes.
 template <class Real, OneSided Kind, std::size_t N>
-void project_one_sided(const std::array<Point<Real>*, N>& p, const ConstraintValue<Real, N>& c,
+void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintValue<Real, N>& c,
                        const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
-                       Real& multiplier) {
+                       Real& multiplier, Real reach) {
   if (!c.defined) return;
-  const Real w = weighted_square(p, c);
+  const Real w = weighted_square(inverse_masses(p), c);
   if (!(w > 0)) return;
   std::array<double, Kind::rest_values> exact_rest;
   std::copy(rest.begin(), rest.end(), exact_rest.begin());
   const auto change = static_cast<Real>(Kind::change(c.value, exact_rest, law, w, alpha, multiplier));
-  multiplier += change;
-  move_reference(p, c, change);
+  multiplier += move_reference(p, c, change, reach);
 }
 
 }  // namespace
 
 template <class Real>
-void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards) {
+void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+                       bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
     const Real alpha = batch.softness.empty() ? compliance : compliance * batch.softness[lane];
-    const std::array<Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
-                                           &point_at(points, batch.b[lane])};
+    const auto p = corners_at<Real>(places, centre_of(batch, lane, run), batch.b[lane]);
     const bool compliant = batch.kind == StiffnessKind::compliance;
     const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
@@ -98,22 +103,24 @@ void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real sub
 }
 
 template <class Real>
-void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards) {
+void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
+                       bool backwards) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
-    const std::array<Point<Real>*, 3> p = {&point_at(points, batch.a[lane]), &point_at(points, batch.b[lane]),
-                                           &point_at(points, batch.c[lane])};
+    const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
     const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
     const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
-    const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at) {
+    const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at,
+                           int most_sizes = largest_move) {
       if (k == 0) return;
       project_reference(p, opening(p, rest, value_at), k,
                         compliant ? &batch.multiplier[term * count + lane] : nullptr,
-                        compliant ? term_alpha : Real(0));
+                        compliant ? term_alpha : Real(0),
+                        static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
     // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever that term has
     // made of f.
@@ -134,7 +141,9 @@ void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real subst
     const auto warp = stretch(0), weft = stretch(1);
     apply(0, batch.warp, stretch_alpha, warp);
     apply(1, batch.weft, stretch_alpha, weft);
-    apply(2, batch.shear, alpha, [&](const auto& x) { return shear_constraint(x, q, batch.form); });
+    apply(
+        2, batch.shear, alpha, [&](const auto& x) { return shear_constraint(x, q, batch.form); },
+        batch.form == StrainForm::normalised ? largest_published_move : largest_move);
     apply(3, batch.area, alpha, [&](const auto& x) { return area_constraint(x, q); });
   });
 }
@@ -169,22 +178,26 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const St
 }
 
 template <class Real, class Kind>
-void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Real substep, bool backwards) {
+void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
+                       bool backwards) {
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
-    const auto p = corners_of<Kind>(points, batch, lane);
+    const auto p = [&]<std::size_t... i>(std::index_sequence<i...>) {
+      return corners_at<Real>(places, batch.corner[i][lane]...);
+    }(std::make_index_sequence<Kind::arity>{});
     const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
     const auto rest = rest_of(batch, lane);
     std::array<const Point<Real>*, Kind::arity> at_rest{};
     if (batch.rest_points != nullptr) at_rest = corners_of<Kind>(batch.rest_points, batch, lane);
     const auto c = opening(p, at_rest, [&](const auto& x) { return Kind::value(x, rest, batch.law); });
+    const Real reach = largest_move * size_of(vectors_of<Real>(p), Kind::rest_size(rest));
     if constexpr (OneSided<Kind>) {
       if (compliant)
-        project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane]);
+        project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane], reach);
       else if (c.value < 0)
-        project_reference(p, c, batch.k);
+        project_reference<Real>(p, c, batch.k, nullptr, 0, reach);
     } else {
-      project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha);
+      project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
     }
   });
 }
@@ -201,8 +214,8 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const El
 }
 
 #define BENDLAB_ELEMENT_REFERENCE(Kind)                                                                      \
-  template void project_reference(Point<float>*, ElementBatch<float, Kind>&, float, bool);                   \
-  template void project_reference(Point<double>*, ElementBatch<double, Kind>&, double, bool);                \
+  template void project_reference(const Places<float>&, ElementBatch<float, Kind>&, float, bool);            \
+  template void project_reference(const Places<double>&, ElementBatch<double, Kind>&, double, bool);         \
   template void damp_reference(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
   template void damp_reference(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
                                double);
@@ -212,9 +225,9 @@ template void damp_reference(const Point<float>*, Point<float>*, const DistanceB
 template void damp_reference(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
 template void damp_reference(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
 template void damp_reference(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
-template void project_reference(Point<float>*, DistanceBatch<float>&, float, bool);
-template void project_reference(Point<double>*, DistanceBatch<double>&, double, bool);
-template void project_reference(Point<float>*, StrainBatch<float>&, float, bool);
-template void project_reference(Point<double>*, StrainBatch<double>&, double, bool);
+template void project_reference(const Places<float>&, DistanceBatch<float>&, float, bool);
+template void project_reference(const Places<double>&, DistanceBatch<double>&, double, bool);
+template void project_reference(const Places<float>&, StrainBatch<float>&, float, bool);
+template void project_reference(const Places<double>&, StrainBatch<double>&, double, bool);
 
 }  // namespace bendlab

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -10,6 +11,31 @@
 #include "bendlab/constraints/value.hpp"
 
 namespace bendlab {
+
+/// A corner of a constraint, for projections: the vertex relative to the base of the first corner where places are split,
+/// else as it is.
+template <class Real>
+struct Corner {
+  Vector3Of<Real> base;
+  Point<Real>* moved;
+  Real w;
+
+  Vector3Of<Real> vector() const { return base + moved->vector(); }
+  void move(const Vector3Of<Real>& way) { moved->set(moved->vector() + way); }
+};
+
+/// The corners at these offsets.
+template <class Real, class... Offsets>
+std::array<Corner<Real>, 1 + sizeof...(Offsets)> corners_at(const Places<Real>& places, int first,
+                                                        Offsets... others) {
+  const auto corner = [&](int offset) {
+    Point<Real>& moved = point_at(places.moved, offset);
+    if (places.base == nullptr) return Corner<Real>{Vector3Of<Real>::Zero(), &moved, moved.w};
+    const Point<Real>& base = point_at(places.base, offset);
+    return Corner<Real>{base.vector() - point_at(places.base, first).vector(), &moved, base.w};
+  };
+  return {corner(first), corner(others)...};
+}
 
 /// |p_a - p_b| - rest_length (Müller et al. 2007, §3.2).
 template <class Real>
@@ -28,6 +54,21 @@ std::array<Vector3Of<Real>, 2> deformation_gradient(const std::array<Vector3Of<R
                                                     const std::array<Real, 4>& q) {
   const Vector3Of<Real> e1 = p[1] - p[0], e2 = p[2] - p[0];
   return {e1 * q[0] + e2 * q[2], e1 * q[1] + e2 * q[3]};
+}
+
+/// The longest distance between corners, or `at_rest` if that is longer, m.
+template <class Real, std::size_t N>
+Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
+  Real size = at_rest;
+  for (std::size_t i = 0; i < N; ++i)
+    for (std::size_t j = i + 1; j < N; ++j) size = std::max(size, (p[j] - p[i]).norm());
+  return size;
+}
+
+/// Of a triangle: at rest that of two sides at a right angle, or shorter.
+template <class Real>
+Real size_of_triangle(const std::array<Vector3Of<Real>, 3>& p, const std::array<Real, 4>& q) {
+  return size_of(p, std::sqrt(2 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])));
 }
 
 namespace detail {
@@ -96,32 +137,51 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
           detail::with_first_from_rest<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
 }
 
-/// Σ w|∇C|².
+/// Σ w|∇C|², or 0 where the gradient of the corners that can move is rounding (see least_lever).
 template <class Real, std::size_t N>
-Real weighted_square(const std::array<Point<Real>*, N>& points, const ConstraintValue<Real, N>& c) {
-  Real sum = 0;
-  for (std::size_t i = 0; i < N; ++i) sum += points[i]->w * c.gradient[i].squaredNorm();
-  return sum;
+Real weighted_square(const std::array<Real, N>& w, const ConstraintValue<Real, N>& c) {
+  Real sum = 0, whole = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    sum += w[i] * c.gradient[i].squaredNorm();
+    whole += c.gradient[i].squaredNorm();
+  }
+  return sum > least_lever<Real> * *std::max_element(w.begin(), w.end()) * whole ? sum : Real(0);
 }
 
-/// Δx = w ∇C Δλ.
 template <class Real, std::size_t N>
-void move_reference(const std::array<Point<Real>*, N>& points, const ConstraintValue<Real, N>& c,
-                    Real change) {
+std::array<Real, N> inverse_masses(const std::array<Corner<Real>, N>& corners) {
+  std::array<Real, N> w;
+  for (std::size_t i = 0; i < N; ++i) w[i] = corners[i].w;
+  return w;
+}
+
+/// No corner moves farther than this in one projection, m: of a distance, whose correction is no longer than itself.
+template <class Real>
+inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
+
+/// Δx = w ∇C Δλ, of a Δλ that is shortened where a corner would move farther than `reach`. Returns it.
+template <class Real, std::size_t N>
+Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
+                    Real reach) {
+  Real farthest = 0;
   for (std::size_t i = 0; i < N; ++i)
-    points[i]->set(points[i]->vector() + points[i]->w * change * c.gradient[i]);
+    farthest = std::max(farthest, std::abs(change) * corners[i].w * c.gradient[i].norm());
+  if (farthest > reach) change *= reach / farthest;
+  for (std::size_t i = 0; i < N; ++i) corners[i].move(corners[i].w * change * c.gradient[i]);
+  return change;
 }
 
-/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is given (α̃ = `compliance_over_h2`).
+/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is not null (α̃ = `compliance_over_h2`).
 template <class Real, std::size_t N>
-void project_reference(std::array<Point<Real>*, N> points, const ConstraintValue<Real, N>& c, Real k,
-                       Real* multiplier = nullptr, Real compliance_over_h2 = 0) {
+void project_reference(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
+                       Real* multiplier, Real compliance_over_h2, Real reach = anywhere<Real>) {
   if (!c.defined) return;
-  const Real sum = weighted_square(points, c) + compliance_over_h2;
-  if (!(sum > 0)) return;
-  const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / sum : -k * c.value / sum;
-  if (multiplier) *multiplier += change;
-  move_reference(points, c, change);
+  const Real w = weighted_square(inverse_masses(corners), c);
+  if (!(w > 0)) return;
+  const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / (w + compliance_over_h2)
+                                 : -k * c.value / w;
+  const Real done = move_reference(corners, c, change, reach);
+  if (multiplier) *multiplier += done;
 }
 
 /// Removes the fraction `k` of Ċ from the velocities: Δv = -k Ċ / Σ w|∇C|² w ∇C.
@@ -130,11 +190,13 @@ void damp_reference(const std::array<const Point<Real>*, N>& points,
                     const std::array<Point<Real>*, N>& velocities, const ConstraintValue<Real, N>& c,
                     Real k) {
   if (!c.defined) return;
-  Real sum = 0, rate = 0;
+  std::array<Real, N> w;
+  Real rate = 0;
   for (std::size_t i = 0; i < N; ++i) {
-    sum += points[i]->w * c.gradient[i].squaredNorm();
+    w[i] = points[i]->w;
     rate += c.gradient[i].dot(velocities[i]->vector());
   }
+  const Real sum = weighted_square(w, c);
   if (!(sum > 0)) return;
   for (std::size_t i = 0; i < N; ++i)
     velocities[i]->set(velocities[i]->vector() - k * rate / sum * points[i]->w * c.gradient[i]);
@@ -153,11 +215,13 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const El
 
 /// All constraints of a batch once, in the order of their lanes, or backwards.
 template <class Real>
-void project_reference(Point<Real>* points, DistanceBatch<Real>& batch, Real substep, bool backwards = false);
+void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+                       bool backwards = false);
 template <class Real>
-void project_reference(Point<Real>* points, StrainBatch<Real>& batch, Real substep, bool backwards = false);
+void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
+                       bool backwards = false);
 template <class Real, class Kind>
-void project_reference(Point<Real>* points, ElementBatch<Real, Kind>& batch, Real substep,
+void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
                        bool backwards = false);
 
 }  // namespace bendlab

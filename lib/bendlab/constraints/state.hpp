@@ -21,6 +21,15 @@ struct Contact {
   Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
 };
 
+/// Adds to `sum` and returns what the rounded sum lacks (Knuth 1969, theorem 4.2.2 B).
+template <class Real>
+BENDLAB_INLINE Real sum_with_remainder(Real& sum, Real change) {
+  const Real before = sum;
+  sum = before + change;
+  const Real done = sum - before;
+  return (before - (sum - done)) + (change - done);
+}
+
 /// Positions and velocities of a cloth, coordinates relative to `origin` so that float keeps its digits.
 /// The point arrays hold #V points and then the dummies that padded lanes of a batch point to.
 template <class Real>
@@ -29,8 +38,21 @@ struct State {
   Points<Real> position;     ///< w holds the inverse mass, 1/kg (0: pinned)
   Points<Real> previous;     ///< positions at the start of the substep
   Points<Real> velocity;     ///< m/s
+  /// In single precision under pbd, else empty: what the last digits of positions (between substeps) and velocities do not
+  /// hold. Positions and velocities are these sums.
+  Points<Real> position_remainder, velocity_remainder;
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
+  /// v += change, kept to the last digit of a small change where velocity_remainder is there.
+  void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {
+    Point<Real>& v = velocity[vertex];
+    if (velocity_remainder.empty()) return v.set(v.vector() + change);
+    Point<Real>& remainder = velocity_remainder[vertex];
+    remainder.x += sum_with_remainder(v.x, change.x());
+    remainder.y += sum_with_remainder(v.y, change.y());
+    remainder.z += sum_with_remainder(v.z, change.z());
+  }
+
   /// What obstacles found in this iteration, kept only where a listed effect uses contacts.
   std::vector<Contact<Real>> contacts;
 };

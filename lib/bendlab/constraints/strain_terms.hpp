@@ -19,6 +19,10 @@ struct Corners {
 
   PackVector<Real> first_edge() const { return b.position - a.position; }
   PackVector<Real> second_edge() const { return c.position - a.position; }
+
+  // Of the longest edge, or of how long the triangle is at rest.
+  BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const;
+  BENDLAB_INLINE Pack<Real> largest_w() const;
 };
 
 template <class Real>
@@ -43,15 +47,46 @@ BENDLAB_INLINE Pack<Real> absolute(const Pack<Real>& x) {
   return x < Pack<Real>{} ? -x : x;
 }
 
+template <class Real>
+BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
+  return x > y ? x : y;
+}
+
+template <class Real>
+BENDLAB_INLINE Pack<Real> Corners<Real>::size_squared(const Pack<Real>& at_rest) const {
+  const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
+  return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));
+}
+
+template <class Real>
+BENDLAB_INLINE Pack<Real> Corners<Real>::largest_w() const {
+  return larger<Real>(larger<Real>(a.w, b.w), c.w);
+}
+
+// A number of each corner: |∇C|².
+template <class Real>
+struct PerTriangle {
+  Pack<Real> a, b, c;
+
+  BENDLAB_INLINE Pack<Real> weighted_sum(const Corners<Real>& t) const {
+    return t.a.w * a + t.b.w * b + t.c.w * c;
+  }
+  BENDLAB_INLINE Pack<Real> sum() const { return a + b + c; }
+  // max w²|∇C|²: the square of how far a corner moves per multiplier.
+  BENDLAB_INLINE Pack<Real> farthest(const Corners<Real>& t) const {
+    return larger<Real>(larger<Real>(t.a.w * t.a.w * a, t.b.w * t.b.w * b), t.c.w * t.c.w * c);
+  }
+};
+
 // A gradient that is one direction scaled per corner (stretch), or a vector per corner (shear, area).
 template <class Real>
 struct Scaled {
   PackVector<Real> direction;
   Pack<Real> squared;  // |direction|²
   Pack<Real> gb, gc;
-  BENDLAB_INLINE Pack<Real> weighted_square(const Corners<Real>& t) const {
+  BENDLAB_INLINE PerTriangle<Real> squares() const {
     const Pack<Real> ga = gb + gc;
-    return (t.a.w * ga * ga + t.b.w * gb * gb + t.c.w * gc * gc) * squared;
+    return {ga * ga * squared, gb * gb * squared, gc * gc * squared};
   }
   BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
     t.a.position = t.a.position - scaled<Real>(s * mass.a.w * (gb + gc), direction);
@@ -66,9 +101,9 @@ struct Scaled {
 template <class Real>
 struct PerCorner {
   PackVector<Real> gb, gc;
-  BENDLAB_INLINE Pack<Real> weighted_square(const Corners<Real>& t) const {
+  BENDLAB_INLINE PerTriangle<Real> squares() const {
     const PackVector<Real> ga = gb + gc;
-    return t.a.w * dot(ga, ga) + t.b.w * dot(gb, gb) + t.c.w * dot(gc, gc);
+    return {dot(ga, ga), dot(gb, gb), dot(gc, gc)};
   }
   BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
     t.a.position = t.a.position - scaled<Real>(s * mass.a.w, gb + gc);
@@ -200,6 +235,7 @@ struct Stretch {
     return {was_collapsed, dot(f, d) - broadcast<Real>(1)};
   }
   static constexpr bool opens_normalised = true;
+  static constexpr bool overshoots = false;
 };
 
 template <class Real>
@@ -229,6 +265,7 @@ struct Shear {
     }
   }
   static constexpr bool opens_normalised = false;
+  static constexpr bool overshoots = true;  // as published
 };
 
 template <class Real>
@@ -245,6 +282,7 @@ struct Area {
     return {collapsed<Real>(dot(normal, normal) * inverse_rest * inverse_rest), broadcast<Real>(-1)};
   }
   static constexpr bool opens_normalised = false;
+  static constexpr bool overshoots = false;
 };
 
 }  // namespace

@@ -22,6 +22,22 @@ inline constexpr Real parallel_sine_squared = Real(1e-6);
 template <class Real>
 inline constexpr Real open_product = 4;
 
+/// Σ w|∇C|² over the free corners, as a share of max w · Σ|∇C|² over all, below which a gradient is rounding noise and the
+/// constraint does not act: 64 ε of the whole gradient, squared. A corner gets there whose lever vanishes by geometry (the
+/// only free end of a hinge's edge, where both triangles have their right angle at the other end): C / |∇C| is then noise over
+/// noise, and would throw it anywhere.
+template <class Real>
+inline constexpr Real least_lever = Real(64 * 64) * std::numeric_limits<Real>::epsilon() *
+                                    std::numeric_limits<Real>::epsilon();
+
+/// No projection moves a corner farther than this many sizes of its constraint (the longest distance between its corners,
+/// at rest or now, whichever is longer). Regular constraints stay below it (a hinge of equilateral triangles that opens by
+/// π moves by 1.1 edges); above it the linear step of a projection says nothing about the constraint.
+inline constexpr int largest_move = 2;
+
+/// The same of the published shear, whose own formula overshoots by up to 1 / sin: see parallel_sine_squared.
+inline constexpr int largest_published_move = 1000;
+
 /// Above this square of its ratio to its rest value an element is not corrected: a billion times too large in float, and
 /// the powers of it that projections take would overflow.
 template <class Real>

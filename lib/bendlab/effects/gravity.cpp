@@ -27,7 +27,7 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
              const Vector3Of<Real> change = context.substep * acceleration;
              State<Real>& state = context.state;
              for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v)
-               if (state.position[v].w > 0) state.velocity[v].set(state.velocity[v].vector() + change);
+               if (state.position[v].w > 0) state.accelerate(v, change);
              if (!change.isZero(0)) context.acted += static_cast<std::uint64_t>(state.vertex_count);
            }}};
 }

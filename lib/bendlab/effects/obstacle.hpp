@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -114,18 +115,27 @@ void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex
 }
 
 /// Moves points of the cloth Σ weight·vertex by `depth` along `normal`, by a push of each free vertex in
-/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives.
+/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives. Where the point lies next to
+/// pinned corners, the free ones have next to no weight: see least_lever and largest_move.
 template <class Real, std::size_t corners>
 void push_together(PassContext<Real>& context, const Step<Real>& step,
                    const std::array<std::size_t, corners>& vertices, const std::array<Real, corners>& weights,
                    const Vector3Of<Real>& normal, Real depth, bool contacts_used) {
-  Real yielding = 0;
+  const Points<Real>& points = context.state.position;
+  Real yielding = 0, whole = 0, largest_w = 0, largest_part = 0, size = 0;
+  for (std::size_t i = 0; i < corners; ++i) {
+    const Real w = points[vertices[i]].w;
+    yielding += weights[i] * weights[i] * w, whole += weights[i] * weights[i];
+    largest_w = std::max(largest_w, w), largest_part = std::max(largest_part, std::abs(weights[i]) * w);
+    for (std::size_t j = 0; j < i; ++j)
+      size = std::max(size, (points[vertices[i]].vector() - points[vertices[j]].vector()).norm());
+  }
+  if (!(yielding > least_lever<Real> * largest_w * whole)) return;
+  const Real farthest = largest_part / yielding * depth, most = largest_move * std::max(size, depth);
+  const Real done = farthest > most ? depth * most / farthest : depth;
   for (std::size_t i = 0; i < corners; ++i)
-    yielding += weights[i] * weights[i] * context.state.position[vertices[i]].w;
-  if (!(yielding > 0)) return;
-  for (std::size_t i = 0; i < corners; ++i)
-    if (const Real part = weights[i] * context.state.position[vertices[i]].w / yielding; part > 0)
-      push(context, step, vertices[i], normal, part * depth, contacts_used);
+    if (const Real part = weights[i] * points[vertices[i]].w / yielding; part > 0)
+      push(context, step, vertices[i], normal, part * done, contacts_used);
 }
 
 }  // namespace bendlab::obstacle

@@ -211,13 +211,17 @@ class SelfCollision {
     const Corners x = corners_of(pair, state.position);
     const Vector3 normal = gap.vector.normalized();
     std::array<double, 4> share;
-    double missing = target, shares = 0;
+    double missing = target, shares = 0, whole = 0, largest_w = 0, largest_share = 0, size = target;
     for (std::size_t i = 0; i < 4; ++i) {
+      const auto w = static_cast<double>(point(state, pair.place[i]).w);
       missing -= gap.weight[i] * normal.dot(x[i]);
-      share[i] = static_cast<double>(point(state, pair.place[i]).w) * gap.weight[i];
-      shares += share[i] * gap.weight[i];
+      share[i] = w * gap.weight[i];
+      shares += share[i] * gap.weight[i], whole += gap.weight[i] * gap.weight[i];
+      largest_w = std::max(largest_w, w), largest_share = std::max(largest_share, std::abs(share[i]));
+      for (std::size_t j = 0; j < i; ++j) size = std::max(size, (x[i] - x[j]).norm());
     }
-    if (!(missing > 0 && shares > 0)) return false;
+    if (!(missing > 0 && shares > static_cast<double>(least_lever<Real>) * largest_w * whole)) return false;
+    missing = std::min(missing, largest_move * size * shares / largest_share);  // no corner farther than that
     for (std::size_t i = 0; i < 4; ++i)
       if (share[i] != 0) move(pair.place[i], x[i] + missing / shares * share[i] * normal);
     return true;

@@ -34,8 +34,8 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   return {{"viscous_drag", Stage::damp, [drag_at = std::move(drag_at)](PassContext<Real>& context) {
              State<Real>& state = context.state;
              for (std::size_t v = 0; v < drag_at.size(); ++v) {
-               const Real kept = std::exp(-drag_at[v] * state.position[v].w * context.substep);
-               state.velocity[v].set(kept * state.velocity[v].vector());
+               const Real lost = std::expm1(-drag_at[v] * state.position[v].w * context.substep);
+               state.accelerate(v, lost * state.velocity[v].vector());
              }
              context.acted += drag_at.size();
            }}};

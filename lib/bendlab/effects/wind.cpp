@@ -161,7 +161,7 @@ class Wind {
     }
     for (std::size_t v = 0; v < impulse_.size(); ++v)
       if (state.position[v].w > 0)
-        state.velocity[v].set(state.velocity[v].vector() + state.position[v].w * impulse_[v]);
+        state.accelerate(v, state.position[v].w * impulse_[v]);
   }
 
  private:

@@ -55,12 +55,19 @@ struct Placed {
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
+  // Double precision has digits enough: at 4096 substeps a second it rounds velocities to 10⁻¹¹ m/s.
+  static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
+
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
       Base::find_divergence, Base::for_vertices, Base::place_, Base::run, Base::settings_, Base::state_,
       Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) : Base(input, input.place) {
+    if constexpr (keeps_remainders) {
+      moved_.resize(state_.position.size()), predicted_ = moved_;
+      state_.position_remainder = state_.velocity_remainder = moved_;
+    }
     fill_constraints(input);
     compile_plan(std::move(effect_passes));
   }
@@ -98,9 +105,11 @@ class PbdStep final : public TimeStep<Real> {
   // shorter parts, and each turns the strain that a longer one left into speed.
   int parts_of(PassContext<Real>& context) {
     before_forces_ = state_.velocity;
+    const Points<Real> remainder = state_.velocity_remainder;
     run(forces_, context);
     const Real gained = largest_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
     std::swap(state_.velocity, before_forces_);
+    state_.velocity_remainder = remainder;
     return parts_of_flight(gained * context.substep, settings_.flight_limit);
   }
 
@@ -174,10 +183,25 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
     };
+    // Effects that move vertices know whole positions only.
+    const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
+      const std::size_t first = passes.size();
+      for (const Stage stage : stages) add_effects(passes, stage);
+      if (keeps_remainders && passes.size() > first) {
+        passes[first].run = [this, run = std::move(passes[first].run)](PassContext<Real>& c) {
+          sum_up_positions();
+          run(c);
+        };
+        passes.back().run = [this, run = std::move(passes.back().run)](PassContext<Real>& c) {
+          run(c);
+          take_moves_over();
+        };
+      }
+    };
     add_effects(forces_, Stage::force);
     add_effects(before_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
-    add_effects(before_, Stage::predicted);
+    add_on_positions(before_, {Stage::predicted});
     const bool strain_first = settings_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     add_projection(constraints_.distance, distance_tiles_, "bending");
@@ -186,8 +210,7 @@ class PbdStep final : public TimeStep<Real> {
     });
     if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
     std::reverse(backward_.begin(), backward_.end());
-    add_effects(forward_, Stage::project);
-    add_effects(forward_, Stage::contact);
+    add_on_positions(forward_, {Stage::project, Stage::contact});
     for (std::size_t p = backward_.size(); p < forward_.size(); ++p) backward_.push_back(forward_[p]);
     after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
     add_effects(after_, Stage::velocity);
@@ -204,9 +227,72 @@ class PbdStep final : public TimeStep<Real> {
         {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, true); }, row});
   }
 
+  // Calls action(first, last) on parts of all vertices' numbers, x, y, z, w in a row, and waits for the last.
+  template <class Action>
+  void for_numbers(const Action& action) {
+    for_vertices([&](std::size_t first, std::size_t last) { action(4 * first, 4 * last); });
+  }
+
+  static Real* numbers(Points<Real>& points) { return &points.front().x; }
+
+  // previous + moved, as effects see it.
+  void sum_up_positions() {
+    const Real *const base = numbers(state_.previous), *const moved = numbers(moved_);
+    Real* const position = numbers(state_.position);
+    for_numbers([&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) position[i] = base[i] + moved[i];
+    });
+  }
+
+  // What effects changed of that. Where they changed nothing the difference is exactly 0.
+  void take_moves_over() {
+    const Real *const base = numbers(state_.previous), *const position = numbers(state_.position);
+    Real* const moved = numbers(moved_);
+    for_numbers([&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) moved[i] += position[i] - (base[i] + moved[i]);
+    });
+  }
+
+  // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's fourth number,
+  // never moves.
+  void predict_moves(Real h) {
+    std::swap(state_.previous, state_.position);
+    const Real *const remainder = numbers(state_.position_remainder), *const velocity = numbers(state_.velocity);
+    Real *const moved = numbers(moved_), *const predicted = numbers(predicted_);
+    for_numbers([&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
+    });
+  }
+
+  // Velocities change by what projections changed, so that nothing is lost of them where nothing projects.
+  void update_from_moves(Real h) {
+    const Real *const base = numbers(state_.previous), *const moved = numbers(moved_),
+                      *const predicted = numbers(predicted_);
+    Real *const position = numbers(state_.position), *const position_remainder = numbers(state_.position_remainder),
+                *const velocity = numbers(state_.velocity),
+                *const velocity_remainder = numbers(state_.velocity_remainder);
+    for_numbers([&](std::size_t first, std::size_t last) {
+      for (std::size_t i = first; i < last; ++i) {
+        velocity_remainder[i] += sum_with_remainder(velocity[i], (moved[i] - predicted[i]) / h);
+        Real sum = base[i];
+        position_remainder[i] = sum_with_remainder(sum, moved[i]);
+        position[i] = sum;
+      }
+    });
+  }
+
+  Places<Real> places() {
+    Point<Real>* const positions = state_.position.data();
+    if constexpr (keeps_remainders)
+      return {state_.previous.data(), moved_.data()};
+    else
+      return positions;
+  }
+
   void predict(Real h) {
     constraints_.for_each(
         [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
+    if constexpr (keeps_remainders) return predict_moves(h);
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         Point<Real>& p = state_.position[v];
@@ -219,14 +305,14 @@ class PbdStep final : public TimeStep<Real> {
 
   template <class Batch>
   void sweep(Batch& batch, const std::vector<RunRange>& tiles, Real h, bool backwards) {
-    Point<Real>* const points = state_.position.data();
+    const Places<Real> places = this->places();
     if (!batch.order.conflict_free) {
-      project_reference(points, batch, h, backwards);
+      project_reference(places, batch, h, backwards);
       return;
     }
     for (std::size_t step = 0; step < tiles.size(); ++step) {
       const RunRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
-      project(points, batch, range.first, range.last, h, backwards);
+      project(places, batch, range.first, range.last, h, backwards);
     }
     if (!tiles.empty()) return;
     const std::vector<std::size_t>&colours = batch.order.colours, &runs = batch.order.runs;
@@ -235,11 +321,15 @@ class PbdStep final : public TimeStep<Real> {
       const std::size_t first = colours[colour], last = colours[colour + 1];
       workers_.for_range(
           first, last, runs[last] - runs[first] >= worthwhile_lanes,
-          [&](std::size_t from, std::size_t to) { project(points, batch, from, to, h, backwards); });
+          [&](std::size_t from, std::size_t to) { project(places, batch, from, to, h, backwards); });
     }
   }
 
   void update(Real h) {
+    if constexpr (keeps_remainders) {
+      update_from_moves(h);
+      return find_divergence();
+    }
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Point<Real>&p = state_.position[v], &previous = state_.previous[v];
@@ -252,7 +342,8 @@ class PbdStep final : public TimeStep<Real> {
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
-  Points<Real> before_forces_;  // velocities; with flight_limit only
+  Points<Real> before_forces_;       // velocities; with flight_limit only
+  Points<Real> moved_, predicted_;  // m, since the start of the substep: now, and before projections; single precision
 };
 
 }  // namespace

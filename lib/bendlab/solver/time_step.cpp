@@ -148,11 +148,15 @@ bool TimeStep<Real>::within_bound(const Point<Real>& p) const {
 }
 
 template <class Real>
-Positions TimeStep<Real>::to_rows(const Points<Real>& points, const Vector3& origin) const {
+Positions TimeStep<Real>::to_rows(const Points<Real>& points, const Points<Real>& remainders,
+                                  const Vector3& origin) const {
   Positions rows(state_.vertex_count, 3);
-  for (int v = 0; v < state_.vertex_count; ++v)
-    rows.row(v) =
-        (points[place_of(static_cast<std::size_t>(v))].vector().template cast<double>() + origin).transpose();
+  for (int v = 0; v < state_.vertex_count; ++v) {
+    const std::size_t place = place_of(static_cast<std::size_t>(v));
+    Vector3 whole = points[place].vector().template cast<double>();
+    if (!remainders.empty()) whole += remainders[place].vector().template cast<double>();
+    rows.row(v) = (whole + origin).transpose();
+  }
   return rows;
 }
 

@@ -20,8 +20,12 @@ class TimeStep : public Simulation {
   double time() const final {
     return static_cast<double>(substeps_done_) * (settings_.dt / settings_.substeps);
   }
-  Positions positions() const final { return to_rows(state_.position, state_.origin); }
-  Positions velocities() const final { return to_rows(state_.velocity, Vector3::Zero()); }
+  Positions positions() const final {
+    return to_rows(state_.position, state_.position_remainder, state_.origin);
+  }
+  Positions velocities() const final {
+    return to_rows(state_.velocity, state_.velocity_remainder, Vector3::Zero());
+  }
   const Divergence& divergence() const final { return divergence_; }
   const std::vector<PassStatistics>& passes() const final { return statistics_; }
   double helper_seconds() const final { return workers_.helper_seconds(); }
@@ -73,7 +77,7 @@ class TimeStep : public Simulation {
  private:
   void fill_state(const SimulationInput& input);
   bool within_bound(const Point<Real>& p) const;
-  Positions to_rows(const Points<Real>& points, const Vector3& origin) const;
+  Positions to_rows(const Points<Real>& points, const Points<Real>& remainders, const Vector3& origin) const;
 
   void name_worst_triangle();
 
