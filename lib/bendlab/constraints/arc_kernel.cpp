@@ -9,6 +9,12 @@ struct PackKernel<ArcSpring> {
   using Laws = LawList<Law::exact, Law::polynomial>;
 
   template <class Real>
+  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const Pack<Real>& squared,
+                                                         const std::array<Pack<Real>, 1>& rest) {
+    return squared > rest[0] * rest[0];
+  }
+
+  template <class Real>
   BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 1>& rest) {
     return rest[0] * rest[0];
   }

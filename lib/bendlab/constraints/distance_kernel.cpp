@@ -75,7 +75,7 @@ void project_runs(const Places<Real>& places, DistanceBatch<Real>& batch, std::s
       PackPoints<Real> a;
       [[maybe_unused]] detail::BaseRows<Real> base;
       if constexpr (split)
-        base = detail::base_rows(places, centres, a);
+        base = detail::base_rows(places, centres, detail::moved_rows(places, centres), a);
       else
         a = gather(places.moved, centres);
       for (std::size_t group = 0; group < groups; ++group) {
@@ -83,16 +83,19 @@ void project_runs(const Places<Real>& places, DistanceBatch<Real>& batch, std::s
         prefetch(batch.b, lane + ahead);
         prefetch(batch.rest_length, lane + ahead);
         PackPoints<Real> b;
-        if constexpr (split)
-          b = base.relative(places, &batch.b[lane]);
-        else
+        [[maybe_unused]] detail::MovedRows<Real> moved;
+        if constexpr (split) {
+          moved = detail::moved_rows(places, &batch.b[lane]);
+          b = base.relative(places, &batch.b[lane], moved);
+        } else {
           b = gather(places.moved, &batch.b[lane]);
+        }
         if constexpr (kind == Alpha::own) alpha = compliance_over_h2 * load(&batch.softness[lane]);
         const PackVector<Real> move = project_pack<Real, compliant>(
             a, b, load(&batch.rest_length[lane]), batch.k, alpha,
             compliant ? &batch.multiplier[lane] : nullptr, {batch.rest_points, centres, &batch.b[lane]});
         if constexpr (split) {
-          scatter_added(places.moved, &batch.b[lane], move);
+          detail::scatter_moved(places, &batch.b[lane], moved, move);
         } else {
           b.position = b.position + move;
           scatter(places.moved, &batch.b[lane], b);

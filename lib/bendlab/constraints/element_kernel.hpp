@@ -24,7 +24,8 @@ struct LawList {};
 /// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest, law)`, there the
 /// value to be corrected by, and elsewhere 0 (see ConstraintValue).
 ///
-/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at rest; `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
+/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at rest, and
+/// `exceeds_rest_size(squared, rest)`, the lanes in which a squared length is larger than that; `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
 /// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
 /// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
 template <class Kind>
@@ -63,40 +64,59 @@ BENDLAB_INLINE std::array<Pack<Real>, N> load_rest(const std::array<LargeArray<R
   return packs;
 }
 
-// What ∇C says of a projection: how far it gets, and whether it is one.
 template <class Real>
-struct Leverage {
-  Pack<Real> weighted{};  // Σ w|∇C|²
-  Pack<Real> farthest{};  // max w²|∇C|²: the square of how far a corner moves per multiplier
-  PackMask<Real> acts;    // the gradient of the free corners is more than rounding
+BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
+  return x > y ? x : y;
+}
+
+template <class Real, std::size_t N>
+BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>& p,
+                                          const std::array<PackVector<Real>, N>& gradient) {
+  Pack<Real> sum{};
+  for (std::size_t i = 0; i < N; ++i) sum = sum + p[i].w * dot(gradient[i], gradient[i]);
+  return sum;
+}
+
+// The largest and the smallest inverse mass of the corners.
+template <class Real>
+struct Lightness {
+  Pack<Real> most, least;
 
   template <std::size_t N>
-  BENDLAB_INLINE Leverage(const std::array<PackPoints<Real>, N>& p,
-                          const std::array<PackVector<Real>, N>& gradient) {
-    Pack<Real> whole{}, largest_w{};
-    for (std::size_t i = 0; i < N; ++i) {
-      const Pack<Real> squared = dot(gradient[i], gradient[i]), part = p[i].w * squared, way = p[i].w * part;
-      weighted = weighted + part, whole = whole + squared;
-      farthest = way > farthest ? way : farthest;
-      largest_w = p[i].w > largest_w ? p[i].w : largest_w;
+  BENDLAB_INLINE explicit Lightness(const std::array<PackPoints<Real>, N>& p) : most(p[0].w), least(p[0].w) {
+    for (std::size_t i = 1; i < N; ++i) {
+      most = larger<Real>(most, p[i].w);
+      least = p[i].w < least ? p[i].w : least;
     }
-    acts = weighted > least_lever<Real> * largest_w * whole;
   }
+  // Lanes in which the gradient of the corners that can move may be rounding: others are held, or much heavier.
+  BENDLAB_INLINE PackMask<Real> uneven() const { return least < uneven_masses<Real> * most; }
 };
+
+// Lanes in which the gradient of the corners that can move is more than rounding.
+template <class Real, std::size_t N>
+BENDLAB_INLINE PackMask<Real> has_lever(const Pack<Real>& weighted, const Pack<Real>& largest_w,
+                                        const std::array<PackVector<Real>, N>& gradient) {
+  Pack<Real> whole{};
+  for (std::size_t i = 0; i < N; ++i) whole = whole + dot(gradient[i], gradient[i]);
+  return weighted > least_lever<Real> * largest_w * whole;
+}
 
 // Shortens a multiplier that would move a corner farther than largest_move sizes.
 template <class Kind, class Real>
-[[gnu::noinline]] Pack<Real> within_reach(const Pack<Real>& change, const Leverage<Real>& leverage,
+[[gnu::noinline]] Pack<Real> within_reach(const Pack<Real>& change,
+                                          const std::array<PackVector<Real>, Kind::arity>& gradient,
                                           const std::array<PackPoints<Real>, Kind::arity>& p,
                                           const std::array<Pack<Real>, Kind::rest_values>& rest) {
-  Pack<Real> size = PackKernel<Kind>::template rest_size_squared<Real>(rest);
-  for (std::size_t i = 0; i < Kind::arity; ++i)
+  Pack<Real> size = PackKernel<Kind>::template rest_size_squared<Real>(rest), farthest{};
+  for (std::size_t i = 0; i < Kind::arity; ++i) {
+    farthest = larger<Real>(farthest, p[i].w * p[i].w * dot(gradient[i], gradient[i]));
     for (std::size_t j = i + 1; j < Kind::arity; ++j) {
       const PackVector<Real> d = p[j].position - p[i].position;
-      const Pack<Real> squared = dot(d, d);
-      size = squared > size ? squared : size;
+      size = larger<Real>(size, dot(d, d));
     }
-  const Pack<Real> one = broadcast<Real>(1), way = change * change * leverage.farthest,
+  }
+  const Pack<Real> one = broadcast<Real>(1), way = change * change * farthest,
                    most = Real(largest_move * largest_move) * size;
   const auto too_far = way > most;
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
@@ -133,19 +153,31 @@ void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, 
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
        lane += static_cast<std::size_t>(lanes<Real>)) {
-    auto p = gather_corners<Real, split>(places, offsets_at(batch.corner, lane));
+    const auto offsets = offsets_at(batch.corner, lane);
+    std::array<PackPoints<Real>, Kind::arity> p;
+    [[maybe_unused]] std::array<MovedRows<Real>, Kind::arity> moved;
+    if constexpr (split) {
+      for (std::size_t i = 0; i < Kind::arity; ++i) moved[i] = moved_rows(places, offsets[i]);
+      const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
+      for (std::size_t i = 1; i < Kind::arity; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
+    } else {
+      for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = gather(places.moved, offsets[i]);
+    }
     const auto rest = load_rest(batch.rest, lane);
     constexpr std::integral_constant<typename Kind::Law, law> this_law;
     PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
     if (any(~c.defined)) [[unlikely]]
       c = opened<Kind>(c, p, rest, this_law, batch, lane);
-    const Leverage<Real> leverage(p, c.gradient);
-    Pack<Real> sum = leverage.weighted, alpha{}, multiplier{};
+    const Lightness<Real> w(p);
+    const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
+    PackMask<Real> acts = c.defined & (weighted > zero);
+    if (any(acts & w.uneven())) [[unlikely]]
+      acts = acts & has_lever<Real>(weighted, w.most, c.gradient);
+    Pack<Real> sum = weighted, alpha{}, multiplier{};
     if constexpr (compliant) {
       alpha = compliance_over_h2 * load(&batch.softness[lane]);
       if constexpr (!OneSided<Kind>) sum = sum + alpha;
     }
-    PackMask<Real> acts = c.defined & leverage.acts;
     if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
     const Pack<Real> divisor = acts ? sum : one;
     Pack<Real> change;
@@ -160,18 +192,20 @@ void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, 
     } else {
       change = acts ? -batch.k * c.value / divisor : zero;
     }
-    if (any(change * change * leverage.farthest > PackKernel<Kind>::template rest_size_squared<Real>(rest)))
+    // No corner moves farther than the root of this: w²|∇C|² is at most the largest w times Σ w|∇C|².
+    if (any(PackKernel<Kind>::template exceeds_rest_size<Real>(change * change * weighted * w.most, rest)))
         [[unlikely]]
-      change = within_reach<Kind>(change, leverage, p, rest);
+      change = within_reach<Kind>(change, c.gradient, p, rest);
     if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
     for (std::size_t i = 0; i < Kind::arity; ++i) {
       const PackVector<Real> move = scaled<Real>(change * p[i].w, c.gradient[i]);
-      if constexpr (split)
-        scatter_added(places.moved, &batch.corner[i][lane], move);
-      else
+      if constexpr (split) {
+        scatter_moved(places, offsets[i], moved[i], move);
+      } else {
         p[i].position = p[i].position + move;
+        scatter(places.moved, offsets[i], p[i]);
+      }
     }
-    if constexpr (!split) scatter_corners(places.moved, batch.corner, lane, p);
   }
 }
 
@@ -190,10 +224,10 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
         gradient = select(c.defined, gradient, PackVector<Real>{});
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
-    const Leverage<Real> leverage(p, c.gradient);
-    PackMask<Real> acts = c.defined & leverage.acts;
+    const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
+    PackMask<Real> acts = c.defined & has_lever<Real>(weighted, Lightness<Real>(p).most, c.gradient);
     if constexpr (OneSided<Kind>) acts = acts & (c.value < zero);
-    const Pack<Real> change = acts ? -k * rate / (acts ? leverage.weighted : one) : zero;
+    const Pack<Real> change = acts ? -k * rate / (acts ? weighted : one) : zero;
     for (std::size_t i = 0; i < Kind::arity; ++i)
       v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
     scatter_corners(velocities, batch.corner, lane, v);

@@ -8,6 +8,12 @@ struct PackKernel<HingeAngle> {
   using Laws = LawList<HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
 
   template <class Real>
+  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const Pack<Real>& squared,
+                                                         const std::array<Pack<Real>, 4>& rest) {
+    return squared * rest[1] * rest[1] > broadcast<Real>(1);
+  }
+
+  template <class Real>
   BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 4>& rest) {
     return 1 / (rest[1] * rest[1]);
   }

@@ -220,7 +220,8 @@ BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* of
   } else if constexpr (lanes<Real> == 8) {
 #if defined(__AVX512F__)
     const __m512d low = _mm512_castpd256_pd512((__m256d)load_point(point_at(points, offsets[0])));
-    return (Pack<Real>)_mm512_maskz_insertf64x4(0xff, low, (__m256d)load_point(point_at(points, offsets[4])), 1);
+    const __m256d high = (__m256d)load_point(point_at(points, offsets[4]));
+    return (Pack<Real>)_mm512_maskz_insertf64x4(0xff, low, high, 1);
 #else
     return concatenated(load_point(point_at(points, offsets[0])), load_point(point_at(points, offsets[4])),
                         std::make_integer_sequence<int, 8>{});
@@ -247,7 +248,7 @@ BENDLAB_INLINE void store_rows_by_fours(Point<Real>* points, const int* offsets,
   constexpr std::make_integer_sequence<int, 4> quad{};
   if constexpr (lanes<Real> == 16) {
 #if defined(__AVX512F__)
-    const __m256 low = _mm512_castps512_ps256((__m512)row);
+    const __m256 low = _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xf, (__m512d)row, 0));
     __m256 high = _mm256_castpd_ps(_mm512_maskz_extractf64x4_pd(0xf, (__m512d)row, 1));
     asm("" : "+x"(high));
     _mm_store_ps(&point_at(points, offsets[0]).x, _mm256_castps256_ps128(low));
@@ -290,61 +291,67 @@ BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
   return mask;
 }
 
-// base + moved of one point per lane, less the base of another, before they are transposed. The difference of bases comes
-// first: it is the one that is exact.
+// What the points of split places moved, a row of them each, before they are transposed.
+template <class Real>
+struct MovedRows {
+  Pack<Real> row[4];
+};
+
+template <class Real>
+BENDLAB_INLINE MovedRows<Real> moved_rows(const Places<Real>& places, const int* offsets) {
+  MovedRows<Real> moved;
+  for (int r = 0; r < 4; ++r) moved.row[r] = rows_by_fours<Real>(places.moved, offsets + r);
+  return moved;
+}
+
+// The bases of one point per lane, to which others are taken relative.
 template <class Real>
 struct BaseRows {
   Pack<Real> row[4];  // positions, 0 in the lanes of inverse masses
 
-  BENDLAB_INLINE PackPoints<Real> relative(const Places<Real>& places, const int* offsets) const {
+  // base + moved, less this base. The difference of bases comes first: it is the one that is exact.
+  BENDLAB_INLINE PackPoints<Real> relative(const Places<Real>& places, const int* offsets,
+                                           const MovedRows<Real>& moved) const {
     Pack<Real> sum[4];
-    for (int r = 0; r < 4; ++r)
-      sum[r] = (rows_by_fours(places.base, offsets + r) - row[r]) + rows_by_fours(places.moved, offsets + r);
+    for (int r = 0; r < 4; ++r) sum[r] = (rows_by_fours(places.base, offsets + r) - row[r]) + moved.row[r];
     transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
     return {{sum[0], sum[1], sum[2]}, sum[3]};
+  }
+  // The base alone, less this one.
+  BENDLAB_INLINE PackPoints<Real> relative_base(const Places<Real>& places, const int* offsets) const {
+    Pack<Real> difference[4];
+    for (int r = 0; r < 4; ++r) difference[r] = rows_by_fours(places.base, offsets + r) - row[r];
+    transpose<Real>(difference[0], difference[1], difference[2], difference[3]);
+    return {{difference[0], difference[1], difference[2]}, difference[3]};
   }
 };
 
 // The base at `offsets`, and the points there relative to it: what they moved, and their inverse masses.
 template <class Real>
 BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* offsets,
-                                        PackPoints<Real>& relative) {
+                                        const MovedRows<Real>& moved, PackPoints<Real>& relative) {
   const PackMask<Real> masses = inverse_mass_lanes<Real>();
   BaseRows<Real> base;
-  Pack<Real> moved[4];
+  Pack<Real> sum[4];
   for (int r = 0; r < 4; ++r) {
     const Pack<Real> whole = rows_by_fours(places.base, offsets + r), zero{};
     base.row[r] = masses ? zero : whole;
-    moved[r] = rows_by_fours(places.moved, offsets + r) + (masses ? whole : zero);
+    sum[r] = masses ? whole : moved.row[r];
   }
-  transpose<Real>(moved[0], moved[1], moved[2], moved[3]);
-  relative = {{moved[0], moved[1], moved[2]}, moved[3]};
+  transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
+  relative = {{sum[0], sum[1], sum[2]}, sum[3]};
   return base;
 }
 
-}  // namespace detail
-
-/// The corners of a constraint per lane; of split places relative to the base of the first corner.
-template <class Real, bool split, std::size_t N>
-BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_corners(const Places<Real>& places,
-                                                              const std::array<const int*, N>& offsets) {
-  std::array<PackPoints<Real>, N> corners;
-  if constexpr (split) {
-    const detail::BaseRows<Real> base = detail::base_rows(places, offsets[0], corners[0]);
-    for (std::size_t i = 1; i < N; ++i) corners[i] = base.relative(places, offsets[i]);
-  } else {
-    for (std::size_t i = 0; i < N; ++i) corners[i] = gather(places.moved, offsets[i]);
-  }
-  return corners;
-}
-
-/// Adds to the points at `offsets[0 .. lanes)`; none may stand twice.
+// Writes moved rows back, each point moved on by `change`; none may stand twice.
 template <class Real>
-BENDLAB_INLINE void scatter_added(Point<Real>* points, const int* offsets, const PackVector<Real>& change) {
+BENDLAB_INLINE void scatter_moved(const Places<Real>& places, const int* offsets, const MovedRows<Real>& moved,
+                                  const PackVector<Real>& change) {
   Pack<Real> row[4] = {change.x, change.y, change.z, Pack<Real>{}};
-  detail::transpose<Real>(row[0], row[1], row[2], row[3]);
-  for (int r = 0; r < 4; ++r)
-    detail::store_rows_by_fours(points, offsets + r, row[r] + detail::rows_by_fours(points, offsets + r));
+  transpose<Real>(row[0], row[1], row[2], row[3]);
+  for (int r = 0; r < 4; ++r) store_rows_by_fours(places.moved, offsets + r, moved.row[r] + row[r]);
 }
+
+}  // namespace detail
 
 }  // namespace bendlab

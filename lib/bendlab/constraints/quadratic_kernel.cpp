@@ -7,6 +7,12 @@ struct PackKernel<QuadraticBend> {
   using Laws = LawList<QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
 
   template <class Real>
+  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const Pack<Real>& squared,
+                                                         const std::array<Pack<Real>, 6>& rest) {
+    return squared > rest[5] * rest[5];
+  }
+
+  template <class Real>
   BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 6>& rest) {
     return rest[5] * rest[5];
   }

@@ -21,12 +21,12 @@ struct Contact {
   Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
 };
 
-/// Adds to `sum` and returns what the rounded sum lacks (Knuth 1969, theorem 4.2.2 B).
-template <class Real>
-BENDLAB_INLINE Real sum_with_remainder(Real& sum, Real change) {
-  const Real before = sum;
+/// Adds to `sum` and returns what the rounded sum lacks, of a number or a vector of them (Knuth 1969, theorem 4.2.2 B).
+template <class Number>
+BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
+  const Number before = sum;
   sum = before + change;
-  const Real done = sum - before;
+  const Number done = sum - before;
   return (before - (sum - done)) + (change - done);
 }
 
@@ -45,12 +45,16 @@ struct State {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /// v += change, kept to the last digit of a small change where velocity_remainder is there.
   void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {
-    Point<Real>& v = velocity[vertex];
-    if (velocity_remainder.empty()) return v.set(v.vector() + change);
-    Point<Real>& remainder = velocity_remainder[vertex];
-    remainder.x += sum_with_remainder(v.x, change.x());
-    remainder.y += sum_with_remainder(v.y, change.y());
-    remainder.z += sum_with_remainder(v.z, change.z());
+    using Quad = detail::QuadType<Real>::type;
+    const Quad by = {change.x(), change.y(), change.z(), 0};
+    Quad v = detail::load_point(velocity[vertex]);
+    if (!velocity_remainder.empty()) {
+      Point<Real>& remainder = velocity_remainder[vertex];
+      detail::store_point<Real>(remainder, detail::load_point(remainder) + sum_with_remainder<Quad>(v, by));
+    } else {
+      v = v + by;
+    }
+    detail::store_point<Real>(velocity[vertex], v);
   }
 
   /// What obstacles found in this iteration, kept only where a listed effect uses contacts.

@@ -8,14 +8,14 @@ namespace bendlab {
 namespace {
 
 // Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
-template <class Real, StrainForm form, class TermOf, class Gradient>
+template <class Real, StrainForm form, bool split, class TermOf, class Gradient>
 BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const TermOf& of,
-                                           const Corners<Real>& t, const StrainBatch<Real>& batch,
+                                           const Corners<Real, split>& t, const StrainBatch<Real>& batch,
                                            std::size_t lane) {
   Corners<Real> at_rest{};
   if (batch.rest_points != nullptr)
-    at_rest = {gather(batch.rest_points, &batch.a[lane]), gather(batch.rest_points, &batch.b[lane]),
-               gather(batch.rest_points, &batch.c[lane])};
+    at_rest.a = gather(batch.rest_points, &batch.a[lane]), at_rest.b = gather(batch.rest_points, &batch.b[lane]),
+    at_rest.c = gather(batch.rest_points, &batch.c[lane]);
   constexpr StrainForm form_at_rest = TermOf::opens_normalised ? StrainForm::normalised : form;
   const Term<Real, Gradient> rest = of.template term<form_at_rest>(at_rest);
   const Opening<Real> opening = of.template opening<form>(t, at_rest);
@@ -37,15 +37,15 @@ struct TriangleLanes {
   Pack<Real> alpha, stretch_alpha;  // XPBD: α̃
   std::array<Pack<Real>, 4> multipliers{};
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // of all terms so far
-  Corners<Real> moved{};  // by all terms so far; where places are split
+  Pack<Real> way{};  // of all terms so far: no corner moved farther than the root of this times the largest w
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
   // One projection of one term: PBD with the fraction k, or XPBD. `careful`: collapsed lanes take the gradient of their rest
-  // shape, and no corner moves too far; else `defined` says whether there are any that have collapsed.
+  // shape, what is rounding does not act, and no corner moves too far; else `defined` and `way` say whether it has to be.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
-  BENDLAB_INLINE void apply(Corners<Real>& t, const TermOf& of, Real k, const Pack<Real>& a,
+  BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
     auto term = of.template term<form>(t);
     if constexpr (careful)
@@ -55,7 +55,9 @@ struct TriangleLanes {
     const PerTriangle<Real> squares = term.gradient.squares();
     const Pack<Real> zero{}, one = broadcast<Real>(1), weighted = squares.weighted_sum(t);
     const Pack<Real> sum = compliant ? term.scale * term.scale * weighted + a : weighted;
-    const auto acts = term.defined & (weighted > least_lever<Real> * t.largest_w() * squares.sum());
+    PackMask<Real> acts = term.defined & (weighted > zero);
+    if constexpr (careful)
+      acts = acts & (weighted > least_lever<Real> * t.largest_w() * squares.sum());
     const Pack<Real> divisor = acts ? sum : one;
     Pack<Real> change, step{};  // along `gradient`; of the multiplier
     if constexpr (compliant) {
@@ -67,49 +69,68 @@ struct TriangleLanes {
     if constexpr (careful) {
       constexpr int most_sizes =
           TermOf::overshoots && form == StrainForm::normalised ? largest_published_move : largest_move;
-      const Pack<Real> way = change * change * squares.farthest(t),
+      const Pack<Real> farthest = change * change * squares.farthest(t),
                        most = Real(most_sizes * most_sizes) * t.size_squared(rest_size_squared());
-      const auto too_far = way > most;
-      const Pack<Real> share = too_far ? square_root(most / (too_far ? way : one)) : one;
+      const auto too_far = farthest > most;
+      const Pack<Real> share = too_far ? square_root(most / (too_far ? farthest : one)) : one;
       change = change * share, step = step * share;
+    } else {
+      way = larger<Real>(way, change * change * weighted);
     }
     if constexpr (compliant) multipliers[which] = multipliers[which] + step;
     term.gradient.add(t, change, t);
-    if constexpr (split) term.gradient.add(moved, change, t);
   }
 
   // Of a triangle with two sides of that length at a right angle; of others no longer than they are.
-  BENDLAB_INLINE Pack<Real> rest_size_squared() const {
-    return 2 / (q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11);
+  BENDLAB_INLINE Pack<Real> rest_size_squared() const { return 2 / squared_inverses(); }
+  BENDLAB_INLINE Pack<Real> squared_inverses() const {
+    return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
   }
 
-  // Whether a corner moved farther than the triangle is long at rest: then each term has to look.
-  BENDLAB_INLINE bool far(const PackVector<Real>& a, const PackVector<Real>& b,
-                          const PackVector<Real>& c) const {
-    const Pack<Real> farthest = larger<Real>(larger<Real>(dot(a, a), dot(b, b)), dot(c, c));
-    return any(~(farthest <= rest_size_squared()));
+  // Whether the triangles have to be projected carefully: one has collapsed, a corner moved farther than its triangle is long
+  // at rest, or corners are held (or much heavier), so that the gradient of the others may be rounding.
+  template <bool split>
+  BENDLAB_INLINE bool needs_care(const Corners<Real, split>& t) const {
+    const Pack<Real> w = t.largest_w();
+    return any(~defined | (way * w * squared_inverses() > 2) | (t.smallest_w() < uneven_masses<Real> * w));
   }
 
   template <StrainForm form, bool compliant, bool careful, bool split>
-  BENDLAB_INLINE void project(Corners<Real>& t) {
+  BENDLAB_INLINE void project(Corners<Real, split>& t) {
     const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
     Stretch<Real> warp{q.q00, q.q10}, weft{q.q01, q.q11};
     if constexpr (careful)
       warp.was_collapsed = warp.has_collapsed(t), weft.was_collapsed = weft.has_collapsed(t);
-    if (batch.warp != 0) apply<form, compliant, careful, split>(t, warp, batch.warp, stretch_alpha, 0);
-    if (batch.weft != 0) apply<form, compliant, careful, split>(t, weft, batch.weft, stretch_alpha, 1);
-    if (batch.shear != 0) apply<form, compliant, careful, split>(t, Shear<Real>{q}, batch.shear, alpha, 2);
-    if (batch.area != 0) apply<form, compliant, careful, split>(t, Area<Real>{determinant}, batch.area, alpha, 3);
+    if (batch.warp != 0) apply<form, compliant, careful>(t, warp, batch.warp, stretch_alpha, 0);
+    if (batch.weft != 0) apply<form, compliant, careful>(t, weft, batch.weft, stretch_alpha, 1);
+    if (batch.shear != 0) apply<form, compliant, careful>(t, Shear<Real>{q}, batch.shear, alpha, 2);
+    if (batch.area != 0) apply<form, compliant, careful>(t, Area<Real>{determinant}, batch.area, alpha, 3);
   }
 };
+
+template <class Real, bool split>
+BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places, const StrainBatch<Real>& batch,
+                                                     std::size_t lane) {
+  const int *const a = &batch.a[lane], *const b = &batch.b[lane], *const c = &batch.c[lane];
+  Corners<Real, split> t;
+  if constexpr (split) {
+    const detail::BaseRows<Real> base = detail::base_rows(places, a, detail::moved_rows(places, a), t.a);
+    const PackPoints<Real> first = base.relative_base(places, b), second = base.relative_base(places, c);
+    t.first_base = first.position, t.second_base = second.position;
+    t.b.position = gather(places.moved, b).position, t.b.w = first.w;
+    t.c.position = gather(places.moved, c).position, t.c.w = second.w;
+  } else {
+    t.a = gather(places.moved, a), t.b = gather(places.moved, b), t.c = gather(places.moved, c);
+  }
+  return t;
+}
 
 // False where the triangles have to be projected carefully; nothing is changed then.
 template <class Real, StrainForm form, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& batch, std::size_t lane,
                                  Real twice_compliance_over_h2) {
   const std::size_t count = batch.order.constraint_of_lane.size();
-  const auto corners = gather_corners<Real, split, 3>(places, {&batch.a[lane], &batch.b[lane], &batch.c[lane]});
-  Corners<Real> t{corners[0], corners[1], corners[2]};
+  Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
   if constexpr (compliant) {  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|); four times that on S_ii - 1
     const RestInverse<Real>& q = triangles.q;
@@ -117,26 +138,16 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
     triangles.stretch_alpha = form == StrainForm::green ? 4 * triangles.alpha : triangles.alpha;
     for (std::size_t m = 0; m < 4; ++m) triangles.multipliers[m] = load(&batch.multiplier[m * count + lane]);
   }
-  triangles.template project<form, compliant, careful, split>(t);
-  if constexpr (!careful) {
-    const Corners<Real>& moved = triangles.moved;
-    const bool far = split ? triangles.far(moved.a.position, moved.b.position, moved.c.position)
-                           : triangles.far(t.a.position - corners[0].position, t.b.position - corners[1].position,
-                                           t.c.position - corners[2].position);
-    if (far || any(~triangles.defined)) [[unlikely]]
+  triangles.template project<form, compliant, careful>(t);
+  if constexpr (!careful)
+    if (triangles.needs_care(t)) [[unlikely]]
       return false;
-  }
   if constexpr (compliant)
     for (std::size_t m = 0; m < 4; ++m) store(&batch.multiplier[m * count + lane], triangles.multipliers[m]);
-  if constexpr (split) {
-    scatter_added(places.moved, &batch.a[lane], triangles.moved.a.position);
-    scatter_added(places.moved, &batch.b[lane], triangles.moved.b.position);
-    scatter_added(places.moved, &batch.c[lane], triangles.moved.c.position);
-  } else {
-    scatter(places.moved, &batch.a[lane], t.a);
-    scatter(places.moved, &batch.b[lane], t.b);
-    scatter(places.moved, &batch.c[lane], t.c);
-  }
+  if constexpr (split) t.a.w = t.b.w = t.c.w = Pack<Real>{};  // they stand in the base
+  scatter(places.moved, &batch.a[lane], t.a);
+  scatter(places.moved, &batch.b[lane], t.b);
+  scatter(places.moved, &batch.c[lane], t.c);
   return true;
 }
 
@@ -201,9 +212,9 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
     Corners<Real> velocity{gather(velocities, &batch.a[lane]), gather(velocities, &batch.b[lane]),
                            gather(velocities, &batch.c[lane])};
     const RestInverse<Real> q(batch, lane);
-    if (batch.warp != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised>(t, q.q00, q.q10), k);
-    if (batch.weft != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised>(t, q.q01, q.q11), k);
-    if (batch.shear != 0) damp_term(t, velocity, shear<Real, StrainForm::normalised>(t, q), k);
+    if (batch.warp != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q00, q.q10), k);
+    if (batch.weft != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q01, q.q11), k);
+    if (batch.shear != 0) damp_term(t, velocity, shear<Real, StrainForm::normalised, false>(t, q), k);
     scatter(velocities, &batch.a[lane], velocity.a);
     scatter(velocities, &batch.b[lane], velocity.b);
     scatter(velocities, &batch.c[lane], velocity.c);

@@ -9,20 +9,40 @@
 namespace bendlab {
 namespace {
 
+template <class Real>
+BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
+  return x > y ? x : y;
+}
+
 //        c                 e1 = p_b - p_a, e2 = p_c - p_a
 //       / \                f1 = q00 e1 + q10 e2 (warp),  f2 = q01 e1 + q11 e2 (weft)
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
-template <class Real>
+
+// Of split places the corners are what they moved, and the bases' edges stand beside them: so nothing is lost of either.
+template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;
+  PackVector<Real> first_base, second_base;  // split only
 
-  PackVector<Real> first_edge() const { return b.position - a.position; }
-  PackVector<Real> second_edge() const { return c.position - a.position; }
-
+  BENDLAB_INLINE PackVector<Real> first_edge() const {
+    if constexpr (split) return first_base + (b.position - a.position);
+    return b.position - a.position;
+  }
+  BENDLAB_INLINE PackVector<Real> second_edge() const {
+    if constexpr (split) return second_base + (c.position - a.position);
+    return c.position - a.position;
+  }
+  BENDLAB_INLINE Pack<Real> largest_w() const { return larger<Real>(larger<Real>(a.w, b.w), c.w); }
+  BENDLAB_INLINE Pack<Real> smallest_w() const {
+    const Pack<Real> least = a.w < b.w ? a.w : b.w;
+    return least < c.w ? least : c.w;
+  }
   // Of the longest edge, or of how long the triangle is at rest.
-  BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const;
-  BENDLAB_INLINE Pack<Real> largest_w() const;
+  BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const {
+    const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
+    return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));
+  }
 };
 
 template <class Real>
@@ -47,33 +67,19 @@ BENDLAB_INLINE Pack<Real> absolute(const Pack<Real>& x) {
   return x < Pack<Real>{} ? -x : x;
 }
 
-template <class Real>
-BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
-  return x > y ? x : y;
-}
-
-template <class Real>
-BENDLAB_INLINE Pack<Real> Corners<Real>::size_squared(const Pack<Real>& at_rest) const {
-  const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
-  return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));
-}
-
-template <class Real>
-BENDLAB_INLINE Pack<Real> Corners<Real>::largest_w() const {
-  return larger<Real>(larger<Real>(a.w, b.w), c.w);
-}
-
 // A number of each corner: |∇C|².
 template <class Real>
 struct PerTriangle {
   Pack<Real> a, b, c;
 
-  BENDLAB_INLINE Pack<Real> weighted_sum(const Corners<Real>& t) const {
+  template <class Triangle>
+  BENDLAB_INLINE Pack<Real> weighted_sum(const Triangle& t) const {
     return t.a.w * a + t.b.w * b + t.c.w * c;
   }
   BENDLAB_INLINE Pack<Real> sum() const { return a + b + c; }
   // max w²|∇C|²: the square of how far a corner moves per multiplier.
-  BENDLAB_INLINE Pack<Real> farthest(const Corners<Real>& t) const {
+  template <class Triangle>
+  BENDLAB_INLINE Pack<Real> farthest(const Triangle& t) const {
     return larger<Real>(larger<Real>(t.a.w * t.a.w * a, t.b.w * t.b.w * b), t.c.w * t.c.w * c);
   }
 };
@@ -88,7 +94,8 @@ struct Scaled {
     const Pack<Real> ga = gb + gc;
     return {ga * ga * squared, gb * gb * squared, gc * gc * squared};
   }
-  BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
+  template <class Triangle, class Masses>
+  BENDLAB_INLINE void add(Triangle& t, const Pack<Real>& s, const Masses& mass) const {
     t.a.position = t.a.position - scaled<Real>(s * mass.a.w * (gb + gc), direction);
     t.b.position = t.b.position + scaled<Real>(s * mass.b.w * gb, direction);
     t.c.position = t.c.position + scaled<Real>(s * mass.c.w * gc, direction);
@@ -105,7 +112,8 @@ struct PerCorner {
     const PackVector<Real> ga = gb + gc;
     return {dot(ga, ga), dot(gb, gb), dot(gc, gc)};
   }
-  BENDLAB_INLINE void add(Corners<Real>& t, const Pack<Real>& s, const Corners<Real>& mass) const {
+  template <class Triangle, class Masses>
+  BENDLAB_INLINE void add(Triangle& t, const Pack<Real>& s, const Masses& mass) const {
     t.a.position = t.a.position - scaled<Real>(s * mass.a.w, gb + gc);
     t.b.position = t.b.position + scaled<Real>(s * mass.b.w, gb);
     t.c.position = t.c.position + scaled<Real>(s * mass.c.w, gc);
@@ -143,8 +151,8 @@ BENDLAB_INLINE PackMask<Real> in_bounds(const Pack<Real>& squared) {
   return (squared > least) & (squared < overgrown_square<Real>);
 }
 
-template <class Real, StrainForm form>
-BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real>& t, const Pack<Real>& gb,
+template <class Real, StrainForm form, bool split>
+BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, const Pack<Real>& gb,
                                                 const Pack<Real>& gc) {
   const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
   const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
@@ -159,8 +167,8 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real>& t, const Pa
 
 // Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise. Angle:
 // C = atan(f1·f2 / |f1 × f2|), ∇C along the same over |f1 × f2|.
-template <class Real, StrainForm form>
-BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const RestInverse<Real>& q) {
+template <class Real, StrainForm form, bool split>
+BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, const RestInverse<Real>& q) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
   const PackVector<Real> f1 = combination<Real>(q.q00, e1, q.q10, e2),
                          f2 = combination<Real>(q.q01, e1, q.q11, e2);
@@ -190,8 +198,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real>& t, const R
 }
 
 // C = A / A0 - 1, ∇C along e2 × n and n × e1 with the unnormalised normal.
-template <class Real>
-BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real>& t, const Pack<Real>& inverse_rest) {
+template <class Real, bool split>
+BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t, const Pack<Real>& inverse_rest) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge(), normal = cross(e1, e2);
   const Pack<Real> one = broadcast<Real>(1), squared = dot(normal, normal);
   const auto defined = in_bounds<Real>(squared * inverse_rest * inverse_rest);
@@ -219,17 +227,18 @@ struct Stretch {
   Pack<Real> gb, gc;
   PackMask<Real> was_collapsed{};  // before the triangle's first term
 
-  template <StrainForm form>
-  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
-    return stretch<Real, form>(t, gb, gc);
+  template <StrainForm form, bool split>
+  BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
+    return stretch<Real, form, split>(t, gb, gc);
   }
-  BENDLAB_INLINE PackMask<Real> has_collapsed(const Corners<Real>& t) const {
+  template <bool split>
+  BENDLAB_INLINE PackMask<Real> has_collapsed(const Corners<Real, split>& t) const {
     const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
     return collapsed<Real>(dot(f, f));
   }
   // C = f·d - 1 with the rest direction d, whatever another term has made of f: d is f at rest, of length 1.
-  template <StrainForm>
-  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>& at_rest) const {
+  template <StrainForm, bool split>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>& at_rest) const {
     const PackVector<Real> d = combination<Real>(gb, at_rest.first_edge(), gc, at_rest.second_edge());
     const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
     return {was_collapsed, dot(f, d) - broadcast<Real>(1)};
@@ -242,13 +251,13 @@ template <class Real>
 struct Shear {
   RestInverse<Real> q;
 
-  template <StrainForm form>
-  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
-    return shear<Real, form>(t, q);
+  template <StrainForm form, bool split>
+  BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
+    return shear<Real, form, split>(t, q);
   }
   // Where warp and weft are parallel.
-  template <StrainForm form>
-  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>&) const {
+  template <StrainForm form, bool split>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
     const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
     const PackVector<Real> f1 = combination<Real>(q.q00, e1, q.q10, e2),
                            f2 = combination<Real>(q.q01, e1, q.q11, e2);
@@ -272,12 +281,12 @@ template <class Real>
 struct Area {
   Pack<Real> inverse_rest;
 
-  template <StrainForm>
-  BENDLAB_INLINE auto term(const Corners<Real>& t) const {
+  template <StrainForm, bool split>
+  BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
     return area<Real>(t, inverse_rest);
   }
-  template <StrainForm>
-  BENDLAB_INLINE Opening<Real> opening(const Corners<Real>& t, const Corners<Real>&) const {
+  template <StrainForm, bool split>
+  BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
     const PackVector<Real> normal = cross(t.first_edge(), t.second_edge());
     return {collapsed<Real>(dot(normal, normal) * inverse_rest * inverse_rest), broadcast<Real>(-1)};
   }

@@ -1,6 +1,8 @@
 // Viscous drag: a force against the velocity of every free vertex, in proportion to its share of the cloth.
 #include <array>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
@@ -31,12 +33,17 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   std::vector<Real> drag_at(drag.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)
     drag_at[input.place_of(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
-  return {{"viscous_drag", Stage::damp, [drag_at = std::move(drag_at)](PassContext<Real>& context) {
+  return {{"viscous_drag", Stage::damp,
+           [drag_at = std::move(drag_at), lost = std::vector<Real>(), of_substep = Real(0)](
+               PassContext<Real>& context) mutable {
              State<Real>& state = context.state;
-             for (std::size_t v = 0; v < drag_at.size(); ++v) {
-               const Real lost = std::expm1(-drag_at[v] * state.position[v].w * context.substep);
-               state.accelerate(v, lost * state.velocity[v].vector());
+             if (std::exchange(of_substep, context.substep) != context.substep) {  // substeps are seldom cut
+               lost.resize(drag_at.size());
+               for (std::size_t v = 0; v < lost.size(); ++v)
+                 lost[v] = std::expm1(-drag_at[v] * state.position[v].w * context.substep);
              }
+             for (std::size_t v = 0; v < lost.size(); ++v)
+               state.accelerate(v, lost[v] * state.velocity[v].vector());
              context.acted += drag_at.size();
            }}};
 }

@@ -260,6 +260,7 @@ class PbdStep final : public TimeStep<Real> {
     const Real *const remainder = numbers(state_.position_remainder), *const velocity = numbers(state_.velocity);
     Real *const moved = numbers(moved_), *const predicted = numbers(predicted_);
     for_numbers([&](std::size_t first, std::size_t last) {
+#pragma GCC ivdep
       for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
     });
   }
@@ -271,12 +272,14 @@ class PbdStep final : public TimeStep<Real> {
     Real *const position = numbers(state_.position), *const position_remainder = numbers(state_.position_remainder),
                 *const velocity = numbers(state_.velocity),
                 *const velocity_remainder = numbers(state_.velocity_remainder);
+    const Real per_substep = 1 / h;
     for_numbers([&](std::size_t first, std::size_t last) {
+#pragma GCC ivdep  // six arrays
       for (std::size_t i = first; i < last; ++i) {
-        velocity_remainder[i] += sum_with_remainder(velocity[i], (moved[i] - predicted[i]) / h);
-        Real sum = base[i];
-        position_remainder[i] = sum_with_remainder(sum, moved[i]);
-        position[i] = sum;
+        Real v = velocity[i], x = base[i];
+        velocity_remainder[i] += sum_with_remainder(v, (moved[i] - predicted[i]) * per_substep);
+        position_remainder[i] = sum_with_remainder(x, moved[i]);
+        velocity[i] = v, position[i] = x;
       }
     });
   }
