@@ -91,6 +91,33 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"warp": 0.1}})", &stretched).empty());
 }
 
+TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
+  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of h² / (ρ a² n).
+  const double critical = 1.0 / 3600 / (0.2 * 0.0625 * 10);
+  const auto with = [](double compliance, const std::string& solver) {
+    return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": )" +
+           std::to_string(compliance) + R"(}}, "solver": {"iterations": 10, )" + solver + "}";
+  };
+  CHECK(codes_of(with(1.05 * critical, R"("substeps": 1)")).empty());
+  CHECK(codes_of(with(0.95 * critical, R"("substeps": 1)")) == Codes{"membrane_courant"});
+  CHECK(codes_of(with(0.3 * critical, R"("substeps": 2)")).empty());  // a quarter of it
+  CHECK(codes_of(with(0.6 * critical, R"("substeps": 1, "sweep": "symmetric")")).empty());
+  const std::string message = message_of("membrane_courant", with(critical / 10, R"("substeps": 1)"));
+  CHECK_THAT(message, ContainsSubstring("about 11 times") && ContainsSubstring("10 /solver/substeps"));
+}
+
+TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") {
+  const auto with = [](const char* excess, const char* k) {
+    return R"("mesh": {"cells": 4}, "bending": {"model": "prestressed", "k": )" + std::string(k) +
+           R"(, "prestressed": {"excess": )" + excess + "}}";
+  };
+  CHECK(codes_of(with("0.02", "1")).empty());
+  CHECK(codes_of(with("0.05", "0.1")).empty());
+  CHECK(codes_of(with("0.05", "0.5")) == Codes{"k_overshoot"});
+  CHECK(codes_of(with("0.2", "0.1")) == Codes{"k_overshoot"});
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "bending": {"model": "dihedral", "k": 1})").empty());
+}
+
 TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[warnings]") {
   std::set<std::string_view> codes;
   for (const WarningKind& kind : warning_kinds()) {
