@@ -49,6 +49,7 @@ constexpr double walks = 8;
 // A look copies positions and velocities, about 20 ns a vertex; a projection takes 2 to 5 ns. 1 % of what lies between.
 constexpr double projections_per_vertex_and_look = 1000;
 
+constexpr double roundings = 100;  // that a projected sheet at rest jitters by, of its size
 constexpr double strained = 0.01;      // a start pose above it has elastic energy that k does not state
 constexpr double unstrained_bending = 1e-3;  // of an edge: a correction below it is the pose's perturbation
 
@@ -76,6 +77,11 @@ bool is_obstacle(std::string_view type) {
   constexpr std::array<std::string_view, 5> obstacles = {"plane", "sphere", "capsule", "disc",
                                                          "mesh_obstacle"};
   return std::ranges::find(obstacles, type) != obstacles.end();
+}
+
+double epsilon_of(const Scene& scene) {
+  return scene.precision == Precision::double_precision ? std::numeric_limits<double>::epsilon()
+                                                        : double{std::numeric_limits<float>::epsilon()};
 }
 
 // Does work on the cloth besides gravity. Wind of air at rest only takes energy.
@@ -303,12 +309,15 @@ void Plausibility::find_start() {
   for (std::size_t v = 0; v < input.mass.size(); ++v)
     centre_at_start_ += input.mass[v] / mass_ * row(input.positions, static_cast<Eigen::Index>(v));
   energy_at_start_ = motion.kinetic_energy + elastic;
-  energy_scale_ = energy_at_start_ + mass_ * gravity_.norm() * scene_.rest.size();
 
   StretchMeter meter(scene_.rest, scene_.pins);
   double largest = 0;
   for (const PrincipalStretches& s : meter.measure(input.positions))
     largest = std::max({largest, s.largest - 1, 1 - s.smallest});
+  // What a pose is strained, be it by rounding, k may take back within a substep.
+  const double size = scene_.rest.size(), back = size * (largest + roundings * epsilon_of(scene_));
+  snap_ = back * input.settings.substeps / input.settings.dt;
+  energy_scale_ = energy_at_start_ + mass_ * (gravity_.norm() * size + 0.5 * snap_ * snap_);
   const bool membrane_told =
       input.strain_stiffness.kind == StiffnessKind::compliance && input.strain_stiffness.compliance > 0;
   const bool bending_told =
@@ -483,7 +492,7 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
   const double highest = -(scene_.input.positions * scene_.down).minCoeff();
   fall += std::max(0.0, highest - -row(positions, fastest).dot(scene_.down));
   const double of_energy = 2 * energy_at_start_ / mass_;
-  const double limit = whip * std::sqrt(speed_at_start_ * speed_at_start_ + of_energy +
+  const double limit = whip * std::sqrt(speed_at_start_ * speed_at_start_ + snap_ * snap_ + of_energy +
                                         2 * gravity_.norm() * fall);
   if (!(square > limit * limit)) return std::nullopt;
   return BrokenBound{.bound = Bound::speed,
@@ -504,9 +513,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
               (0.5 * velocities.row(vertex).squaredNorm() -
                (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
   }
-  // Rounding at rest, without gravity: a speed that no energy scale knows.
   const double gain = energy - energy_at_start_, limit = largest_energy_gain * energy_scale_;
-  if (!(gain > limit) || !(energy_scale_ > 0)) return std::nullopt;
+  if (!(gain > limit)) return std::nullopt;
   Eigen::Index fastest = 0;
   velocities.rowwise().squaredNorm().maxCoeff(&fastest);
   return BrokenBound{
@@ -524,16 +532,14 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
     velocity += input.mass[v] / mass_ * row(velocities, static_cast<Eigen::Index>(v));
     centre += input.mass[v] / mass_ * row(positions, static_cast<Eigen::Index>(v));
   }
-  const bool in_double = scene_.precision == Precision::double_precision;
-  const double epsilon =
-      in_double ? std::numeric_limits<double>::epsilon() : double{std::numeric_limits<float>::epsilon()};
-  const double farthest = std::sqrt((positions.rowwise() - input.origin.transpose()).rowwise().squaredNorm().maxCoeff());
+  const double farthest =
+      std::sqrt((positions.rowwise() - input.origin.transpose()).rowwise().squaredNorm().maxCoeff());
   const SolverSettings& solver = input.settings;
   const double substeps = time / solver.dt * solver.substeps, vertices = scene_.rest.vertex_count();
   const double constraints = static_cast<double>(input.strain.size() + input.distance.size() +
                                                  element_count(input.elements));
   const double walk = std::sqrt(4 * constraints * substeps * solver.projections_per_substep()) / vertices;
-  const double rounding = epsilon * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);
+  const double rounding = epsilon_of(scene_) * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);
   const double fallen = gravity_.norm() * time;
   const double fastest = std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());
   const double moving = fallen + velocity_at_start_.norm();

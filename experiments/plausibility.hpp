@@ -114,6 +114,7 @@ class Plausibility {
   std::vector<double> reach_;                               // #V, m
   double fall_ = 0;                       // m, how deep a vertex can fall before its pin holds it
   double speed_at_start_ = 0;             // m/s, the fastest
+  double snap_ = 0;                       // m/s, at which a barely strained start may come back
   double energy_at_start_ = 0;            // J, kinetic and, where it is known, elastic
   double energy_scale_ = 0;               // J
   Vector3 velocity_at_start_, centre_at_start_;
