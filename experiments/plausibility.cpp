@@ -20,16 +20,17 @@ namespace {
 
 // ---- The limits. Each is what the scene cannot do, times a margin for what an honest solver leaves.
 
-// A membrane of k, or of no compliance, is one that does not stretch. What iterations leave of that: on 16 cells the paper's
-// scene has triangles 1.5 times their length at rest and, where its swing ends, 2.2 times for a moment. Twice is the bound
-// above which the paper's own figure 1 calls a pin wrong; woven cloth tears at 1.1 to 1.3.
+// A membrane of k, or of no compliance, is one that does not stretch. What iterations leave of that: on 16
+// cells the paper's scene has triangles 1.5 times their length at rest and, where its swing ends, 2.2 times
+// for a moment. Twice is the bound above which the paper's own figure 1 calls a pin wrong; woven cloth tears
+// at 1.1 to 1.3.
 constexpr double largest_stretch = 3, largest_lasting_stretch = 2;
 // The mean over all triangles: 0.04 there on 16 cells, and 0.06 at most for a moment.
 constexpr double largest_mean_strain = 0.3, largest_lasting_mean_strain = 0.2;
 constexpr double moment = 0.5;  // s: what passes a lasting limit for longer is no swing's end
 
-// Of a membrane with a compliance: a sudden load stretches twice as far as a resting one, and a corner's triangles carry it
-// unevenly, the first again twice its share.
+// Of a membrane with a compliance: a sudden load stretches twice as far as a resting one, and a corner's
+// triangles carry it unevenly, the first again twice its share.
 constexpr double sudden_and_uneven = 4;
 
 // Along the way from a pin, whose triangles are not all stretched as far as the worst may be.
@@ -38,19 +39,22 @@ constexpr double largest_way_stretch = 1.5;
 // A tip that whips is faster than what fell: it has the energy of what hangs on it. A factor of 16 in energy.
 constexpr double whip = 4;
 
-// Of the energy scale. PBD's energy may rise: forward sweeps at small steps leave up to 1 m/s (0.04 of a metre's weight).
+// Of the energy scale. PBD's energy may rise: forward sweeps at small steps leave up to 1 m/s (0.04 of a
+// metre's weight).
 constexpr double largest_energy_gain = 0.25;
 
-// Of g t, v0 and the fastest vertex. Where gravity acts rounding gets nothing on top of it: it may not be lost to rounding.
+// Of g t, v0 and the fastest vertex. Where gravity acts rounding gets nothing on top of it: it may not be
+// lost to rounding.
 constexpr double momentum_share = 0.01;
 // Without gravity: times what rounding adds up to as a random walk. As the page of stability has it.
 constexpr double walks = 8;
 
-// A look copies positions and velocities, about 20 ns a vertex; a projection takes 2 to 5 ns. 1 % of what lies between.
+// A look copies positions and velocities, about 20 ns a vertex; a projection takes 2 to 5 ns. 1 % of what
+// lies between.
 constexpr double projections_per_vertex_and_look = 1000;
 
-constexpr double roundings = 100;  // that a projected sheet at rest jitters by, of its size
-constexpr double strained = 0.01;      // a start pose above it has elastic energy that k does not state
+constexpr double roundings = 100;            // that a projected sheet at rest jitters by, of its size
+constexpr double strained = 0.01;            // a start pose above it has elastic energy that k does not state
 constexpr double unstrained_bending = 1e-3;  // of an edge: a correction below it is the pose's perturbation
 
 constexpr std::array<std::string_view, 8> bound_names = {"finite", "stretch",  "mean_strain", "reach",
@@ -140,7 +144,8 @@ std::array<Vector3, N> corners(const Positions& positions, const std::array<int,
   return p;
 }
 
-// visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where it is -1.
+// visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where
+// it is -1.
 template <class Visit>
 void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
                      Visit visit) {
@@ -221,9 +226,10 @@ std::string text_of(const BrokenBound& broken) {
         return fmt::format("the mean strain is {:.3g}, where {:.3g} is more than its cloth can have",
                            measured, limit);
       case Bound::reach:
-        return fmt::format("vertex {} is {:.3g} m away from its nearest pin, and the cloth between is {:.3g} "
-                           "m long where it is stretched",
-                           vertex, measured, limit);
+        return fmt::format(
+            "vertex {} is {:.3g} m away from its nearest pin, and the cloth between is {:.3g} "
+            "m long where it is stretched",
+            vertex, measured, limit);
       case Bound::speed:
         return fmt::format("vertex {} is at {:.3g} m/s, and falling as deep as it can it would have {:.3g}",
                            vertex, measured, limit);
@@ -235,31 +241,33 @@ std::string text_of(const BrokenBound& broken) {
             "the centre of mass is {:.3g} m from v0 t + g t²/2, where {:.3g} would be rounding", measured,
             limit);
       case Bound::energy:
-        return fmt::format("kinetic energy and that of weight are {:.3g} J above those at the start, of which "
-                           "{:.3g} would be the solver's",
-                           measured, limit);
+        return fmt::format(
+            "kinetic energy and that of weight are {:.3g} J above those at the start, of which "
+            "{:.3g} would be the solver's",
+            measured, limit);
     }
     return std::string();
   }();
-  const std::string cause =
-      correction.kind.empty() ? ""
-                              : fmt::format("; there the constraint of kind {} asks for the largest correction, "
-                                            "{:.3g} m",
-                                            correction.kind, correction.length);
-  return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause, advice.empty() ? "" : ". Measured to help: ",
-                     advice);
+  const std::string cause = correction.kind.empty()
+                                ? ""
+                                : fmt::format(
+                                      "; there the constraint of kind {} asks for the largest correction, "
+                                      "{:.3g} m",
+                                      correction.kind, correction.length);
+  return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause,
+                     advice.empty() ? "" : ". Measured to help: ", advice);
 }
 
 Json to_json(const BrokenBound& broken) {
-  return {{"bound", name_of(broken.bound)},
-          {"measured", number(broken.measured)},
-          {"limit", number(broken.limit)},
-          {"unit", unit_of(broken.bound)},
-          {"time", number(broken.time)},
-          {"vertex", broken.vertex},
-          {"constraint",
-           {{"kind", broken.correction.kind}, {"correction", number(broken.correction.length)}}},
-          {"advice", broken.advice}};
+  return {
+      {"bound", name_of(broken.bound)},
+      {"measured", number(broken.measured)},
+      {"limit", number(broken.limit)},
+      {"unit", unit_of(broken.bound)},
+      {"time", number(broken.time)},
+      {"vertex", broken.vertex},
+      {"constraint", {{"kind", broken.correction.kind}, {"correction", number(broken.correction.length)}}},
+      {"advice", broken.advice}};
 }
 
 std::optional<BrokenBound> broken_bound_of(const Json& json) try {
@@ -296,7 +304,8 @@ void Plausibility::find_what_drives() {
           std::ranges::all_of(scene_.effects, keeps_momentum);
 }
 
-// Kinetic energy, and of elastic energy what compliances state. k states none: of a strained start it is then not known.
+// Kinetic energy, and of elastic energy what compliances state. k states none: of a strained start it is then
+// not known.
 void Plausibility::find_start() {
   const SimulationInput& input = scene_.input;
   const Positions zero = Positions::Zero(input.positions.rows(), 3);
@@ -315,7 +324,8 @@ void Plausibility::find_start() {
   for (const PrincipalStretches& s : meter.measure(input.positions))
     largest = std::max({largest, s.largest - 1, 1 - s.smallest});
   // What a pose is strained, be it by rounding, k may take back within a substep.
-  const double size = scene_.rest.size(), back = size * (largest + roundings * epsilon_of(scene_));
+  const double size = scene_.rest.size(),
+               back = size * (std::min(largest, strained) + roundings * epsilon_of(scene_));
   snap_ = back * input.settings.substeps / input.settings.dt;
   energy_scale_ = energy_at_start_ + mass_ * (gravity_.norm() * size + 0.5 * snap_ * snap_);
   const bool membrane_told =
@@ -332,8 +342,9 @@ void Plausibility::find_start() {
                   largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();
 }
 
-// A membrane's compliance α is 1 over its stiffness in N/m: a load W on a width w strains it by α W / w, an impact at the speed v
-// by v over the membrane's wave speed, v √(α ρ); and all the energy E there is, by √(2 α E / A) in the mean over the area A.
+// A membrane's compliance α is 1 over its stiffness in N/m: a load W on a width w strains it by α W / w, an
+// impact at the speed v by v over the membrane's wave speed, v √(α ρ); and all the energy E there is, by √(2
+// α E / A) in the mean over the area A.
 void Plausibility::find_stretch_limits() {
   const SimulationInput& input = scene_.input;
   const StrainStiffness& strain = input.strain_stiffness;
@@ -374,7 +385,8 @@ void Plausibility::find_stretch_limits() {
   }
 }
 
-// From each vertex's nearest pin: the way along the cloth, stretched, and the pin's own triangles as far as these may be.
+// From each vertex's nearest pin: the way along the cloth, stretched, and the pin's own triangles as far as
+// these may be.
 void Plausibility::find_reach() {
   if (scene_.pins.all.empty() || !std::isfinite(stretch_)) return;
   const Positions& start = scene_.input.positions;
@@ -427,7 +439,8 @@ double Plausibility::needed_stretch(const Positions& positions) const {
 void Plausibility::keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
                         const Positions& positions) const {
   found.time = time;
-  if (found.bound != Bound::finite) found.correction = worst_correction(scene_.input, positions, found.vertex);
+  if (found.bound != Bound::finite)
+    found.correction = worst_correction(scene_.input, positions, found.vertex);
   kept = std::move(found);
 }
 
@@ -501,7 +514,8 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
                      .vertex = static_cast<int>(fastest)};
 }
 
-// Elastic energy counts at the start only: what iterations leave of a stiff membrane's strain would be far more than there is.
+// Elastic energy counts at the start only: what iterations leave of a stiff membrane's strain would be far
+// more than there is.
 std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positions,
                                                         const Positions& velocities) const {
   if (driven_ || !energy_known_) return std::nullopt;
@@ -509,9 +523,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
   double energy = 0;
   for (std::size_t v = 0; v < input.mass.size(); ++v) {
     const auto vertex = static_cast<Eigen::Index>(v);
-    energy += input.mass[v] *
-              (0.5 * velocities.row(vertex).squaredNorm() -
-               (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
+    energy += input.mass[v] * (0.5 * velocities.row(vertex).squaredNorm() -
+                               (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
   }
   const double gain = energy - energy_at_start_, limit = largest_energy_gain * energy_scale_;
   if (!(gain > limit)) return std::nullopt;
@@ -521,8 +534,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
       .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
 }
 
-// One rounding of a coordinate at the distance d is a speed of ε d / h; projections add them up as a random walk does (each
-// has at most four points), which the mean over the vertices makes small.
+// One rounding of a coordinate at the distance d is a speed of ε d / h; projections add them up as a random
+// walk does (each has at most four points), which the mean over the vertices makes small.
 std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
                                                           const Positions& velocities) const {
   if (!free_ || !(time > 0)) return std::nullopt;
@@ -536,8 +549,8 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
       std::sqrt((positions.rowwise() - input.origin.transpose()).rowwise().squaredNorm().maxCoeff());
   const SolverSettings& solver = input.settings;
   const double substeps = time / solver.dt * solver.substeps, vertices = scene_.rest.vertex_count();
-  const double constraints = static_cast<double>(input.strain.size() + input.distance.size() +
-                                                 element_count(input.elements));
+  const double constraints =
+      static_cast<double>(input.strain.size() + input.distance.size() + element_count(input.elements));
   const double walk = std::sqrt(4 * constraints * substeps * solver.projections_per_substep()) / vertices;
   const double rounding = epsilon_of(scene_) * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);
   const double fallen = gravity_.norm() * time;
@@ -578,8 +591,7 @@ void Plausibility::look_at_stretch(double time, double mean_strain, const std::v
   };
   const auto triangle = static_cast<Eigen::Index>(largest - stretches.begin());
   const int vertex = scene_.rest.triangles()(triangle, 0);
-  const double limit =
-      limit_passed(stretch, needed * stretch_, needed * lasting_stretch_, stretch_lasts_);
+  const double limit = limit_passed(stretch, needed * stretch_, needed * lasting_stretch_, stretch_lasts_);
   if (std::isfinite(limit))
     return keep(broken_stretch_,
                 {.bound = Bound::stretch, .measured = stretch, .limit = limit, .vertex = vertex}, time,

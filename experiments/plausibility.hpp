@@ -1,5 +1,5 @@
-// Whether a run can be: looked at beside it, against bounds that its scene cannot break whatever the settings of the
-// solver are. `complete` says that a run went to its end; this says whether its end can be believed.
+// Whether a run can be: looked at beside it, against bounds that its scene cannot break whatever the settings
+// of the solver are. `complete` says that a run went to its end; this says whether its end can be believed.
 #pragma once
 
 #include <limits>
@@ -13,7 +13,8 @@
 
 namespace bendlab {
 
-/// What a run may not do. plausibility.cpp says of each when it is looked at, and why its limit is what it is.
+/// What a run may not do. plausibility.cpp says of each when it is looked at, and why its limit is what it
+/// is.
 enum class Bound {
   finite,       ///< a coordinate or a velocity is not a number
   stretch,      ///< the most stretched triangle, times its rest length
@@ -29,7 +30,8 @@ std::string_view unit_of(Bound bound);
 
 /// The constraint that wants to move a vertex farthest in one projection at k = 1.
 struct Correction {
-  std::string kind;   ///< "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
+  std::string
+      kind;  ///< "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
   double length = 0;  ///< m
 };
 
@@ -48,7 +50,8 @@ struct BrokenBound {
 
 /// "at t = 0.5 s vertex 12 is 170 m from its pin, where the cloth reaches 0.5 m; …", with the advice.
 std::string text_of(const BrokenBound& broken);
-/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not finite are null.
+/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not
+/// finite are null.
 Json to_json(const BrokenBound& broken);
 /// Back from to_json(); nothing where it is not that.
 std::optional<BrokenBound> broken_bound_of(const Json& json);
@@ -58,15 +61,16 @@ class Plausibility {
   /// The limits that follow from the scene, which must outlive this.
   explicit Plausibility(const Scene& scene);
 
-  /// To be called after every step: looks at positions and velocities, where they have to be copied for that only after so
-  /// many projections that a look costs less than 1 % of them. `always`: now, as at every recorded frame.
+  /// To be called after every step: looks at positions and velocities, where they have to be copied for that
+  /// only after so many projections that a look costs less than 1 % of them. `always`: now, as at every
+  /// recorded frame.
   void look(const Simulation& simulation, bool always);
 
   /// The same on values (#V by 3, m and m/s) at a time in s.
   void look(double time, const Positions& positions, const Positions& velocities);
 
-  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T, the larger
-  /// principal one of every triangle.
+  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T, the
+  /// larger principal one of every triangle.
   void look_at_stretch(double time, double mean_strain, const std::vector<float>& stretches,
                        const Positions& positions);
 
@@ -112,11 +116,11 @@ class Plausibility {
   std::vector<PinPair> pin_pairs_;                          // of moving pins
   std::vector<int> pin_;                                    // #V, the nearest; -1: none
   std::vector<double> reach_;                               // #V, m
-  double fall_ = 0;                       // m, how deep a vertex can fall before its pin holds it
-  double speed_at_start_ = 0;             // m/s, the fastest
-  double snap_ = 0;                       // m/s, at which a barely strained start may come back
-  double energy_at_start_ = 0;            // J, kinetic and, where it is known, elastic
-  double energy_scale_ = 0;               // J
+  double fall_ = 0;             // m, how deep a vertex can fall before its pin holds it
+  double speed_at_start_ = 0;   // m/s, the fastest
+  double snap_ = 0;             // m/s, at which a barely strained start may come back
+  double energy_at_start_ = 0;  // J, kinetic and, where it is known, elastic
+  double energy_scale_ = 0;     // J
   Vector3 velocity_at_start_, centre_at_start_;
 
   std::uint64_t projections_looked_at_ = 0;

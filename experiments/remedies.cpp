@@ -10,9 +10,9 @@
 namespace bendlab {
 namespace {
 
-// The trials: scenes that broke a bound, each with one thing changed. Numbers are the worst stretch of any triangle in any
-// frame of 2 s. A sheet of 1 m under gravity, steps of 1/60 s × 10 iterations, normalised form, single precision, k = 0.5,
-// unless it says otherwise.
+// The trials: scenes that broke a bound, each with one thing changed. Numbers are the worst stretch of any
+// triangle in any frame of 2 s. A sheet of 1 m under gravity, steps of 1/60 s × 10 iterations, normalised
+// form, single precision, k = 0.5, unless it says otherwise.
 //
 //   a  crossover, 64 cells, one corner's vertex pinned (the paper's)    e  dihedral, k = 0.01, 24 cells alternating, hung from
 //   b  none, 32 cells, pinned so                                           its top at 90 degrees, 0.05 m/s sideways
@@ -39,13 +39,14 @@ namespace {
 //   pins/ring 1                   37   1111     19     96  10050   9697     diverges      -       1.0
 //   model: isometric               -      -      -      -      -    1.6       1.2         -       1.2
 //
-// Tethers mend what tears at a pin, for nothing; substeps, each with all its iterations, mend it at their price; neither mends
-// hinges, and another model does. What is in the table and not named below did not help, or not in most.
+// Tethers mend what tears at a pin, for nothing; substeps, each with all its iterations, mend it at their
+// price; neither mends hinges, and another model does. What is in the table and not named below did not help,
+// or not in most.
 //
-// Besides: a free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends with a mean strain of 1260;
-// with form: angle 0.04, with k = 0.1 0.12, with isometric 0.05; 10 substeps × 10 1260, the other precision 1240. prestressed
-// with an excess of 1 and k = 1 (16 cells, one corner) ends with a mean strain of 1.3; with k = 0.1 0.57, 10 substeps × 10 1.33,
-// isometric 0.04.
+// Besides: a free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends with a
+// mean strain of 1260; with form: angle 0.04, with k = 0.1 0.12, with isometric 0.05; 10 substeps × 10 1260,
+// the other precision 1240. prestressed with an excess of 1 and k = 1 (16 cells, one corner) ends with a mean
+// strain of 1.3; with k = 0.1 0.57, 10 substeps × 10 1.33, isometric 0.04.
 
 bool lists(const Scene& scene, std::string_view type) {
   return std::ranges::find(scene.effects, type, &EffectSettings::type) != scene.effects.end();
@@ -61,7 +62,8 @@ bool is_prestressed(const Scene& scene) {
   const DistanceConstraints& springs = scene.input.distance;
   for (std::size_t c = 0; c < springs.size(); ++c) {
     const auto& [a, b] = springs.vertices[c];
-    if (springs.rest_length[c] > longer * (scene.rest.position(a) - scene.rest.position(b)).norm()) return true;
+    if (springs.rest_length[c] > longer * (scene.rest.position(a) - scene.rest.position(b)).norm())
+      return true;
   }
   return false;
 }
@@ -72,8 +74,9 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
   constexpr double long_step = 1.0 / 20;  // s: between d's and the others'
   std::vector<std::string_view> texts;
   if (has_hinges(input))
-    texts.push_back("another /bending/model than one on hinges: isometric (two sheets that diverged or had a "
-                    "triangle 1463 times as long: 1.2 and 1.6)");
+    texts.push_back(
+        "another /bending/model than one on hinges: isometric (two sheets that diverged or had a "
+        "triangle 1463 times as long: 1.2 and 1.6)");
   if (is_prestressed(scene))
     texts.push_back("/bending/k: 0.1 (mean strain 1.3: 0.57) or another /bending/model, isometric (0.04)");
   if (pinned && !lists(scene, "tethers"))
@@ -83,8 +86,9 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
   if (!pinned && input.strain_stiffness.form == StrainForm::normalised)
     texts.push_back("/material/strain/form: angle (a stretched free sheet's mean strain 1260: 0.04)");
   if (pinned && !has_hinges(input) && input.settings.substeps < 10)
-    texts.push_back("/solver/substeps: 10 with all /solver/iterations (40 to 1132 times: 1.3 to 1.9, in ten "
-                    "times the time)");
+    texts.push_back(
+        "/solver/substeps: 10 with all /solver/iterations (40 to 1132 times: 1.3 to 1.9, in ten "
+        "times the time)");
   return texts;
 }
 
@@ -95,8 +99,9 @@ std::string remedies_for(Bound bound, const Scene& scene) {
   if (scene.input.settings.method != Method::pbd) return "";  // nothing was tried there
   if (bound == Bound::momentum || bound == Bound::fall) {
     if (scene.precision == Precision::single_precision)
-      texts.push_back("/solver/precision: double (a fall of 1.226 m in 1024 substeps: 0.144 m in single precision, "
-                      "1.226 m in double) or fewer /solver/substeps (64: 1.218 m)");
+      texts.push_back(
+          "/solver/precision: double (a fall of 1.226 m in 1024 substeps: 0.144 m in single precision, "
+          "1.226 m in double) or fewer /solver/substeps (64: 1.218 m)");
   } else {
     texts = of_a_tear(scene);
   }

@@ -242,9 +242,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     recorder.complete(frame);
     recorder.show(frame, plausibility);
   });
-  const Stepping stepping =
-      step_to_end(*simulation, scene, recorder, writer, {stability ? &*stability : nullptr, &plausibility},
-                  config, control);
+  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer,
+                                        {stability ? &*stability : nullptr, &plausibility}, config, control);
   outcome.step_cpu_s = stepping.cpu_s;
   writer.drain();
   const double recording_s = writer.cpu_s();

@@ -1,5 +1,5 @@
-// What a colleague would say about a run that is not wrong, but may not be what was meant: each with its number and a remedy.
-// A new warning is a function and a row in warnings.cpp.
+// What a colleague would say about a run that is not wrong, but may not be what was meant: each with its
+// number and a remedy. A new warning is a function and a row in warnings.cpp.
 #pragma once
 
 #include <map>
@@ -40,8 +40,8 @@ std::span<const WarningKind> warning_kinds();
 /// The warnings of a run; without a summary those that are known before it.
 std::vector<Warning> warnings_of(const WarningInput& input);
 
-/// Those that are known before the run, from a scene that is built without bending constraints. None where the scene can't be
-/// built: the run says why.
+/// Those that are known before the run, from a scene that is built without bending constraints. None where
+/// the scene can't be built: the run says why.
 std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config);
 
 /// The settings that those look at, as text: runs that have it in common have the same warnings before.

@@ -19,8 +19,10 @@ namespace bendlab {
 namespace {
 
 constexpr std::string_view footer =
-    "Exit codes: 0 ok, 1 a run or an expectation failed, or a run is implausible, 2 usage, 3 config, 4 mesh,\n"
-    "5 files, 6 a run diverged, 130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a second one leaves at once.\n"
+    "Exit codes: 0 ok, 1 a run or an expectation failed, or a run is implausible, 2 usage, 3 config, 4 "
+    "mesh,\n"
+    "5 files, 6 a run diverged, 130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a "
+    "second one leaves at once.\n"
     "Data goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
 
 /// What the arguments were, and the command they chose.
@@ -80,7 +82,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::Option* explain =
       run->add_flag("--explain", a.explain,
                     "The step plan instead of the tables: each pass, why, its time, what it changed");
-  run->add_flag("--strict", a.strict, "Warnings are errors; those known before it keep a run from being computed");
+  run->add_flag("--strict", a.strict,
+                "Warnings are errors; those known before it keep a run from being computed");
   add_json(run, a, "One JSON object per run on stdout");
   run->get_option("--json")->excludes(explain);
 

@@ -268,8 +268,8 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
 
 std::string experiment_line(std::span<const CampaignRun> runs) {
   const auto count = [&](auto&& predicate) { return std::ranges::count_if(runs, predicate); };
-  const auto complete = count(
-      [](const CampaignRun& run) { return run.outcome && run.outcome->status == RunStatus::complete; });
+  const auto complete =
+      count([](const CampaignRun& run) { return run.outcome && run.outcome->status == RunStatus::complete; });
   const auto reused = count([](const CampaignRun& run) { return run.outcome && run.outcome->reused; });
   std::string text = fmt::format("{}: {} runs, {} complete ({} reused)", runs.front().experiment->name,
                                  runs.size(), complete, reused);

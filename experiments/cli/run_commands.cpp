@@ -163,9 +163,8 @@ std::string state_on_disk(const fs::path& folder) {
   try {
     if (fs::exists(file)) {
       const RunRecord record = read_run(file);
-      return is_whole(record.status)
-                 ? to_string(record.status)
-                 : fmt::format("{}, {} frames", to_string(record.status), record.frames);
+      return is_whole(record.status) ? to_string(record.status)
+                                     : fmt::format("{}, {} frames", to_string(record.status), record.frames);
     }
     if (fs::exists(part)) return fmt::format("interrupted, {} frames", read_run(part).frames);
   } catch (const RunFileError&) {

@@ -93,7 +93,8 @@ TEST_CASE("plausible: no vertex is farther from its pin than the cloth between i
   CHECK_THAT(text_of(*broken), ContainsSubstring("at t = 1 s vertex 0 is 4 m away"));
 }
 
-TEST_CASE("plausible: pins that are moved apart stretch the cloth between them as far as they go", "[plausibility]") {
+TEST_CASE("plausible: pins that are moved apart stretch the cloth between them as far as they go",
+          "[plausibility]") {
   const std::string pins = R"("mesh": {"cells": 4}, "pins": {"vertices": ["left", "right"], "ring": 0})";
   const Scene moved = scene_of(pins + R"(, "effects": [{"type": "gravity"}, {"type": "moving_pins",
     "vertices": ["right"], "times": [0, 1], "offsets": [0, 0, 0, 5, 0, 0]}])");
@@ -123,7 +124,8 @@ TEST_CASE("plausible: unpinned cloth falls as everything does", "[plausibility]"
   // What holds or brakes it may: a pin, a table, air.
   for (const char* effect : {R"({"type": "plane", "point": [0, 0, -0.1], "normal": [0, 0, 1]})",
                              R"({"type": "viscous_drag", "coefficient": 1})"})
-    CHECK_FALSE(falling(scene_of(unpinned + R"(, "effects": [{"type": "gravity"}, )" + effect + "]"), 0.5, 0.1));
+    CHECK_FALSE(
+        falling(scene_of(unpinned + R"(, "effects": [{"type": "gravity"}, )" + effect + "]"), 0.5, 0.1));
   CHECK_FALSE(falling(scene_of(on_a_corner), 0.5, 0.1));
 }
 
@@ -158,7 +160,8 @@ TEST_CASE("plausible: nothing is much faster than what falls, unless something d
   CHECK_FALSE(after(strained, 1, strained.input.positions, velocities));
 }
 
-TEST_CASE("plausible: what nothing moves may jitter by rounding, and by what its start was disturbed", "[plausibility]") {
+TEST_CASE("plausible: what nothing moves may jitter by rounding, and by what its start was disturbed",
+          "[plausibility]") {
   const Scene scene = scene_of(unpinned + R"(, "effects": [])");
   Positions velocities = still(scene);
   velocities(3, 0) = 1e-5, velocities(4, 0) = -1e-5;  // ε x / h is 5e-6 m/s
@@ -181,11 +184,12 @@ TEST_CASE("plausible: kinetic energy comes from weight", "[plausibility]") {
   positions.col(2).array() += 0.7, positions.row(24) = scene.input.positions.row(24);
   const auto broken = after(scene, 1, positions, velocities);
   CHECK(bound_of(broken) == Bound::energy);
-  const double weight = 0.2 * g;  // N, of a square metre
+  const double weight = 0.2 * g;                                       // N, of a square metre
   CHECK_THAT(broken->measured, WithinRel(weight * (0.3 + 0.4), 0.1));  // less the pinned vertex's share
 }
 
-TEST_CASE("plausible: a membrane that does not stretch is not twice as long, but for a moment", "[plausibility]") {
+TEST_CASE("plausible: a membrane that does not stretch is not twice as long, but for a moment",
+          "[plausibility]") {
   const Scene scene = scene_of(on_a_corner);
   CHECK_FALSE(stretched(scene, 0, 2, 1.9, 0.15));
   CHECK_FALSE(stretched(scene, 1, 1.2, 2.5, 0.15));
@@ -240,7 +244,8 @@ TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plau
 }
 
 TEST_CASE("plausible: the correction of a vertex, by hand", "[plausibility]") {
-  // A spring over the edge of two triangles, 0.3 m too long: each end moves half of it. A pinned end moves nothing.
+  // A spring over the edge of two triangles, 0.3 m too long: each end moves half of it. A pinned end moves
+  // nothing.
   SimulationInput input;
   input.mass = {1, 1, 1};
   input.is_pinned = {0, 0, 1};
@@ -248,7 +253,8 @@ TEST_CASE("plausible: the correction of a vertex, by hand", "[plausibility]") {
   input.distance.rest_length = {1, 1};
   Positions positions(3, 3);
   positions << 0, 0, 0, 1.3, 0, 0, 1.3, 1.1, 0;
-  const Correction first = worst_correction(input, positions, 0), second = worst_correction(input, positions, 1);
+  const Correction first = worst_correction(input, positions, 0),
+                   second = worst_correction(input, positions, 1);
   CHECK(first.kind == "distance");
   CHECK_THAT(first.length, WithinRel(0.15, 1e-12));
   CHECK_THAT(second.length, WithinRel(0.15, 1e-12));

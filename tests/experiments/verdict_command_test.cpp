@@ -1,4 +1,5 @@
-// What somebody sees of a run that cannot be, and of warnings: table, JSON, exit codes, `allow` and `--strict`.
+// What somebody sees of a run that cannot be, and of warnings: table, JSON, exit codes, `allow` and
+// `--strict`.
 #include <filesystem>
 #include <string>
 
@@ -13,8 +14,8 @@ using bendlab::test::Workplace;
 using Catch::Matchers::ContainsSubstring;
 using nlohmann::json;
 
-// The paper's sheet on one vertex without bending springs: its figure 1 calls that pin wrong. A triangle is then a thousand
-// times as long as at rest.
+// The paper's sheet on one vertex without bending springs: its figure 1 calls that pin wrong. A triangle is
+// then a thousand times as long as at rest.
 const std::string torn_scene = R"("duration": 1, "mesh": {"cells": 32}, "bending": {"model": "none"},
   "pins": {"vertices": ["upper_right"], "ring": 0}, "solver": {"iterations": 10, "substeps": 1},
   "material": {"strain": {"form": "normalised"}}, "initial": {"perturbation": 1e-6}})";
@@ -45,7 +46,8 @@ TEST_CASE("A run that cannot be is told and fails the command", "[command line][
 
   // It is over: not computed again, and told again.
   REQUIRE(here.run("run torn.json") == 1);
-  CHECK_THAT(here.out(), ContainsSubstring("implausible, reused") && ContainsSubstring("\nimplausible torn: at t = "));
+  CHECK_THAT(here.out(),
+             ContainsSubstring("implausible, reused") && ContainsSubstring("\nimplausible torn: at t = "));
   REQUIRE(here.run("run torn.json --json") == 1);
   CHECK(here.out_lines().at(0).at("implausible") == told);
   REQUIRE(here.run("plan torn.json") == 0);
@@ -56,6 +58,7 @@ TEST_CASE("A run that cannot be is told and fails the command", "[command line][
   REQUIRE(files.size() == 1);
   REQUIRE(here.run("show '" + files[0].string() + "' --json") == 0);
   CHECK(json::parse(here.out()).at("status") == "implausible");
+  CHECK(json::parse(here.out()).at("implausible") == told);
   // Its file is whole: every frame, and the summary.
   const bendlab::RunRecord record = bendlab::read_run(files[0]);
   CHECK(record.frames == 31);
@@ -82,7 +85,8 @@ TEST_CASE("Warnings are told once, and --strict makes them errors", "[command li
   Workplace here;
   here.write("seeds.json", calm + R"(, "sweep": {"/initial/seed": [1, 2, 3]}})");
   REQUIRE(here.run("run seeds.json") == 0);
-  CHECK_THAT(here.out(), ContainsSubstring("\nwarning inert_seed: ") && ContainsSubstring("(and 2 more runs)"));
+  CHECK_THAT(here.out(),
+             ContainsSubstring("\nwarning inert_seed: ") && ContainsSubstring("(and 2 more runs)"));
   CHECK_THAT(here.err(), ContainsSubstring("bendlab: warning: calm: inert_seed: "));
   REQUIRE(here.run("run seeds.json --json") == 0);  // from the files
   for (const json& run : here.out_lines()) {
@@ -98,10 +102,12 @@ TEST_CASE("Warnings are told once, and --strict makes them errors", "[command li
   CHECK_FALSE(fs::exists(here.folder / "results"));
 }
 
-TEST_CASE("A warning that only the run can give fails a strict command after it", "[command line][warnings]") {
+TEST_CASE("A warning that only the run can give fails a strict command after it",
+          "[command line][warnings]") {
   Workplace here;
   // One round a step leaves a sheet on two corners stretched.
-  here.write("loose.json", R"({"name": "loose", "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
+  here.write("loose.json",
+             R"({"name": "loose", "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
     "pins": {"vertices": ["upper_left", "upper_right"]}, "solver": {"iterations": 2, "substeps": 1}})");
   REQUIRE(here.run("validate --strict loose.json") == 0);
   REQUIRE(here.run("run loose.json") == 0);
@@ -120,6 +126,7 @@ TEST_CASE("Scenes that are fine are not doubted", "[command line][plausibility][
     REQUIRE(here.run("run '" + configs + "scenes/" + scene + ".json' --strict" + coarse) == 0);
     for (const json& run : here.out_lines()) CHECK(run.at("status") == "complete");
   }
-  REQUIRE(here.run("run '" + configs + "paper/fig5.json' --set /mesh/cells=16 --set /initial/seed=1 --json") == 0);
+  REQUIRE(here.run("run '" + configs +
+                   "paper/fig5.json' --set /mesh/cells=16 --set /initial/seed=1 --json") == 0);
   for (const json& run : here.out_lines()) CHECK(run.at("status") == "complete");
 }

@@ -27,7 +27,8 @@ std::set<std::string> codes_of(const std::string& settings, const Summary* summa
   return codes;
 }
 
-std::string message_of(const std::string& code, const std::string& settings, const Summary* summary = nullptr) {
+std::string message_of(const std::string& code, const std::string& settings,
+                       const Summary* summary = nullptr) {
   const Experiment experiment = experiment_of(settings);
   const Scene scene = build_scene(experiment.runs.front());
   for (const Warning& warning : warnings_of({experiment, experiment.runs.front(), scene, summary}))
@@ -84,7 +85,8 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK_THAT(message_of("unconverged", mesh, &stretched), ContainsSubstring("mean strain 0.08"));
   CHECK(codes_of(mesh, &short_enough).empty());
   CHECK(codes_of(mesh).empty());  // not known before the run
-  CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})", &stretched)
+  CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})",
+                 &stretched)
             .empty());  // it was told to stretch
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance"}})", &stretched) ==
         Codes{"unconverged"});
@@ -92,7 +94,8 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
 }
 
 TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
-  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of h² / (ρ a² n).
+  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of h² / (ρ a²
+  // n).
   const double critical = 1.0 / 3600 / (0.2 * 0.0625 * 10);
   const auto with = [](double compliance, const std::string& solver) {
     return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": )" +
