@@ -94,14 +94,16 @@ Message piece_without_pin(const WarningInput& input) {
 // ---- units
 
 // Under gravity a length L has a time √(L / g) in which it falls and swings: 0.03 s for 1 cm, 0.8 s for 6 m.
-// Cloth of people lies between; a mesh in mm or cm read as m does not.
+// Cloth of people lies between; a mesh in mm or cm read as m does not. Weaker gravity than the Earth's is a
+// choice, and says nothing of units.
 constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
+constexpr double weakest_gravity = 9;                       // m/s²
 
 Message units(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   const double g = gravity_of(input.scene.effects).norm();
   const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
-  if (!(g > 0)) return std::nullopt;
+  if (!(g >= weakest_gravity)) return std::nullopt;
   const double time = std::sqrt(extent / g);
   if (time >= shortest_time && time <= longest_time) return std::nullopt;
   return fmt::format(

@@ -73,6 +73,7 @@ TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {
   for (const double wrong : {0.0005, 0.005, 10.0, 1000.0})
     CHECK(codes_of(sheet(wrong, gravity)) == Codes{"units"});
   CHECK_THAT(message_of("units", sheet(1000, gravity)), ContainsSubstring("1e+03 m long"));
+  CHECK(codes_of(sheet(0.3, R"([{"type": "gravity", "acceleration": [0, 0, -0.03]}])")).empty());
   CHECK(codes_of(sheet(1000, "[]")).empty());  // without gravity a length is as good as any
   // Everything in millimetres, gravity too.
   CHECK(codes_of(sheet(1000, R"([{"type": "gravity", "acceleration": [0, 0, -9810]}])")).empty());
