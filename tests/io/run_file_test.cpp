@@ -87,7 +87,8 @@ TEST_CASE("run file: the rest state is read back", "[io]") {
 
 TEST_CASE("run file: every status is read back, and a run may be empty", "[io]") {
   const TemporaryFolder folder;
-  for (const auto status : {RunStatus::complete, RunStatus::diverged, RunStatus::interrupted}) {
+  for (const auto status :
+       {RunStatus::complete, RunStatus::diverged, RunStatus::interrupted, RunStatus::implausible}) {
     const auto path = folder / (to_string(status) + ".vtkhdf");
     RunFooter footer;
     footer.status = status;
