@@ -8,6 +8,7 @@
 #include "bendlab/solver/simulation.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/run.hpp"
+#include "experiments/solver_stiffness.hpp"
 #include "experiments/stability.hpp"
 
 namespace bendlab {
@@ -17,6 +18,7 @@ struct Stepping {
   std::string message;  ///< where it diverged, why it stopped, what is not balanced
   double cpu_s = 0;     ///< of the steps alone
   std::optional<double> settled_at = std::nullopt;  ///< s
+  EffectiveStiffness stiffness{};                   ///< of the last second's looks
 };
 
 /// Records the first pose and then frames as /output/frames_per_second has it; `stability`, if any, looks at every step.
