@@ -38,8 +38,7 @@ std::map<std::string, double> solver_stiffness_summary(const EffectiveStiffness&
   const auto add = [&](const std::string& what, const std::optional<double>& share) {
     if (!share) return;
     summary["effective_" + what + "_stiffness"] = *share;
-    // Below a thousandth the share itself is too uncertain for a promise.
-    constexpr double least = 1e-3;
+    constexpr double least = 3e-4;  // below it the share itself is too uncertain for a promise
     if (*share < soft)
       summary["substeps_for_90_percent_" + what] = substeps_for_90_percent(std::max(*share, least), substeps);
   };
@@ -54,9 +53,10 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
     const auto share = summary.find(fmt::format("effective_{}_stiffness", what));
     const auto substeps = summary.find(fmt::format("substeps_for_90_percent_{}", what));
     if (share == summary.end() || substeps == summary.end()) continue;
-    parts.push_back(fmt::format("the cloth has {:.2g} % of the {} stiffness that it was told; about {:.0f} substeps "
-                                "would give it 90 %",
-                                100 * share->second, what, substeps->second));
+    parts.push_back(
+        fmt::format("the cloth has {:.2g} % of the {} stiffness that it was told; about {:.0f} substeps "
+                    "would give it 90 %",
+                    100 * share->second, what, substeps->second));
   }
   if (parts.empty()) return std::nullopt;
   return fmt::format("the solver has not converged: {}", fmt::join(parts, "; "));

@@ -19,7 +19,8 @@ EffectiveStiffness of_share(double share) {
 
 }  // namespace
 
-TEST_CASE("a summary has the share, and below a half the substeps that would mend it", "[effective stiffness]") {
+TEST_CASE("a summary has the share, and below a half the substeps that would mend it",
+          "[effective stiffness]") {
   CHECK(solver_stiffness_summary({}, 10).empty());
   const auto half = solver_stiffness_summary(of_share(0.6), 10);
   CHECK(half.size() == 1);
@@ -41,7 +42,8 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
   CHECK(last > 100);
 }
 
-TEST_CASE("a run that is less than half as stiff as told is warned of, with the numbers", "[effective stiffness]") {
+TEST_CASE("a run that is less than half as stiff as told is warned of, with the numbers",
+          "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
   CHECK(!soft_solver_warning(solver_stiffness_summary(of_share(0.51), 10)));
   const auto text = soft_solver_warning(solver_stiffness_summary(of_share(0.04), 16));

@@ -20,22 +20,28 @@ constexpr double gravity = 9.81;  // m/s²
 
 template <class Real>
 std::unique_ptr<Simulation> in_gravity(const SimulationInput& input) {
-  return make_simulation<Real>(input, test::effect_passes<Real>("gravity", "acceleration",
-                                                                std::vector<double>{0, 0, -gravity}));
+  return make_simulation<Real>(
+      input, test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -gravity}));
 }
 
 // Two triangles with one free corner that only their hinge carries.
 SimulationInput one_hinge() {
   const RestMesh rest(grid(0.1, 0.1, 1, 1));
-  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "lower_left"), 1), "dihedral");
+  const std::array<int, 4> corner = rest_hinges(rest, make_pins(rest, {}, 0)).at(0).vertices;
+  SimulationInput input =
+      test::sheet(rest, make_pins(rest, {corner[0], corner[1], corner[2]}, 0), "dihedral");
   input.strain = {};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .k = 1, .compliance = 1e3};
   return input;
 }
 
+RestMesh strip_mesh() {
+  return RestMesh(equilateral(0.25, 0.14, 10, Rows::perpendicular));
+}
+
 // A strip of a lattice along x, its first cells clamped, of the flexural rigidity `rigidity` (N m).
 SimulationInput strip(double rigidity, const char* model = "dihedral") {
-  const RestMesh rest(grid(0.225, 0.05, 9, 2, Diagonal::same));
+  const RestMesh rest = strip_mesh();
   const Pins pins = make_pins(rest, select_vertices(rest, "left"), 1);
   SimulationInput input = test::sheet(rest, pins, model);
   BendingConstraints bending = test::built(model, rest, pins, {});
@@ -49,23 +55,25 @@ struct Settled {
   double droop, share;  // m, 1
 };
 
-// After a second of strong drag.
+// After two seconds of strong drag; its slowest mode falls by more than e⁻⁵ a second.
 template <class Real>
 Settled settled(SimulationInput input, int substeps) {
   input.settings.substeps = substeps, input.settings.iterations = 1;
-  const RestMesh rest(grid(0.225, 0.05, 9, 2, Diagonal::same));
-  auto passes = test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -gravity});
+  const RestMesh rest = strip_mesh();
+  auto passes = test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -0.5});
   for (Pass<Real>& pass : test::effect_passes<Real>(
-           "viscous_drag", rest, make_pins(rest, select_vertices(rest, "left"), 1), "coefficient", 8.0))
+           "viscous_drag", rest, make_pins(rest, select_vertices(rest, "left"), 1), "coefficient", 4.0))
     passes.push_back(std::move(pass));
   const auto simulation = make_simulation<Real>(input, std::move(passes));
-  for (int step = 0; step < 60; ++step) REQUIRE(simulation->step());
-  return {-simulation->positions().col(2).minCoeff(), simulation->effective_stiffness()->bending_share().value()};
+  for (int step = 0; step < 120; ++step) REQUIRE(simulation->step());
+  return {-simulation->positions().col(2).minCoeff(),
+          simulation->effective_stiffness()->bending_share().value()};
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a single hinge has the stiffness that it was told", "[effective stiffness]", float, double) {
+TEMPLATE_TEST_CASE("a single hinge has the stiffness that it was told", "[effective stiffness]", float,
+                   double) {
   SimulationInput input = one_hinge();
   const auto simulation = in_gravity<TestType>(input);
   for (int step = 0; step < 20; ++step) REQUIRE(simulation->step());
@@ -78,8 +86,8 @@ TEMPLATE_TEST_CASE("a single hinge has the stiffness that it was told", "[effect
 TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffness]") {
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins pins = make_pins(rest, {}, 0);
-  const ElementList<HingeAngle> list =
-      angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle, [](const RestHinge&) { return 2.0; });
+  const ElementList<HingeAngle> list = angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle,
+                                                         [](const RestHinge&) { return 2.0; });
   BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0, 1}};
   for (std::size_t c = 0; c < list.size(); ++c) order.constraint_of_lane.push_back(static_cast<int>(c));
   while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
@@ -110,9 +118,10 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
   CHECK(!measured(positions));  // k is no stiffness
 }
 
-TEST_CASE("springs are measured by the bend and not by what the membrane gives way", "[effective stiffness]") {
+TEST_CASE("springs are measured by the bend and not by what the membrane gives way",
+          "[effective stiffness]") {
   const RestMesh rest(grid(1, 1, 8, 8));
-  SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "lod");
+  SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   Constraints<double> constraints;
   const auto in_list_order = [](std::size_t count) {
     BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0}};
@@ -125,8 +134,10 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
     return order;
   };
   DistanceBatch<double>& batch = constraints.distance;
-  batch = make_distance_batch<double>(input.distance, in_list_order(input.distance.size()), rest.vertex_count());
-  constraints.strain = make_strain_batch<double>(input.strain, in_list_order(input.strain.size()), rest.vertex_count());
+  batch =
+      make_distance_batch<double>(input.distance, in_list_order(input.distance.size()), rest.vertex_count());
+  constraints.strain =
+      make_strain_batch<double>(input.strain, in_list_order(input.strain.size()), rest.vertex_count());
   batch.kind = StiffnessKind::compliance, batch.compliance = 1e-3;
   batch.multiplier.assign(batch.b.size(), 0);
   const double h = 0.01, alpha = 1e-3 / (h * h), curvature = 0.5;
@@ -147,7 +158,7 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
     return effective_stiffness(constraints, {positions, at_rest, free, h, 1e-12}).bending_share().value();
   };
   // C is κ² r³ / 24. The edges on the cylinder are chords, shorter than arcs by 1/t² of it, which counts for the membrane:
-  // with springs of t edges the share is 1 / (1 - 1/t²), for t ≥ 2 at most 4/3.
+  // with springs of t edges the share is 1 / (1 - 1/t²), which is 4/3 for two, and those of one edge have no say.
   CHECK(share(1) > 1);
   CHECK(share(1) < 1.4);
   // A membrane that lengthens by 10⁻³, more than springs shorten (10⁻³ of t²/24), bends no less.
@@ -206,7 +217,7 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
                spent = lambda.cwiseProduct(alpha).dot(lambda);
   const double share = std::cbrt(applied / told * std::pow(spent / applied, 2));
   REQUIRE(share > 0.05);
-  REQUIRE(share < 0.9);  // it has not converged: the test says something
+  REQUIRE(share < 0.95);  // it has not converged: the test says something
 
   const auto simulation = make_simulation<double>(input, {});
   REQUIRE(simulation->step());
@@ -216,12 +227,17 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
   CHECK_THAT(measured.bending_share().value(), WithinRel(share, 1e-4));
 }
 
-TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[effective stiffness]", float, double) {
+TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[effective stiffness]", float,
+                   double) {
   SimulationInput input = strip(0.02);
   SECTION("forward") {}
-  SECTION("symmetric") { input.settings.sweep = Sweep::symmetric; }
-  SECTION("in list order") { input.settings.order = ConstraintOrder::mesh; }
-  const Settled cheap = settled<TestType>(input, 8), converged = settled<TestType>(input, 96);
+  SECTION("symmetric") {
+    input.settings.sweep = Sweep::symmetric;
+  }
+  SECTION("in list order") {
+    input.settings.order = ConstraintOrder::mesh;
+  }
+  const Settled cheap = settled<TestType>(input, 8), converged = settled<TestType>(input, 64);
   // Small deflections go with 1 / B.
   const double measured = converged.droop / cheap.droop * converged.share;
   CAPTURE(measured, cheap.share, converged.share, cheap.droop);
@@ -237,8 +253,8 @@ TEST_CASE("a hanging membrane stretches as far as its effective stiffness says",
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = compliance};
   input.settings.iterations = 1, input.settings.substeps = GENERATE(4, 8, 64);
   auto passes = test::effect_passes<double>("gravity", "acceleration", std::vector<double>{0, -gravity, 0});
-  for (Pass<double>& pass : test::effect_passes<double>(
-           "viscous_drag", rest, make_pins(rest, {}, 0), "coefficient", 2.0))
+  for (Pass<double>& pass :
+       test::effect_passes<double>("viscous_drag", rest, make_pins(rest, {}, 0), "coefficient", 2.0))
     passes.push_back(std::move(pass));
   const auto simulation = make_simulation<double>(input, std::move(passes));
   for (int step = 0; step < 120; ++step) REQUIRE(simulation->step());
@@ -248,8 +264,8 @@ TEST_CASE("a hanging membrane stretches as far as its effective stiffness says",
   CHECK_THAT(simulation->effective_stiffness()->membrane_share().value(), WithinRel(told / elongation, 0.2));
 }
 
-TEMPLATE_TEST_CASE("a flat sheet at rest, and one that was told k, have no share", "[effective stiffness]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a flat sheet at rest, and one that was told k, have no share", "[effective stiffness]",
+                   float, double) {
   SimulationInput input = strip(0.02);
   SECTION("flat") {
     const auto simulation = make_simulation<TestType>(input, {});

@@ -63,8 +63,7 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& st
                                        state.positions[place_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // As the oracle has it (reference.cpp): α = compliance / A0, and four times that on S_ii - 1 = 2 E_ii.
-    const double alpha =
-        compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
+    const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
     const double stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
     const auto add_term = [&](std::size_t term, Real k, const ConstraintValue<double, 3>& c,
                               double term_alpha) {
@@ -103,7 +102,8 @@ struct MembraneStrain {
     };
     const Eigen::Matrix<double, 3, 2> at_rest = edges(state.rest), now = edges(state.positions);
     const Eigen::Matrix2d metric = at_rest.transpose() * at_rest;
-    constexpr double least = 1e-6;  // sin² of its angle at the first corner: a flatter one's strain says nothing
+    constexpr double least =
+        1e-6;  // sin² of its angle at the first corner: a flatter one's strain says nothing
     if (!(metric.determinant() > least * metric(0, 0) * metric(1, 1))) return;
     const Eigen::Matrix<double, 3, 2> dual = at_rest * metric.inverse();
     const double of_triangle = 0.5 * std::sqrt(metric.determinant());
@@ -129,7 +129,8 @@ class SpringMeter {
     const Vector3d along = state_.rest[a] - state_.rest[b];
     const double at_rest = along.norm();
     if (!(at_rest > 0)) return std::nullopt;
-    const double strain = along.dot((membrane_.strain[a] + membrane_.strain[b]) * along) / 2 / square(at_rest);
+    const double strain =
+        along.dot((membrane_.strain[a] + membrane_.strain[b]) * along) / 2 / square(at_rest);
     const double stretched = at_rest * std::sqrt(std::max(0.0, 1 + 2 * strain));
     return BendingPart{at_rest, (state_.positions[a] - state_.positions[b]).norm() - stretched};
   }
@@ -234,7 +235,8 @@ std::optional<double> EffectiveStiffness::membrane_share() const {
 
 template <class Real>
 EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const StateByPlace& state) {
-  EffectiveStiffness result{.membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
+  EffectiveStiffness result{
+      .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
   std::optional<SpringMeter> meter;
   const auto measure_springs = [&](const auto& batch) {
     if (state.rest.empty()) return;

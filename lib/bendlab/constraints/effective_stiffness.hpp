@@ -58,7 +58,8 @@ struct EffectiveStiffness {
 /// A state by place: everything in the order of the points that the batches' offsets name.
 struct StateByPlace {
   std::span<const Eigen::Vector3d> positions;  ///< m, relative to any origin
-  std::span<const Eigen::Vector3d> rest;       ///< m, likewise; empty: springs have no bending part and count nothing
+  std::span<const Eigen::Vector3d>
+      rest;  ///< m, likewise; empty: springs have no bending part and count nothing
   std::span<const char> is_pinned;
   double substep = 0;   ///< h, s
   double rounding = 0;  ///< m, of a position that the solver keeps
