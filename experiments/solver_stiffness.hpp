@@ -10,7 +10,7 @@
 
 namespace bendlab {
 
-/// Looks at a simulation in the last second of a run, every quarter of a second and at its end.
+/// Looks at a simulation in the last second of a run, every half second and at its end: less than 1 % of 4 s of 1 × 10.
 class SolverStiffnessMeter {
  public:
   explicit SolverStiffnessMeter(double duration) : next_look_(duration - 1) {}

@@ -1,26 +1,28 @@
 // What a solver made of the stiffness that it was told, read off its multipliers.
 //
-// XPBD that has not converged is softer than its compliances say. At the end of a substep h the force that a constraint
-// really exerted is λ/h² ∇C, and the one that its compliance asks for is -C/α ∇C. Scaling the bend by 1 + δ takes the
-// work Σ -λ C δ / h² against the first and Σ C² δ / α against the second:
+// XPBD that has not converged is softer than its compliances say. At the end of a substep h the force that a
+// constraint really exerted is λ/h² ∇C; the one that its compliance asks for is -C/α ∇C. Two ratios of work follow,
+// with α̃ = α/h²:
 //
-//   stiffness   = Σ -λ C / Σ C²/α̃         α̃ = α/h²: the share of the stated energy. Too small where C is rough,
-//   flexibility = Σ α̃ λ² / Σ -λ C         the share at equal force. Too large where λ is rough.
+//   stiffness   = Σ -λ C / Σ C²/α̃     the share of the told energy; too small where C is rough
+//   flexibility = Σ α̃ λ² / Σ -λ C     the share at equal force; too large where λ is rough
 //
-// For one constraint both are the share λ α̃ / -C. In a sheet, the constraints that a sweep projects first are left with too
-// much C and those that it projects last with too little, so the two differ, and by Cauchy-Schwarz the first is the
-// smaller one. What a strip's droop shows lies between them: their weighted geometric mean
+// For one constraint both are the share λ α̃ / -C. In a sheet, a sweep leaves too much C in the constraints that it
+// projects first, so that they differ; by Cauchy-Schwarz the first is the smaller one. What a strip's droop shows
+// lies between them. The estimate is their weighted geometric mean
 //
-//   share = stiffness^(1/3) flexibility^(2/3)
+//   share = stiffness^(1/3) flexibility^(2/3).
 //
-// was within 20 % of it (measured, configs/stiffness/effective.json; nothing but the limits is known in theory).
+// The weights are measured, not derived: with them strips of hinges on four mesh families were off by at most 16 %
+// at shares from 0.01 to 1, hanging membranes by 21 % (in list order by 40 % at a share of 0.09).
 //
-// A spring that joins vertices measures bending by how much it shortens, and a membrane that gives way shortens it less.
-// So C of a spring is not what the sheet's bend asks of it. Its bending part is
+// A spring between vertices measures bending by how much it shortens, and shortens less where the membrane gives
+// way. Its bending part B is what the membrane's strain ε along it (the mean of that at its ends) leaves of the
+// change of its length r, which is r0 in the rest shape; L is its rest length:
 //
-//   B = r - r0 (1 + ε),   ε the membrane's strain along it (the mean of that at its two ends), r0 its length in the rest shape,
-//   share = Σ -λ B / Σ (r0 - L + B) B/α̃,   L its rest length: what it pushes without bending counts for its moment.
+//   B = r - r0 (1 + ε),   share = Σ -λ B / Σ (r0 - L + B) B/α̃
 //
+// Strips of springs were off by at most 19 % at shares from 0.01 to 1, and had up to twice what was estimated below.
 // Springs with a pinned end are left out: at a clamp the strain is not the mean of the ends'.
 #pragma once
 
@@ -48,7 +50,7 @@ struct EffectiveStiffness {
 
   EffectiveStiffness& operator+=(const EffectiveStiffness& other);
 
-  /// 1, the share of the told stiffness that the cloth has. Nothing where none was told (k, or a compliance of 0), and
+  /// 1, the share of the told stiffness that the cloth has. Nothing where none was told (k, or a compliance of 0) and
   /// where the cloth is hardly bent or strained: Σ B²/α̃ below 100 times what rounding alone makes of it, so that
   /// rounding changes the share by less than about 1 %.
   std::optional<double> bending_share() const;

@@ -83,7 +83,8 @@ class PbdStep final : public TimeStep<Real> {
         all.push_back(points[v].vector().template cast<double>());
       return all;
     };
-    const std::vector<Vector3> positions = vectors(state_.position.data()), rest = vectors(this->rest_points());
+    const std::vector<Vector3> positions = vectors(state_.position.data());
+    const std::vector<Vector3> rest = vectors(this->rest_points());
     std::vector<char> is_pinned;
     double largest = 0;
     for (std::size_t v = 0; v < count; ++v) {

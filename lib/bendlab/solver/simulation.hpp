@@ -172,7 +172,7 @@ class Simulation {
   virtual const BatchOrder& distance_order() const = 0;
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;  ///< Kind::name
   /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has; of pbd only. Takes
-  /// about as long as ten projections of every constraint.
+  /// up to about ten sweeps' time.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 };
 
