@@ -5,6 +5,7 @@ from pathlib import Path
 import fig_stiffness_buckling
 import fig_stiffness_calibrated
 import fig_stiffness_convergence
+import fig_stiffness_effective
 import fig_stiffness_hinges
 import fig_stiffness_resolution
 import fig_stiffness_springs
@@ -14,8 +15,8 @@ from html_parts import document, escape, mark, section_html, table_html
 from load import group
 from report import Table, write_objects
 
-FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_resolution,
-           fig_stiffness_calibrated, fig_stiffness_buckling, fig_stiffness_textile]
+FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_effective,
+           fig_stiffness_resolution, fig_stiffness_calibrated, fig_stiffness_buckling, fig_stiffness_textile]
 EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
 
 

@@ -261,6 +261,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (stability) outcome.summary.merge(stability->summary());
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
   if (outcome.status != RunStatus::diverged) {
+    outcome.summary.merge(solver_stiffness_summary(stepping.stiffness, scene.input.settings.substeps));
     if (strip) add_stiffness(*strip, *simulation, outcome);
     if (config.section("/output").boolean("drape")) add_drape(scene, *simulation, outcome);
   }

@@ -97,8 +97,9 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   StepClock clock(simulation);
+  SolverStiffnessMeter solver_stiffness(duration);
   const auto ended = [&](RunStatus status, std::string message, std::optional<double> settled_at = {}) {
-    return Stepping{status, std::move(message), clock.seconds(), settled_at};
+    return Stepping{status, std::move(message), clock.seconds(), settled_at, solver_stiffness.sum()};
   };
   for (std::int64_t step = 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
@@ -107,6 +108,7 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
+    solver_stiffness.look(simulation, step == steps || stop || settled);
     const bool recorded = !(time < next_frame - rounding * dt && step < steps && !stop && !settled);
     watchers.look(simulation, recorded);
     if (!recorded) continue;

@@ -9,6 +9,7 @@
 #include "experiments/plausibility.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/run.hpp"
+#include "experiments/solver_stiffness.hpp"
 #include "experiments/stability.hpp"
 
 namespace bendlab {
@@ -18,6 +19,7 @@ struct Stepping {
   std::string message;  ///< where it diverged, why it stopped, what is not balanced
   double cpu_s = 0;     ///< of the steps alone
   std::optional<double> settled_at = std::nullopt;  ///< s
+  EffectiveStiffness stiffness{};                   ///< of the last second's looks
 };
 
 /// What looks at the cloth at time 0 and after every step.

@@ -112,9 +112,17 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// The main ones, and the errors where runs have them.
+/// The main ones; what the solver made of the stiffness told where a run has less than 90 % of it; the errors where runs
+/// have them.
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   std::vector<std::string> columns(main_columns.begin(), main_columns.end());
+  constexpr double converged = 0.9;  // 1
+  for (const char* share : {"effective_bending_stiffness", "effective_membrane_stiffness"})
+    if (std::ranges::any_of(runs, [&](const auto& run) {
+          return run.outcome && run.outcome->summary.contains(share) &&
+                 run.outcome->summary.at(share) < converged;
+        }))
+      columns.emplace_back(share);
   for (const char* error : {"error_solver_rms", "error_physical_rms"})
     if (std::ranges::any_of(
             runs, [&](const auto& run) { return run.outcome && run.outcome->summary.contains(error); }))

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <stdexcept>
 
@@ -81,12 +82,32 @@ class PbdStep final : public TimeStep<Real> {
     });
     return *found;
   }
+  std::optional<EffectiveStiffness> effective_stiffness() const override {
+    const auto count = static_cast<std::size_t>(state_.vertex_count);
+    const auto vectors = [&](const Point<Real>* points) {
+      std::vector<Vector3> all;
+      for (std::size_t v = 0; points != nullptr && v < count; ++v)
+        all.push_back(points[v].vector().template cast<double>());
+      return all;
+    };
+    const std::vector<Vector3> positions = vectors(state_.position.data());
+    const std::vector<Vector3> rest = vectors(this->rest_points());
+    std::vector<char> is_pinned;
+    double largest = 0;
+    for (std::size_t v = 0; v < count; ++v) {
+      is_pinned.push_back(state_.position[v].w == 0);
+      largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
+    }
+    const double rounding = largest * static_cast<double>(std::numeric_limits<Real>::epsilon());
+    return bendlab::effective_stiffness(constraints_, {positions, rest, is_pinned, last_substep_, rounding});
+  }
 
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
     const int parts = settings_.flight_limit > 0 ? parts_of(context) : 1;
     context.substep = whole / static_cast<Real>(parts);
+    last_substep_ = static_cast<double>(context.substep);
     for (int part = 0; part < parts; ++part) {
       run(forces_, context);
       run(before_, context);
@@ -347,6 +368,7 @@ class PbdStep final : public TimeStep<Real> {
   typename Base::Passes forces_, before_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
   Points<Real> moved_, predicted_;  // m, since the start of the substep: now, and before projections; single precision
+  double last_substep_ = 0;     // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
 
 }  // namespace

@@ -38,6 +38,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/constraints/effective_stiffness.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
@@ -170,6 +171,9 @@ class Simulation {
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;  ///< Kind::name
+  /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has; of pbd only. Takes
+  /// up to about ten sweeps' time.
+  virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 };
 
 /// A simulation in single (Real = float) or double precision, with the passes of the scene's effects. Throws
