@@ -5,7 +5,7 @@ import style
 from load import group, load_experiment
 
 GRAVITY = 9.81  # m/s², of the configs
-MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
+MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "both": "grid, both diagonals",
               "delaunay": "delaunay"}
 
 

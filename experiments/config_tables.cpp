@@ -25,6 +25,7 @@ constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "b
 constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
 constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
 constexpr std::array<std::string_view, 3> strain_forms = {"normalised", "green", "angle"};
+constexpr std::array<std::string_view, 3> deflections = {"large", "small", "both"};
 constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
 constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per_step", "compliance",
                                                                      "physical"};
@@ -201,13 +202,13 @@ constexpr std::array strain = {
               .minimum = 0},
 };
 
-const std::array<Parameter, 7>& bending() {
+const std::array<Parameter, 8>& bending() {
   static const std::vector<std::string_view> models = [] {
     std::vector<std::string_view> names;
     for (const BendingModel* model : bending_models()) names.push_back(model->name);
     return names;
   }();
-  static const std::array<Parameter, 7> table = {
+  static const std::array<Parameter, 8> table = {
       Parameter{.name = "model", .type = text, .unit = "", .default_value = "adaptive",
                 .meaning = "Bending model; its own settings are in the object of its name",
                 .choices = models},
@@ -230,6 +231,13 @@ const std::array<Parameter, 7>& bending() {
       Parameter{.name = "at_curvature", .type = number, .unit = "1/m", .default_value = {},
                 .meaning = "physical: curvature κ0 at which springs have the moment of flexural_rigidity, C = B/κ0²",
                 .minimum = 0, .above = true},
+      Parameter{.name = "deflection", .type = text, .unit = "", .default_value = "large",
+                .meaning = "physical, hinges: where flexural_rigidity holds. large: where the membrane holds the "
+                           "sheet to a cylinder, as in drapes and folds; small: where it is bent so little that "
+                           "its membrane does not matter; both: between the two, with hinges weighted so that "
+                           "they differ as little as the mesh allows. What the mesh then has of it at the other "
+                           "is told beside the results",
+                .choices = deflections},
   };
   return table;
 }

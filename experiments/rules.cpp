@@ -65,7 +65,7 @@ void keep_chosen_model(Json& bending) {
 // What each model can turn into its own softness, and only where it is asked to.
 void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   if (bending["stiffness"] != "physical") {
-    for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature"})
+    for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature", "deflection"})
       bending.erase(unused);
     return;
   }
@@ -76,6 +76,11 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   const auto report = [&](const char* key, const char* message) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model->name)});
   };
+  if (model->springs_only) {
+    if (bending["deflection"] != "large")
+      report("deflection", "is a choice for models made of hinges, which {} is not: remove it");
+    bending.erase("deflection");
+  }
   if (model->name == "none") return;
   if (!model->springs_only || model->prestressed) {
     bending.erase("at_curvature");  // their rigidity is the same at any

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "bendlab/bending/calibration.hpp"
+#include "bendlab/bending/push_bound.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
@@ -132,6 +133,10 @@ BendingStiffness bending_stiffness(const ParameterValues& values) {
           .compliance = stiffness == "physical" ? 1 : values.number("compliance")};
 }
 
+Deflection deflection(const std::string& name) {
+  return name == "small" ? Deflection::small : name == "both" ? Deflection::both : Deflection::large;
+}
+
 // The model's constraints, as soft as the config's physical stiffness asks for.
 BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& rest, const Pins& pins) {
   const ParameterValues parameters = config.bending_parameters(), values = config.section("/bending");
@@ -143,7 +148,8 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
   };
   try {
     calibrate(constraints, rest, pins,
-              {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature")});
+              {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature"),
+               values.has("deflection") ? deflection(values.text("deflection")) : Deflection::large});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
     throw ConfigError("physical stiffness", {{"/bending", error.what()}});
   }
@@ -297,6 +303,13 @@ Scene build_scene(const RunConfig& config) {
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);
+  const SolverSettings& settings = input.settings;
+  if (settings.method == Method::pbd && find_bending_model(config.bending_model())->prestressed &&
+      config.section("/bending").text("stiffness") == "physical") {
+    scene.push = bound_push(bending.distance, rest, input.mass, settings.dt / settings.substeps,
+                            settings.projections_per_substep());
+    if (scene.push) std::ranges::move(facts_of(*scene.push), std::back_inserter(bending.facts));
+  }
   scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
   scene.bending_facts = std::move(bending.facts);
   input.distance = std::move(bending.distance);

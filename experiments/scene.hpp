@@ -4,11 +4,13 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/bending/push_bound.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/quality.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -28,6 +30,7 @@ struct Scene {
   std::vector<std::string> mesh_notes{};  ///< what was done about a bad mesh
   Pins pins{};
   std::vector<BendingFact> bending_facts;
+  std::optional<PushBound> push{};  ///< of springs that push: what the solver can hold
   int springs_beyond_ring_1 = 0;  ///< distance constraints that are not edges of the mesh
   SimulationInput input;
   std::vector<EffectSettings> effects;

@@ -10,8 +10,22 @@
 // that end at free edges, denser springs around pins and the mesh's own directions allow. Triangles with all corners
 // pinned do not bend, and a constraint that reaches among them sees as much less of the curvature.
 //
-// What it does not know: that a sheet may bend otherwise than to a cylinder between its vertices. On irregular meshes
-// hinges let it, and are about a tenth softer than asked; a spring averages the curvature over its length.
+// A sheet may bend otherwise than to a cylinder between its vertices. Of the energies ½ B κ² the cylinder's is what is
+// left where a membrane that hardly stretches holds the sheet to it (large deflections); a sheet that is bent a little
+// finds easier shapes (sheet_response.hpp). Hinges on an equilateral lattice have one B for both; elsewhere small and
+// large differ by what the mesh's cells make possible, and the target says where B is to hold:
+//
+//     hinges, all alike          B at small / at large deflections
+//     equilateral lattice        1
+//     grid, alternating          0.75 in all directions
+//     grid, both diagonals       0.74
+//     grid, same diagonal        1, but the direction matters: 0.46 to 2.0 times the mean
+//     irregular (delaunay)       0.92 to 0.94; 0.97 where both are asked for
+//
+// A spring averages the curvature over its length. Springs that push hold only as far as the membrane holds them: strips of
+// 24 cells measure 0.70 to 0.84 of B at small deflections (1.6 on one diagonal) and 0.92 to 1.31 at large ones, with a
+// membrane of 10⁻⁷ m/N. Arcs push only once something shortens them: below a curvature of about 20 √(B / Y) / L² the
+// membrane stretches instead, and they have no linear stiffness at all.
 #pragma once
 
 #include <optional>
@@ -20,16 +34,26 @@
 
 namespace bendlab {
 
+/// Where the told B holds, of models made of hinges.
+enum class Deflection {
+  large,  ///< bent to a cylinder, as a stiff membrane makes the sheet bend
+  small,  ///< bent so little that the membrane does not matter: all hinges stiffer by one factor
+  both,   ///< hinges weighted so that the two are as near each other as the mesh allows, and B between them
+};
+
 struct CalibrationTarget {
   std::optional<double> flexural_rigidity = {};    ///< B, N m
   std::optional<double> quartic_coefficient = {};  ///< C, N m³
   std::optional<double> at_curvature = {};  ///< κ0, 1/m: gives C = B/κ0², so that the moment at κ0 is B κ0
+  Deflection deflection = Deflection::large;
 };
 
 /// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts: what the
 /// model's own stiffnesses were multiplied by, how evenly the energy is spread, what the membrane resists by itself.
 /// Throws std::invalid_argument where the target is not of the kind that the constraints need, and for springs in a
-/// rest shape that is not flat or in which they are not at rest.
+/// rest shape that is not flat or in which they are not at rest. Of hinges in a flat rest shape facts say how much of B
+/// the sheet has at small and at large deflections; where the target asks for another deflection than large, it throws
+/// for other constraints, another rest shape and a sheet without enough vertices inside.
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target);
 

@@ -104,15 +104,22 @@ std::vector<BendingFact> Resistance::facts(const std::vector<double>& wanted, co
            "share of the free vertices' area where no constraint resists bending"}};
 }
 
-std::vector<BendingFact> Resistance::meet(const std::vector<double>& wanted, double usual,
-                                          const std::string& name) {
+void Resistance::fit(const std::vector<double>& wanted) {
   // Measured on lattices, grids and irregular sheets: more rounds change the energy by less than 1 %, but switch more
   // and more springs off.
   constexpr int rounds = 24;
   factor_.assign(softness_.size(), 1);
   scale_to(wanted);
+  refit(wanted, rounds);
+}
+
+void Resistance::refit(const std::vector<double>& wanted, int rounds) {
   for (int round = 0; round < rounds; ++round) improve(wanted);
   scale_to(wanted);
+}
+
+std::vector<BendingFact> Resistance::finish(const std::vector<double>& wanted, double usual,
+                                            const std::string& name) {
   std::vector<double> found = {1 / usual};
   if (!softness_.empty()) found.clear();
   for (std::size_t c = 0; c < softness_.size(); ++c) found.push_back(*softness_[c] /= factor_[c]);

@@ -48,10 +48,22 @@ class Resistance {
   void add_idle(double& softness) { idle_.push_back(&softness); }
 
   bool empty() const { return softness_.empty() && idle_.empty(); }
+  std::size_t size() const { return softness_.size(); }  ///< without the idle ones
 
   /// `wanted` (#V): energy of each vertex at κ = 1, 0 where it may be anything. `usual`: a stiffness of idle
   /// constraints where nothing else resists. Sets every softness. Facts, named `name`_…: how well it went.
-  std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name);
+  std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name) {
+    fit(wanted);
+    return finish(wanted, usual, name);
+  }
+
+  /// meet() in its two steps, between which the factors may be changed: they are of every constraint's stiffness, in the
+  /// order of add().
+  void fit(const std::vector<double>& wanted);
+  std::vector<BendingFact> finish(const std::vector<double>& wanted, double usual, const std::string& name);
+  std::span<double> factors() { return factor_; }
+  /// Fits the factors as they are a little more; the first fit() takes many times as many rounds.
+  void refit(const std::vector<double>& wanted, int rounds);
 
  private:
   using PerVertex = std::vector<ByDirection>;

@@ -154,7 +154,7 @@ std::vector<Vector2> plane_coordinates(const RestMesh& rest) {
   return plane;
 }
 
-QuadraticForm fold(const std::array<Vector2, 4>& q) {
+std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q) {
   const Vector2 edge = q[1] - q[0];
   const double length = edge.norm();
   std::array<double, 4>
@@ -165,6 +165,11 @@ QuadraticForm fold(const std::array<Vector2, 4>& q) {
     const double away = std::abs(edge.x() * offset.y() - edge.y() * offset.x()) / length;
     weight[opposite] += 1 / away, weight[1] -= along / away, weight[0] -= (1 - along) / away;
   }
+  return weight;
+}
+
+QuadraticForm fold(const std::array<Vector2, 4>& q) {
+  const std::array<double, 4> weight = fold_weights(q);
   QuadraticForm sum{};
   for (std::size_t i = 1; i < 4; ++i) {
     const QuadraticForm z = height(q[i] - q[0]);

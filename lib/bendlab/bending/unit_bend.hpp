@@ -31,6 +31,9 @@ std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 /// each triangle flat.
 QuadraticForm fold(const std::array<Vector2, 4>& q);
 
+/// The same angle of any small heights of the four vertices, as a sum of them: the weights, in 1/m.
+std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q);
+
 /// A hinge laid flat: p0, p1 of its edge, then the vertices opposite it.
 std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p);
 

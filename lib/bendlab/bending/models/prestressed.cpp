@@ -39,9 +39,12 @@ extern constinit const BendingModel prestressed{
         "the springs of sparse_lod, longer at rest than their pairs are apart: they push in the flat sheet",
     .source = "bendlab's own",
     .limits =
-        "the sheet grows by what the membrane gives way (with k by about the excess); does not know the fold's "
+        "the sheet grows by what the membrane gives way (with k by about the excess); does not know the "
+        "fold's "
         "direction; "
-        "wrinkles shorter than t edges can escape the long springs",
+        "wrinkles shorter than t edges can escape the long springs; physical: an excess that the solver "
+        "cannot hold "
+        "is lowered, see excess_taken",
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
     .parameters = parameters,

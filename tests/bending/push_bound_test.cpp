@@ -1,0 +1,112 @@
+// Springs that push as hard as a solver can hold.
+#include "bendlab/bending/push_bound.hpp"
+
+#include <cmath>
+
+#include "bendlab/bending/calibration.hpp"
+#include "bendlab/mesh/delaunay.hpp"
+#include "tests/bending/shapes.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using Catch::Matchers::WithinRel;
+
+constexpr double dt = 1.0 / 60, rigidity = 1e-3, density = 0.2;
+
+DistanceConstraints springs(const RestMesh& rest, double excess) {
+  const Pins pins = make_pins(rest, {}, 0);
+  BendingConstraints constraints = test::built("prestressed", rest, pins, {{"excess", excess}});
+  calibrate(constraints, rest, pins, {.flexural_rigidity = rigidity});
+  return constraints.distance;
+}
+
+double length_of(const RestMesh& rest, const std::array<int, 2>& pair) {
+  return (rest.position(pair[0]) - rest.position(pair[1])).norm();
+}
+
+// By how much the edges of a sheet have grown, root mean square, after a quarter of a second without loads.
+double growth(const RestMesh& rest, const DistanceConstraints& pushing, int substeps) {
+  SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 0), "none", density);
+  input.distance = pushing;
+  input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-7};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
+  input.settings = {.dt = dt, .substeps = substeps, .iterations = 1};
+  const auto simulation = make_simulation<double>(input, {});
+  for (int step = 0; step < 15; ++step) REQUIRE(simulation->step());
+  const Positions x = simulation->positions();
+  double sum = 0;
+  for (Eigen::Index e = 0; e < rest.edges().rows(); ++e) {
+    const int a = rest.edges()(e, 0), b = rest.edges()(e, 1);
+    sum += std::pow((x.row(a) - x.row(b)).norm() / length_of(rest, {a, b}) - 1, 2);
+  }
+  return std::sqrt(sum / static_cast<double>(rest.edges().rows()));
+}
+
+}  // namespace
+
+TEST_CASE("springs that push do not tear apart a sheet whose solver cannot hold them", "[bending]") {
+  for (const TriangleMesh& mesh : {delaunay(0.2, 0.2, 10, 1), grid(0.2, 0.2, 10, 10, Diagonal::alternating),
+                                   equilateral(0.2, 0.2, 10)}) {
+    const RestMesh rest(mesh);
+    for (const int substeps : {1, 4, 16}) {
+      const DistanceConstraints told = springs(rest, 1);
+      DistanceConstraints held = told;
+      const auto bound = bound_push(held, rest, lumped_masses(rest, density), dt / substeps, 1);
+      REQUIRE(bound);
+      INFO(rest.triangle_count() << " triangles, " << substeps << " substeps, G " << bound->growth);
+      const double found = growth(rest, held, substeps);
+      // Twice what is tolerated: nothing damps the sheet, it swings to twice where it would rest.
+      CHECK(found < 2 * tolerated_growth);
+      if (bound->expected > 0.2) CHECK(growth(rest, told, substeps) > 2 * found);
+    }
+  }
+}
+
+TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is left alone", "[bending]") {
+  const RestMesh rest(equilateral(0.2, 0.2, 10));
+  const std::vector<double> mass = lumped_masses(rest, density);
+  const DistanceConstraints told = springs(rest, 1);
+  DistanceConstraints coarse = told, fine = told;
+  const auto bounded = bound_push(coarse, rest, mass, dt, 1),
+             kept = bound_push(fine, rest, mass, dt / 1024, 1);
+  REQUIRE(bounded);
+  REQUIRE(kept);
+  CHECK(fine.rest_length == told.rest_length);
+  CHECK(fine.softness == told.softness);
+  CHECK(kept->taken == kept->told);
+  CHECK_FALSE(push_warning(*kept));
+  double virial = 0, area = 0;
+  for (std::size_t s = 0; s < told.size(); ++s) {
+    const double length = length_of(rest, told.vertices[s]),
+                 force = (told.rest_length[s] - length) / told.softness[s];
+    CHECK_THAT((coarse.rest_length[s] - length) / coarse.softness[s], WithinRel(force, 1e-9));
+    CHECK_THAT(coarse.rest_length[s] / length - 1, WithinRel(bounded->taken, 1e-9));
+    virial += force * length;
+  }
+  for (const double a : rest.areas()) area += a;
+  CHECK_THAT(bounded->tension, WithinRel(virial / (2 * area), 1e-9));
+  CHECK(bounded->taken < 0.1);
+  CHECK_THAT(bounded->growth / kept->growth, WithinRel(1024.0 * 1024, 1e-9));
+
+  // What it says helps, helps: so many times as many substeps, and no fewer than half of them.
+  const auto with = [&](int substeps) {
+    DistanceConstraints again = told;
+    return !push_warning(*bound_push(again, rest, mass, dt / substeps, 1));
+  };
+  CHECK(with(bounded->substeps_factor));
+  CHECK_FALSE(with(bounded->substeps_factor / 2));
+  const std::string warning = push_warning(*bounded).value_or("");
+  CHECK_THAT(warning, ContainsSubstring("N/m") &&
+                          ContainsSubstring(std::to_string(bounded->substeps_factor) + " times"));
+
+  // The default excess is below what is tolerated, and springs at rest do not push.
+  DistanceConstraints usual = springs(rest, 0.02);
+  CHECK_FALSE(push_warning(*bound_push(usual, rest, mass, dt, 1)));
+  DistanceConstraints resting = test::built("sparse_lod", rest).distance;
+  CHECK_FALSE(bound_push(resting, rest, mass, dt, 1));
+}
+
+}  // namespace bendlab
