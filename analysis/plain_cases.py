@@ -21,7 +21,7 @@ FALL = 1e-3  # of the way that a cloth without pins falls
 WAY = 0.1  # woven cloth gives way by about a tenth before it feels stiff (Provot 1995); what is told here does not stretch
 NEAR = 0.02  # sizes beyond that, for the few triangles at a pin
 MEAN_STRAIN = 0.1  # as WAY
-STRETCH = 2.0  # of one triangle, times its rest length
+STRETCH = 3.0  # of one triangle, times its rest length: at a single pinned vertex the paper's scene has 2.2 for a moment
 SPEED = 3.0  # times v0 + g t: the end of a cloth that whips is faster than what falls freely
 ENERGY = 0.02  # of kinetic energy at the start, and weight times size: forward sweeps add a little (design.md)
 ROUNDING = 1e-6  # sizes: a coordinate in single precision, some sizes from the middle
@@ -182,10 +182,9 @@ def bounds_of(run):
     if not np.isfinite(scene.frames).all():
         return [Bound("coordinates that are no numbers", float((~np.isfinite(scene.frames)).sum()), 0.5, "1")]
     strain, stretch = strains(scene)
-    found = [Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1"),
-             Bound("speed over v0 + g t", speed(scene), SPEED, "1")]
+    found = [Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
     if run.model != "prestressed":  # whose springs push from the start
-        found.append(Bound("energy gained", energy_gain(scene), ENERGY, "of the scale"))
+        found += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"), Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
     if len(scene.pins):
         moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins], axis=2).max() / scene.size
         found += [Bound("way of a pin", moved, ROUNDING, "sizes"), Bound("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
@@ -236,9 +235,9 @@ def energy_gain(scene):
 def beyond_reach(scene):
     """How far a vertex was from its nearest pin beyond the way along the edges and WAY of it, in sizes."""
     way, pin = ways_from(scene)
-    reached = way < np.inf
+    reached = (way < np.inf) & ~scene.run.pinned
     distance = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2)
-    return float(((distance - (1 + WAY) * way)[:, reached]).max() / scene.size)
+    return 0.0 if not reached.any() else float(((distance - (1 + WAY) * way)[:, reached]).max() / scene.size)
 
 
 def ways_from(scene):

@@ -65,8 +65,8 @@ def rules():
     return (f"<p>A run breaks a bound if a coordinate is no number; if a pinned vertex moves; if the mean strain passes {MEAN_STRAIN:g} or a triangle is "
             f"stretched to more than {STRETCH:g} times its length (every membrane here is stated to be without stretch, and woven cloth gives way by a tenth "
             f"before it is taut: Provot 1995); if a vertex is farther from its pin than the way along the edges and a tenth of it, by more than {NEAR:g} "
-            f"sizes (a size is the diagonal of the rest shape); if a vertex is faster than {SPEED:g} (v<sub>0</sub> + g t); if kinetic energy and that of weight rise "
-            f"by more than {ENERGY:g} of their scale (not looked at for prestressed springs, which push from the start); or, without pins, if the centre of "
+            f"sizes (a size is the diagonal of the rest shape); if a vertex is faster than {SPEED:g} (v<sub>0</sub> + g t) or kinetic energy and that of weight rise "
+            f"by more than {ENERGY:g} of their scale (neither is looked at for prestressed springs, which push from the start); or, without pins, if the centre of "
             f"mass leaves x<sub>0</sub> + v<sub>0</sub> t + g t (t + h) / 2, which steps of h give exactly, by more than {FALL:g} of its fall.</p>"
             "<p>It is <b>told</b> if the program ends it as implausible or diverged, or warns of what spoils these numbers. A run is <b>wrong in "
             "silence</b> if it breaks a bound and nothing was said.</p>")

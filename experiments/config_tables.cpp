@@ -411,8 +411,10 @@ constexpr std::array lists = {
                "a setting. One run per combination, the last pointer "
                "fastest; a pointer may also name a whole object, or the whole list of effects"},
     ConfigList{"cover",
-               "A part of a large sweep instead of all of it: with \"cover\": 3 every value of any three axes occurs "
-               "together in at least one run, in as few runs as a greedy search finds, the same on every machine. What "
+               "A part of a large sweep instead of all of it: with \"cover\": 3 every value of any three "
+               "axes occurs "
+               "together in at least one run, in as few runs as a greedy search finds, the same on every "
+               "machine. What "
                "does not go together is left out; 'bendlab plan' says what that was. A number, or an object"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
 };

@@ -57,16 +57,16 @@ class Coverage {
     row[axis] = value;
     std::size_t gain = 0;
     for (const std::size_t g : groups_of_axis_[axis])
-      if (const std::size_t place = place_of(groups_[g], row); place != open && groups_[g].state[place] == missing_here)
+      if (const std::size_t place = place_of(groups_[g], row);
+          place != open && groups_[g].state[place] == missing_here)
         ++gain;
     row[axis] = open;
     return gain;
   }
 
   std::size_t gain(const CoverRow& row) const {
-    return static_cast<std::size_t>(std::ranges::count_if(groups_, [&](const Group& group) {
-      return group.state[place_of(group, row)] == missing_here;
-    }));
+    return static_cast<std::size_t>(std::ranges::count_if(
+        groups_, [&](const Group& group) { return group.state[place_of(group, row)] == missing_here; }));
   }
 
   void add(const CoverRow& row) {
@@ -113,8 +113,8 @@ class Coverage {
     for (const std::size_t axis : axes) count = std::min(count * sizes_[axis], most_tuples + 1);
     tuples_ += count;
     if (tuples_ > most_tuples)
-      throw std::invalid_argument(fmt::format("more than {} combinations of {} values are to be covered",
-                                              most_tuples, axes.size()));
+      throw std::invalid_argument(
+          fmt::format("more than {} combinations of {} values are to be covered", most_tuples, axes.size()));
     missing_ = tuples_;
     for (const std::size_t axis : axes) groups_of_axis_[axis].push_back(groups_.size());
     groups_.push_back({axes, std::vector<State>(count, missing_here), count});
@@ -156,8 +156,8 @@ class Coverage {
       std::size_t rest = place;
       for (std::size_t i = group.axes.size(); i-- > 0; rest /= sizes_[group.axes[i]])
         row[group.axes[i]] = rest % sizes_[group.axes[i]];
-      const bool holds = std::ranges::all_of(
-          tuple, [&](const auto& part) { return row[part.first] == part.second; });
+      const bool holds =
+          std::ranges::all_of(tuple, [&](const auto& part) { return row[part.first] == part.second; });
       if (holds && settle(group, place, impossible)) ++given_up;
     }
     return given_up;

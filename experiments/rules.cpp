@@ -59,10 +59,11 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
   const std::string& generator = mesh["generator"].get_ref<const std::string&>();
   if (model->springs_only && model->name != "none" && (generator == "tube" || generator == "sphere"))
-    problems.push_back({"/bending/stiffness",
-                        fmt::format("physical is known for the springs of {} on flat rest shapes only, not on a {}: give "
-                                    "k or compliance, or take a model of hinges",
-                                    model->name, generator)});
+    problems.push_back(
+        {"/bending/stiffness",
+         fmt::format("physical is known for the springs of {} on flat rest shapes only, not on a {}: give "
+                     "k or compliance, or take a model of hinges",
+                     model->name, generator)});
 }
 
 void check_indices(const Json& pins, ConfigProblems& problems) {

@@ -178,7 +178,8 @@ Json sweep_schema() {
 Json cover_schema() {
   Json strength = value_schema(cover_parameters()[0]);
   Json schema = Json::object();
-  schema["oneOf"] = Json::array({std::move(strength), object_schema("Strength and seed", cover_parameters())});
+  schema["oneOf"] =
+      Json::array({std::move(strength), object_schema("Strength and seed", cover_parameters())});
   return schema;
 }
 

@@ -146,9 +146,10 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
   if (covered) return axes;
   if (points > most_points)
     problems.push_back(
-        {"/sweep", fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
-                               "run a part that has every pair of values, with \"cover\": 2",
-                               most_points)});
+        {"/sweep",
+         fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
+                     "run a part that has every pair of values, with \"cover\": 2",
+                     most_points)});
   check_values(settings, axes, problems);
   return axes;
 }
@@ -157,7 +158,8 @@ std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
   Json given = cover;
   if (cover.is_number()) given = Json({{"strength", cover}});
   if (!given.is_object()) {
-    problems.push_back({"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
+    problems.push_back(
+        {"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
     return std::nullopt;
   }
   ConfigProblems found;
@@ -211,15 +213,17 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis
     }
   }();
   if (covering.rows.size() > most_points)
-    problems.push_back({"/cover", fmt::format("needs more than {} runs; choose a smaller strength, or shorten the lists "
-                                              "of the sweep",
-                                              most_points)});
+    problems.push_back(
+        {"/cover", fmt::format("needs more than {} runs; choose a smaller strength, or shorten the lists "
+                               "of the sweep",
+                               most_points)});
   for (const CoverTuple& tuple : covering.impossible)
     if (tuple.size() == 1) {
       const auto& [axis, value] = tuple.front();
-      problems.push_back({child_pointer(axis_pointer(axes[axis].first), std::to_string(value)),
-                          fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
-                                      why[tuple].pointer, why[tuple].message)});
+      problems.push_back(
+          {child_pointer(axis_pointer(axes[axis].first), std::to_string(value)),
+           fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
+                       why[tuple].pointer, why[tuple].message)});
     } else {
       told.refused.push_back(tuple_text(axes, tuple));
     }

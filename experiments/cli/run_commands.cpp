@@ -148,8 +148,8 @@ std::string state_on_disk(const fs::path& folder) {
 /// What a cover promises and what it left out, a line or two; empty for a whole sweep.
 std::string cover_text(const Covered& cover) {
   if (cover.strength == 0) return "";
-  std::string text = fmt::format("covers {} of {} combinations of the values of {} axes\n", cover.tuples - cover.missing,
-                                 cover.tuples, cover.strength);
+  std::string text = fmt::format("covers {} of {} combinations of the values of {} axes\n",
+                                 cover.tuples - cover.missing, cover.tuples, cover.strength);
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < std::min(cover.refused.size(), shown); ++i)
     text += fmt::format("left out, because these do not go together: {}\n", cover.refused[i]);
@@ -191,7 +191,8 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
     }
     if (!json)
       fmt::print("{}: {} run{}, {} complete\n{}\n{}\n", experiment.name, experiment.runs.size(),
-                 experiment.runs.size() == 1 ? "" : "s", complete, cover_text(experiment.cover), table.text());
+                 experiment.runs.size() == 1 ? "" : "s", complete, cover_text(experiment.cover),
+                 table.text());
   }
   return exit_ok;
 }

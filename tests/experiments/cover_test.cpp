@@ -38,7 +38,8 @@ bool in_one_of(const std::vector<CoverRow>& rows, const CoverTuple& tuple) {
 
 // Calls visit(tuple) for every combination of values of `strength` axes from `from` on, each added to `tuple`.
 template <class Visit>
-void for_each_tuple(const Sizes& sizes, std::size_t strength, std::size_t from, CoverTuple& tuple, const Visit& visit) {
+void for_each_tuple(const Sizes& sizes, std::size_t strength, std::size_t from, CoverTuple& tuple,
+                    const Visit& visit) {
   if (tuple.size() == strength) return visit(tuple);
   for (std::size_t axis = from; axis < sizes.size(); ++axis)
     for (std::size_t value = 0; value < sizes[axis]; ++value) {
@@ -51,7 +52,8 @@ void for_each_tuple(const Sizes& sizes, std::size_t strength, std::size_t from, 
 std::vector<CoverTuple> tuples(const Sizes& sizes, std::size_t strength) {
   std::vector<CoverTuple> all;
   CoverTuple tuple;
-  for_each_tuple(sizes, std::min(strength, sizes.size()), 0, tuple, [&](const CoverTuple& each) { all.push_back(each); });
+  for_each_tuple(sizes, std::min(strength, sizes.size()), 0, tuple,
+                 [&](const CoverTuple& each) { all.push_back(each); });
   return all;
 }
 
@@ -96,16 +98,19 @@ TEST_CASE("cover: every combination of the strength is in a row, whatever the ax
   std::mt19937_64 generator(1);
   for (int strength = 1; strength <= 4; ++strength)
     for (int trial = 0; trial < 8; ++trial) {
-      const Sizes sizes = random_sizes(generator, 1 + generator() % 7, 5);  // axes of one value, fewer axes than the strength
+      const Sizes sizes =
+          random_sizes(generator, 1 + generator() % 7, 5);  // axes of one value, fewer axes than the strength
       CAPTURE(strength, sizes);
       const CoverRows found = covering_rows(sizes, {strength, 1}, anything, most);
       const std::vector<CoverTuple> wanted = tuples(sizes, static_cast<std::size_t>(strength));
       CHECK(found.tuples == wanted.size());
       CHECK(found.missing == 0);
       CHECK(found.impossible.empty());
-      CHECK(std::ranges::all_of(wanted, [&](const CoverTuple& tuple) { return in_one_of(found.rows, tuple); }));
+      CHECK(
+          std::ranges::all_of(wanted, [&](const CoverTuple& tuple) { return in_one_of(found.rows, tuple); }));
       CHECK(std::set<CoverRow>(found.rows.begin(), found.rows.end()).size() == found.rows.size());
-      const std::size_t whole = std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>());
+      const std::size_t whole =
+          std::accumulate(sizes.begin(), sizes.end(), std::size_t{1}, std::multiplies<>());
       CHECK(found.rows.size() <= whole);
       if (static_cast<std::size_t>(strength) >= sizes.size()) CHECK(found.rows.size() == whole);
     }
@@ -116,7 +121,8 @@ TEST_CASE("cover: what is refused is in no row, all else is covered, and the rea
   for (int trial = 0; trial < 12; ++trial) {
     const Sizes sizes = random_sizes(generator, 5, 4);
     const std::vector<CoverTuple> pairs = tuples(sizes, 2), triples = tuples(sizes, 3);
-    const std::vector<CoverTuple> forbidden = {pairs[generator() % pairs.size()], pairs[generator() % pairs.size()],
+    const std::vector<CoverTuple> forbidden = {pairs[generator() % pairs.size()],
+                                               pairs[generator() % pairs.size()],
                                                triples[generator() % triples.size()]};
     const Allowed allowed = [&](const CoverRow& row) {
       return std::ranges::none_of(forbidden, [&](const CoverTuple& tuple) { return has(row, tuple); });
@@ -140,7 +146,8 @@ TEST_CASE("cover: what is refused is in no row, all else is covered, and the rea
 }
 
 TEST_CASE("cover: where nothing is allowed there is no row", "[cover]") {
-  const CoverRows none = covering_rows(Sizes{2, 3}, {2, 1}, [](const CoverRow&) { return false; }, most);
+  const CoverRows none = covering_rows(
+      Sizes{2, 3}, {2, 1}, [](const CoverRow&) { return false; }, most);
   CHECK(none.rows.empty());
   CHECK(none.missing == 6);
   CHECK(none.impossible.size() == 5);  // each value by itself
@@ -166,7 +173,8 @@ TEST_CASE("cover: few rows, in little time", "[cover]") {
   CHECK(covering_rows(plain, {3, 1}, anything, most).rows.size() <= 12 * 9 * 7 * 5 / 4);
   CHECK(covering_rows(Sizes(13, 3), {2, 1}, anything, most).rows.size() <= 17 * 5 / 4);
   CHECK(covering_rows(Sizes(10, 2), {3, 1}, anything, most).rows.size() <= 12 * 3 / 2);
-  CHECK(std::chrono::steady_clock::now() - start < std::chrono::seconds(20));  // 0.5 s alone; a debug build on a busy machine
+  CHECK(std::chrono::steady_clock::now() - start <
+        std::chrono::seconds(20));  // 0.5 s alone; a debug build on a busy machine
 }
 
 TEST_CASE("cover: too much is refused before memory is", "[cover]") {
@@ -200,7 +208,8 @@ TEST_CASE("cover: a sweep's runs hold every pair of its values", "[cover]") {
 
 TEST_CASE("cover: the limit is on what is run, and an override narrows an axis", "[cover]") {
   std::string rest = R"("cover": 2, "sweep": {"/bending/model": "all")";
-  for (const char* pointer : {"/mesh/cells", "/solver/iterations", "/solver/substeps", "/mesh/seed", "/initial/seed"})
+  for (const char* pointer :
+       {"/mesh/cells", "/solver/iterations", "/solver/substeps", "/mesh/seed", "/initial/seed"})
     rest += fmt::format(R"(, "{}": [1, 2, 3, 4, 5, 6, 7, 8])", pointer);
   rest += "}";
   CHECK(experiment(rest).runs.size() < 200);  // of 393 216
@@ -221,8 +230,8 @@ TEST_CASE("cover: combinations that a rule refuses are left out and told", "[cov
 }
 
 TEST_CASE("cover: what is wrong in every combination is a problem", "[cover]") {
-  check_problem(R"("cover": 2, "sweep": {"/mesh/cells": [2, 0], "/bending/k": [0.1, 0.2]})", "/sweep/~1mesh~1cells/1",
-                "got 0");
+  check_problem(R"("cover": 2, "sweep": {"/mesh/cells": [2, 0], "/bending/k": [0.1, 0.2]})",
+                "/sweep/~1mesh~1cells/1", "got 0");
   check_problem(R"("cover": 2, "sweep": {"/mesh/cels": [2, 0]})", "/sweep/~1mesh~1cels", "cannot be swept");
   check_problem(R"("cover": 2, "pins": {"rings": 2}, "sweep": {"/mesh/cells": [2, 4]})", "/pins/rings",
                 "there is no setting 'rings'");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <future>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <vector>
@@ -19,8 +21,8 @@ namespace bendlab {
 namespace {
 
 // As in analysis/plain_cases.py, where the reasons stand.
-constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 2, speed = 3, energy = 0.02, fall = 1e-3,
-                 rounding = 1e-6;
+constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 3, speed = 3, energy = 0.02,
+                 fall = 1e-3, rounding = 1e-6;
 
 Experiment plain(const std::string& name) {
   return load_experiment(std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs/plain" / (name + ".json"));
@@ -28,7 +30,8 @@ Experiment plain(const std::string& name) {
 
 std::string text_of(const RunConfig& config) {
   std::string text;
-  for (const auto& [pointer, value] : config.point) text += fmt::format(" --set '{}={}'", pointer, value.dump());
+  for (const auto& [pointer, value] : config.point)
+    text += fmt::format(" --set '{}={}'", pointer, value.dump());
   return text;
 }
 
@@ -81,10 +84,7 @@ class Bounds {
     const StretchSummary strained = meter_.summarise(meter_.measure(now));
     keep("mean strain", strained.mean_strain, mean_strain);
     keep("largest stretch", strained.max_stretch, stretch);
-    const double fastest = velocities_.rowwise().norm().maxCoeff() + gravity_.norm() * time;
-    keep("speed over v0 + g t", velocities.rowwise().norm().maxCoeff() / fastest, speed);
-    if (!pushes_)
-      keep("energy gained", (energy_of(now, velocities) - energy_) / scale_, energy);
+    if (!pushes_) look_at_motion(time, now, velocities);
     if (scene_.pins.all.empty())
       look_at_fall(time, now);
     else
@@ -103,6 +103,12 @@ class Bounds {
       if (std::abs(length / springs.rest_length[i] - 1) > 1e-3) return true;
     }
     return false;
+  }
+
+  void look_at_motion(double time, const Positions& now, const Positions& velocities) {
+    const double fastest = velocities_.rowwise().norm().maxCoeff() + gravity_.norm() * time;
+    keep("speed over v0 + g t", velocities.rowwise().norm().maxCoeff() / fastest, speed);
+    keep("energy gained", (energy_of(now, velocities) - energy_) / scale_, energy);
   }
 
   double energy_of(const Positions& positions, const Positions& velocities) const {
@@ -132,12 +138,14 @@ class Bounds {
       keep("way of a pin", (now.row(v) - start_.row(v)).norm(), rounding * scene_.rest.size());
     for (int v = 0; v < scene_.rest.vertex_count(); ++v)
       if (ways_.pin[v] >= 0)
-        keep("beyond reach of the pins", (now.row(v) - start_.row(ways_.pin[v])).norm() - (1 + way) * ways_.length[v],
+        keep("beyond reach of the pins",
+             (now.row(v) - start_.row(ways_.pin[v])).norm() - (1 + way) * ways_.length[v],
              near_a_pin * scene_.rest.size());
   }
 
   void keep(const char* what, double value, double limit) {
-    const double excess = std::isfinite(value) && limit > 0 ? value / limit : std::numeric_limits<double>::infinity();
+    const double excess =
+        std::isfinite(value) && limit > 0 ? value / limit : std::numeric_limits<double>::infinity();
     if (!(excess > excess_)) return;
     excess_ = excess;
     worst_ = fmt::format("{} {:.3g}, at most {:.3g}", what, value, limit);
@@ -155,37 +163,48 @@ class Bounds {
 
 // Whether the program says of a run that it cannot be believed.
 bool is_told(const Experiment& experiment, const RunConfig& config) {
-  const std::filesystem::path folder = std::filesystem::temp_directory_path() / "bendlab_plain_test";
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("bendlab_plain_test_" + run_id(config));
   const RunOutcome outcome = execute_run(experiment, config, folder);
   std::filesystem::remove_all(folder);
   return outcome.status != RunStatus::complete;
 }
 
-void check_no_silence(const std::string& name, std::size_t first, std::size_t every) {
-  const Experiment experiment = plain(name);
-  for (std::size_t i = first; i < experiment.runs.size(); i += every) {
-    const RunConfig& config = experiment.runs[i];
-    const Scene scene = build_scene(config);
-    const std::unique_ptr<Simulation> simulation = simulation_of(scene);
-    Bounds bounds(scene);
-    const double duration = config.section("").number("duration");
-    bool goes_on = true;
-    while (goes_on && simulation->time() < duration - 1e-9) {
-      goes_on = simulation->step();
-      bounds.look(simulation->time(), simulation->positions(), simulation->velocities());
-    }
-    INFO(fmt::format("bendlab run configs/plain/{}.json{}", name, text_of(config)));
-    INFO(bounds.worst());
-    CHECK((bounds.excess() <= 1 || is_told(experiment, config)));
+// What is wrong in silence with a run; empty if nothing is.
+std::string silently_wrong(const Experiment& experiment, const RunConfig& config) {
+  const Scene scene = build_scene(config);
+  const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+  Bounds bounds(scene);
+  const double duration = config.section("").number("duration");
+  bool goes_on = true;
+  while (goes_on && simulation->time() < duration - 1e-9) {
+    goes_on = simulation->step();
+    bounds.look(simulation->time(), simulation->positions(), simulation->velocities());
   }
+  return bounds.excess() <= 1 || is_told(experiment, config) ? "" : bounds.worst() + ":" + text_of(config);
+}
+
+// Of every tenth run, two at a time.
+std::vector<std::string> silently_wrong(const std::string& name) {
+  const Experiment experiment = plain(name);
+  const auto every = [&](std::size_t first, std::size_t step) {
+    std::vector<std::string> found;
+    for (std::size_t i = first; i < experiment.runs.size(); i += step)
+      if (const std::string wrong = silently_wrong(experiment, experiment.runs[i]); !wrong.empty())
+        found.push_back(fmt::format("bendlab run configs/plain/{}.json: {}", name, wrong));
+    return found;
+  };
+  std::future<std::vector<std::string>> other = std::async(std::launch::async, every, 13, 20);
+  std::vector<std::string> found = every(3, 20);
+  std::ranges::copy(other.get(), std::back_inserter(found));
+  return found;
 }
 
 }  // namespace
 
 TEST_CASE("plain: no tenth run is wrong in silence", "[plain]") {
-  check_no_silence("metres", 3, 10);
-  check_no_silence("millimetres", 3, 10);
-  check_no_silence("first", 3, 10);
+  const std::string name = GENERATE("first", "metres", "millimetres");
+  CHECK(silently_wrong(name) == std::vector<std::string>());
 }
 
 // A length of 1/1024 changes exponents only: not a bit may differ, if no length is compared with a constant of its own.
@@ -195,7 +214,8 @@ TEST_CASE("plain: the same cloth in two units does the same, bit for bit", "[pla
   constexpr double scale = 1.0 / 1024;
   int compared = 0;
   for (std::size_t i = 1; i < small.runs.size(); i += 4) {
-    if (large.runs[i].section("/bending").text("stiffness") == "compliance") continue;  // scaled as springs or hinges
+    if (large.runs[i].section("/bending").text("stiffness") == "compliance")
+      continue;  // scaled as springs or hinges
     INFO(text_of(large.runs[i]));
     const Scene one = build_scene(small.runs[i]), other = build_scene(large.runs[i]);
     const std::unique_ptr<Simulation> a = simulation_of(one), b = simulation_of(other);

@@ -154,12 +154,14 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
 }
 
 TEST_CASE("a circle is closed around the centre, and four vertices lie inside", "[mesh]") {
-  const RestMesh round(disc(0.5, 8));  // rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4, of 24 vertices
+  const RestMesh round(
+      disc(0.5, 8));  // rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4, of 24 vertices
   const std::vector<int> circle = select_vertices(round, "circle");
   CHECK(circle.size() == 24);
   for (const int v : circle) CHECK_THAT(round.position(v).norm(), WithinAbs(0.25, 1e-12));
 
-  const RestMesh four(grid(1, 1, 4, 4, Diagonal::both));  // a cross around the centre, its corners are farther: √2/4
+  const RestMesh four(
+      grid(1, 1, 4, 4, Diagonal::both));  // a cross around the centre, its corners are farther: √2/4
   for (const int v : select_vertices(four, "circle")) CHECK(four.position(v).norm() <= 0.25 + 1e-12);
   CHECK(select_vertices(four, "circle").size() == 8);  // 4 neighbours at 1/4 and the 4 crossings at √2/8
 
@@ -175,7 +177,8 @@ TEST_CASE("a circle is closed around the centre, and four vertices lie inside", 
     CHECK_THAT(std::abs(ten.position(v).x()), WithinAbs(0.4, 1e-12));  // 0.3 and 0.7 of 2, from the middle
     CHECK_THAT(std::abs(ten.position(v).y()), WithinAbs(0.2, 1e-12));
   }
-  CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), "interior") == std::vector<int>(4, 4));  // the only one there is
+  CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), "interior") ==
+        std::vector<int>(4, 4));  // the only one there is
 }
 
 TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {
