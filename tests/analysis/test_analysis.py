@@ -624,6 +624,18 @@ class PlainTest(unittest.TestCase):
         self.assertEqual(fig_plain.pairs([self.judged(0.2 if a == 1 else 0, a=a, b=b, c=c) for a, b, c in values]), [])
         self.assertEqual(fig_plain.pairs([self.judged(0.0, a=1, b=2)]), [])
 
+    def test_a_run_that_stops_at_once_breaks_a_bound(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config = {"name": "plain_first", "duration": 0.3, "mesh": {"generator": "grid", "diagonal": "same", "cells": 1, "height": 1, "width": 1, "scale": 1},
+                      "pins": {"vertices": ["top"], "ring": 0}, "bending": {"model": "none", "stiffness": "k", "k": 0.5}, "effects": [],
+                      "material": {"strain": {"form": "green", "stiffness": "k"}}, "initial": {"tilt": 0, "velocity": [0, 0, 0], "spin": [0, 0, 0]},
+                      "solver": {"dt": 0.01, "substeps": 1, "iterations": 1, "order": "mesh", "sweep": "forward", "precision": "single"}}
+            write_run(Path(folder) / "run.vtkhdf", config, committed=1, status="diverged")
+            judged = plain_cases.judge(load.load_run(Path(folder) / "run.vtkhdf"), "first", {})
+        self.assertEqual([bound.name for bound in judged.broken], ["time not simulated"])
+        self.assertEqual((judged.verdict, judged.told), (plain_cases.TOLD, "diverged"))
+        self.assertEqual(judged.settings["pins"], "an edge")
+
     def test_both_units_read_alike(self):
         read = lambda name: json.loads((load.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
         small, large, metres = (read(name)["sweep"] for name in (*plain_cases.TWINS, "metres"))
