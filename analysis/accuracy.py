@@ -24,7 +24,7 @@ def experiment_runs(results, section, *names):
     """The runs of configs/accuracy/<name>.json, finished or diverged; the section notes commands and what is missing."""
     runs = []
     for name in names:
-        runs += [run for run in section.uses(load_experiment(results, f"accuracy/{name}")) if run.status in ("complete", "diverged")]
+        runs += [run for run in section.uses(load_experiment(results, f"accuracy/{name}")) if run.over]
     return runs
 
 

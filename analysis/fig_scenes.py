@@ -111,6 +111,8 @@ def caption(run, frame):
     """Time and stretch of a frame."""
     time, stretch = run.metrics["time"][frame], run.metrics["max_stretch"][frame]
     text = f"{time:.1f} s, σ₁ up to {style.number(stretch)}"
+    if run.status == "implausible":
+        text += ", implausible"
     return text if run.complete else f"{run.status} at {run.metrics['time'][-1]:.1f} s"
 
 

@@ -62,7 +62,7 @@ def _at(experiment, where):
     here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == _swept(experiment, pointer, value)
                            for pointer, value in where.items())
     return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
-            if run.status in ("complete", "diverged") and here(run)}
+            if run.over and here(run)}
 
 
 def count(cells, verdict, model=None):

@@ -47,7 +47,7 @@ class Run:
     file: Path
     id: str
     name: str
-    status: str  # running | complete | diverged | interrupted
+    status: str  # complete | implausible | diverged | interrupted
     config: dict
     summary: dict  # name → number
     metrics: Mapping  # name → (F) array, `time` among them
@@ -72,7 +72,13 @@ class Run:
 
     @property
     def complete(self):
-        return self.status == "complete"
+        """Whether all frames are there. A run that is implausible went to its end: what is wrong with it is what a figure shows."""
+        return self.status in ("complete", "implausible")
+
+    @property
+    def over(self):
+        """Whether the same run again would end as it did."""
+        return self.complete or self.status == "diverged"
 
     def frame_index(self, frame):
         """A frame number from 0, given one that may count from the end. IndexError where there is none."""
@@ -329,7 +335,7 @@ def load_experiment(results, config):
     if config.endswith("_full"):  # made on request only, so what is there may be of an older program than the rest
         sources = {run.source_hash for run in load_experiment(results, config.removesuffix("_full")).runs}
         runs = [run for run in runs if run.source_hash in sources]
-    there = {_place(run.config, sweep) for run in runs if run.status in ("complete", "implausible", "diverged")}
+    there = {_place(run.config, sweep) for run in runs if run.over}
     # Which points a covering array takes is known to the program alone; fig_plain.py looks whether they cover.
     points = [] if "cover" in settings else _points(sweep)
     wanted = dict.fromkeys(_place(_with(settings, point), sweep) for point in points)

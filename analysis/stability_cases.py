@@ -119,7 +119,7 @@ def energy_known(run):
 
 def judge(run, control, case):
     """The cell of a run."""
-    if run.status != "complete":
+    if not run.complete:
         time = float(run.metrics["time"][-1])
         return Cell(case, run, RED, Criterion(f"{run.status} after", time, 0.0, "s", RED))
     found = criteria(run, control, case)

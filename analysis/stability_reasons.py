@@ -147,7 +147,7 @@ REASONS = [
 
 def reason(cell):
     """The first known cause whose number is there, or nothing."""
-    if cell.run.status != "complete":
+    if not cell.run.complete:
         return ""
     for one in REASONS:
         if cell.case.name.startswith(one.cases) and (not one.models or cell.model in one.models) and one.shows(cell.run.summary):

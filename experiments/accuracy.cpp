@@ -238,7 +238,8 @@ std::optional<Course> Accuracy::course_of_reference(const std::string& id, const
     const RunOutcome outcome = make_reference(*config, starts_here ? &start : nullptr, folder, stop);
     result.stopped |= outcome.status == RunStatus::interrupted;
     if (outcome.status == RunStatus::diverged) tell("the reference " + outcome.message);
-    if (outcome.status != RunStatus::complete) return std::nullopt;
+    if (outcome.status == RunStatus::implausible) tell("the reference is " + outcome.message);
+    if (!is_whole(outcome.status)) return std::nullopt;
     if (outcome.summary.contains("unbalanced") && !outcome.summary.contains("settled_at")) {
       tell("of the reference, " + outcome.message);
       const char* which = coarser ? "coarser_unbalanced" : "unbalanced";

@@ -165,6 +165,8 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
 
   experiment.name = settings["name"];
   experiment.description = settings.value("description", "");
+  if (settings.contains("allow") && settings["allow"].is_array()) experiment.allow = settings["allow"];
+  experiment.settings = std::move(settings);
   for (RunConfig& run : experiment.runs) set_folder(run, source.parent_path());
   check_runs_before(experiment.runs, source_name);
   check_references(experiment.runs, source_name);
@@ -172,6 +174,10 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
 }
 
 }  // namespace
+
+bool Experiment::allows(RunStatus status) const {
+  return std::ranges::find(allow, to_string(status)) != allow.end();
+}
 
 ParameterValues RunConfig::section(std::string_view pointer) const {
   const ConfigSection* found = find_section(pointer);

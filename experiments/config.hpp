@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "bendlab/io/run_file.hpp"
 #include "bendlab/parameters/parameter.hpp"
 #include "experiments/strict_json.hpp"
 
@@ -88,6 +89,11 @@ struct Experiment {
   std::vector<Axis> axes;  ///< the sweep
   Covered cover;
   std::vector<Expectation> expectations;
+  /// What its runs may come to without a failing exit code: no part of what a run is.
+  std::vector<std::string> allow;
+  Json settings;  ///< as written, with overrides, without `sweep` and `expect`
+
+  bool allows(RunStatus status) const;
 };
 
 /// Reads, checks and expands. `overrides` are "/json/pointer=value" texts (value as JSON, else as plain

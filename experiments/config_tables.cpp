@@ -36,6 +36,9 @@ constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending
 constexpr std::array<std::string_view, 2> precisions = {"single", "double"};
 constexpr std::array<std::string_view, 3> alignments = {"none", "vertical", "rigid"};
 
+constexpr std::array<std::string_view, 1> allowed = {"implausible"};  // of RunStatus
+
+constexpr std::span<const std::string_view> nothing;
 constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
 constexpr std::array<double, 3> default_warp = {1, 0, 0}, zero_vector = {0, 0, 0}, ones = {1, 1, 1};
 constexpr std::span<const double> no_indices;
@@ -60,6 +63,10 @@ constexpr std::array top_level = {
               .required = true},
     Parameter{.name = "description", .type = text, .unit = "", .default_value = "",
               .meaning = "What the experiment is for; does not change it"},
+    Parameter{.name = "allow", .type = texts, .unit = "", .default_value = Names(nothing),
+              .meaning = "What runs may come to without failing the command: implausible, for a sweep that studies what fails. "
+                         "The runs' status is told all the same; does not change them",
+              .choices = allowed},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
               .meaning = "Simulated time of each run",
               .minimum = 0, .above = true},

@@ -109,6 +109,11 @@ double Recorder::kinetic_energy_of(const Frame& frame) {
   return frame.metrics[kinetic_energy];
 }
 
+void Recorder::show(const Frame& frame, Plausibility& plausibility) const {
+  plausibility.look_at_stretch(frame.time, frame.metrics[mean_strain], frame.cell_fields[0],
+                               as_rows(frame.positions));
+}
+
 void Recorder::complete(Frame& frame) {
   const Positions positions = as_rows(frame.positions);
   const std::vector<PrincipalStretches> stretches = stretch_.measure(positions);

@@ -7,6 +7,7 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "experiments/plausibility.hpp"
 #include "experiments/scene.hpp"
 
 namespace bendlab {
@@ -23,6 +24,9 @@ class Recorder {
   Frame capture(const Simulation& simulation) const;
 
   static double kinetic_energy_of(const Frame& frame);  ///< J
+
+  /// Shows a completed frame's stretches to the verdict; on the writer's thread too.
+  void show(const Frame& frame, Plausibility& plausibility) const;
 
   /// The rest of the frame, from its positions; on the writer's thread, one frame at a time, in order.
   void complete(Frame& frame);

@@ -238,6 +238,7 @@ Json resolve(const Json& settings, ConfigProblems& problems) {
   apply_rules(settings, canonical, problems);
   canonical.erase("name");
   canonical.erase("description");
+  canonical.erase("allow");
   return canonical;
 }
 

@@ -74,6 +74,14 @@ void add_stiffness(const RunStrip& strip, const Simulation& simulation, RunOutco
   add_message(outcome, fmt::format("no stiffness: {}", error.what()));
 }
 
+// A run that was stopped may yet break a bound, or did: it is run again. One that diverged says both.
+void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
+  if (!broken || outcome.status == RunStatus::interrupted) return;
+  if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
+  add_message(outcome, "implausible: " + text_of(*broken));
+  outcome.broken = std::move(broken);
+}
+
 // Leaves out the effects that cannot act. Returns the scene as it was.
 Scene take_idle_effects_out(Scene& scene) {
   Scene whole = scene;
@@ -106,10 +114,16 @@ Comparison compare_to_whole(const Simulation& minimal, const Scene& whole) {
 
 RunOutcome outcome_of(const RunRecord& record) {
   const auto message = record.provenance.find("message");
+  const auto json = [&](const char* name) {
+    const auto text = record.provenance.find(name);
+    return text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
+  };
   return {.id = record.id,
           .status = record.status,
           .reused = true,
           .file = record.file,
+          .broken = broken_bound_of(json("implausible")),
+          .warnings = warnings_of(json("warnings")),
           .message = message == record.provenance.end() ? "" : message->second,
           .wall_s = record.wall_s,
           .cpu_s = record.cpu_s,
@@ -118,13 +132,12 @@ RunOutcome outcome_of(const RunRecord& record) {
           .passes = record.passes};
 }
 
-// The run's file if it is there and over: complete, or diverged (which it would again, bit for bit).
+// The run's file if it is there and over: whole, or diverged (which it would again, bit for bit).
 std::optional<RunOutcome> finished_run(const std::filesystem::path& file) {
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     const RunRecord record = read_run(file);
-    if (record.status == RunStatus::complete || record.status == RunStatus::diverged)
-      return outcome_of(record);
+    if (is_over(record.status)) return outcome_of(record);
   } catch (const RunFileError&) {  // unreadable: run again, which replaces it
   }
   return std::nullopt;
@@ -217,6 +230,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   std::optional<StabilityMeter> stability;
   if (config.section("/output").boolean("stability"))
     stability.emplace(scene, config.section("").number("duration"));
+  Plausibility plausibility(scene);
   Accuracy accuracy(config, scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
   RunOutcome outcome{.id = run_id(config), .file = file};
@@ -226,8 +240,10 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   FrameWriter writer(file, header, [&](Frame& frame) {
     accuracy.keep(frame, Recorder::kinetic_energy_of(frame));
     recorder.complete(frame);
+    recorder.show(frame, plausibility);
   });
-  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer, stability, config, control);
+  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer,
+                                        {stability ? &*stability : nullptr, &plausibility}, config, control);
   outcome.step_cpu_s = stepping.cpu_s;
   writer.drain();
   const double recording_s = writer.cpu_s();
@@ -235,6 +251,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   outcome.message =
       fmt::format("{}{}{}", fmt::join(scene.mesh_notes, "; "),
                   scene.mesh_notes.empty() || stepping.message.empty() ? "" : "; ", stepping.message);
+  add_verdict(plausibility.broken(), outcome);
   if (whole) {
     const Comparison comparison = compare_to_whole(*simulation, *whole);
     add_message(outcome, comparison.text);
@@ -253,7 +270,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   outcome.passes.push_back({"recording", recording_s, writer.frames()});
   outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  if (accuracy.asked_for() && outcome.status == RunStatus::complete)
+  if (accuracy.asked_for() && is_whole(outcome.status))
     add_errors(accuracy, *simulation, out / experiment.name, control, outcome);
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
@@ -261,7 +278,10 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                    .wall_s = outcome.wall_s,
                    .cpu_s = outcome.cpu_s,
                    .step_cpu_s = outcome.step_cpu_s};
+  outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary});
   if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
+  if (outcome.broken) footer.provenance["implausible"] = to_json(*outcome.broken).dump();
+  if (!outcome.warnings.empty()) footer.provenance["warnings"] = to_json(outcome.warnings).dump();
   writer.finish(footer);
   return outcome;
 }

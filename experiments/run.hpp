@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "bendlab/io/run_file.hpp"
 #include "experiments/config.hpp"
+#include "experiments/plausibility.hpp"
 #include "experiments/scene.hpp"
 #include "experiments/start_after.hpp"
+#include "experiments/warnings.hpp"
 
 namespace bendlab {
 
@@ -28,6 +31,8 @@ struct RunOutcome {
   bool differs = false;  ///< `minimal` changed a bit: an effect that could not act did
   bool reused = false;   ///< the file was there and complete; nothing was computed
   std::filesystem::path file;
+  std::optional<BrokenBound> broken{};  ///< why it is implausible; also of a run that diverged after that
+  std::vector<Warning> warnings{};
   std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
   double wall_s = 0, cpu_s = 0;
   double step_cpu_s = 0;  ///< of the steps alone, without set-up and recording

@@ -4,6 +4,7 @@
 
 #include "bendlab/io/without_traps.hpp"
 #include "experiments/machine.hpp"
+#include "experiments/remedies.hpp"
 #include "experiments/start_after.hpp"
 
 namespace bendlab {
@@ -22,16 +23,13 @@ std::string worst_triangle_text(const Divergence& divergence, const Triangles& t
 
 std::string divergence_message(const Divergence& divergence, const Scene& scene) {
   const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
-  const bool projects = scene.input.settings.method == Method::pbd;
-  const bool published_shear = projects && scene.input.strain_stiffness.form == StrainForm::normalised;
+  const std::string remedies = remedies_for_divergence(scene);
   return fmt::format(
       "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
-      "kept. "
-      "A smaller /solver/dt{}{} or a lower stiffness may help",
+      "kept{}{}",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
       divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
-      projects ? ", more /solver/substeps" : "",
-      published_shear ? ", /material/strain/form: angle, the effect tethers" : "");
+      remedies.empty() ? "" : ". Measured to help: ", remedies);
 }
 
 // Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
@@ -82,15 +80,20 @@ std::string stop_message(double time, double duration) {
 
 }  // namespace
 
+void Watchers::look(const Simulation& simulation, bool always) const {
+  if (stability) stability->look(simulation);
+  if (plausibility) plausibility->look(simulation, always);
+}
+
 Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
-                     FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
+                     FrameWriter& writer, const Watchers& watchers, const RunConfig& config,
                      const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
   const std::int64_t steps = step_count(config);
   writer.push(recorder.capture(simulation));
-  if (stability) stability->look(simulation);
+  watchers.look(simulation, true);
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   StepClock clock(simulation);
@@ -99,13 +102,14 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
   };
   for (std::int64_t step = 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
-    if (stability) stability->look(simulation);
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
-    if (time < next_frame - rounding * dt && step < steps && !stop && !settled) continue;
+    const bool recorded = !(time < next_frame - rounding * dt && step < steps && !stop && !settled);
+    watchers.look(simulation, recorded);
+    if (!recorded) continue;
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));
     if (control.progress) control.progress(time, duration);

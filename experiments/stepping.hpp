@@ -6,6 +6,7 @@
 
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/solver/simulation.hpp"
+#include "experiments/plausibility.hpp"
 #include "experiments/recorder.hpp"
 #include "experiments/run.hpp"
 #include "experiments/stability.hpp"
@@ -19,10 +20,19 @@ struct Stepping {
   std::optional<double> settled_at = std::nullopt;  ///< s
 };
 
-/// Records the first pose and then frames as /output/frames_per_second has it; `stability`, if any, looks at every step.
-/// Throws RunFileError where frames can't be written.
+/// What looks at the cloth at time 0 and after every step.
+struct Watchers {
+  StabilityMeter* stability = nullptr;  ///< null: it was not asked for
+  Plausibility* plausibility = nullptr;
+
+  /// `always`: the pose is recorded, or the run begins.
+  void look(const Simulation& simulation, bool always) const;
+};
+
+/// Records the first pose and then frames as /output/frames_per_second has it. Throws RunFileError where frames can't be
+/// written.
 Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
-                     FrameWriter& writer, std::optional<StabilityMeter>& stability, const RunConfig& config,
+                     FrameWriter& writer, const Watchers& watchers, const RunConfig& config,
                      const RunControl& control);
 
 }  // namespace bendlab

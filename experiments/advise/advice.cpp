@@ -53,7 +53,7 @@ double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome) {
   constexpr double least = 1e-9, short_s = 0.05;  // s
   const double simulated = read_metric(outcome.file, "time").back();
   if (!(simulated > 0)) return least;
-  const bool repeat = outcome.step_cpu_s < short_s && outcome.status == RunStatus::complete;
+  const bool repeat = outcome.step_cpu_s < short_s && is_whole(outcome.status);
   const double seconds = repeat ? steps_again(config, simulated) : outcome.step_cpu_s;
   return std::max(least, seconds / simulated / frames_per_second);
 }

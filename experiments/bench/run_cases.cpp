@@ -81,7 +81,7 @@ BenchRow measure_recording(const std::string& name, int cells, double duration_s
   const auto run = [&](const Experiment& experiment) {
     fs::remove_all(scratch.folder);
     const RunOutcome outcome = execute_run(experiment, experiment.runs.front(), scratch.folder);
-    if (outcome.status != RunStatus::complete)
+    if (!is_whole(outcome.status))
       throw std::runtime_error("a benchmark's run failed: " + outcome.message);
     return outcome;
   };

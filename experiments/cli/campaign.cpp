@@ -74,6 +74,8 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
       remove_run_files(run_folder(options.out, *run.experiment, *run.config));
     run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
     if (run.outcome->differs) run.exit_code = exit_failed;
+    if (run.outcome->status == RunStatus::implausible && !run.experiment->allows(RunStatus::implausible))
+      run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
     if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
   } catch (...) {

@@ -19,16 +19,17 @@ namespace bendlab {
 namespace {
 
 constexpr std::string_view footer =
-    "Exit codes: 0 ok, 1 a run or an expectation failed, 2 usage, 3 config, 4 mesh, 5 files, 6 a run "
-    "diverged,\n"
-    "130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a second one leaves at once.\n"
+    "Exit codes: 0 ok, 1 a run or an expectation failed, or a run is implausible, 2 usage, 3 config, 4 "
+    "mesh,\n"
+    "5 files, 6 a run diverged, 130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a "
+    "second one leaves at once.\n"
     "Data goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
 
 /// What the arguments were, and the command they chose.
 struct Arguments {
   ConfigArguments configs;
   CampaignOptions options;
-  bool json = false, list = false, explain = false;
+  bool json = false, list = false, explain = false, strict = false;
   std::string run = "", folder = "results";
   std::filesystem::path mesh_file;
   ReproduceArguments reproduce;
@@ -72,7 +73,7 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
       add_command(app, a, "run", "Run experiments: every point of their sweeps that is not complete yet",
-                  [&a] { return run_command(a.configs, a.options, a.json, a.explain); });
+                  [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
   run->add_option("--out", a.options.out, "Folder for the results")->capture_default_str();
@@ -81,6 +82,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::Option* explain =
       run->add_flag("--explain", a.explain,
                     "The step plan instead of the tables: each pass, why, its time, what it changed");
+  run->add_flag("--strict", a.strict,
+                "Warnings are errors; those known before it keep a run from being computed");
   add_json(run, a, "One JSON object per run on stdout");
   run->get_option("--json")->excludes(explain);
 
@@ -92,8 +95,9 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   add_json(plan, a, "One JSON object per run");
 
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
-                                   [&a] { return validate_command(a.configs); });
+                                   [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
+  validate->add_flag("--strict", a.strict, "Warnings that are known before a run are errors");
 
   CLI::App* reproduce =
       add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",

@@ -18,10 +18,12 @@ struct ConfigArguments {
   std::vector<std::string> overrides;  ///< "/json/pointer=value"
 };
 
-/// `explain`: the step plan of every run instead of the tables.
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain);
+/// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is computed where
+/// there are some before.
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
+                bool strict);
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
-int validate_command(const ConfigArguments& configs);
+int validate_command(const ConfigArguments& configs, bool strict);
 
 struct ReproduceArguments {
   std::string what = "paper";  ///< one of reproducible()

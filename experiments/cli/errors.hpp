@@ -9,7 +9,7 @@ namespace bendlab {
 /// What the program's exit code says. A command stopped by a signal gives 128 + the signal's number.
 enum ExitCode : int {
   exit_ok = 0,
-  exit_failed = 1,  ///< a run or an expectation failed
+  exit_failed = 1,  ///< a run or an expectation failed, or a run is implausible
   exit_usage = 2,
   exit_config = 3,
   exit_mesh = 4,

@@ -12,6 +12,8 @@
 #include "experiments/cli/report.hpp"
 #include "experiments/cli/table.hpp"
 #include "experiments/mesh_report.hpp"
+#include "experiments/plausibility.hpp"
+#include "experiments/warnings.hpp"
 
 namespace bendlab {
 namespace {
@@ -28,6 +30,13 @@ std::string when(const fs::path& file) {
   char text[20] = "";
   std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &local);
   return text;
+}
+
+/// What provenance holds as the text of a JSON value; null where it holds none.
+Json stored_json(const RunRecord& record, const char* name) {
+  const auto text = record.provenance.find(name);
+  const Json json = text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
+  return json.is_discarded() ? Json() : json;
 }
 
 Json to_json(const RunRecord& record) {
@@ -48,6 +57,8 @@ Json to_json(const RunRecord& record) {
           {"step_cpu_s", record.step_cpu_s},
           {"summary", record.summary},
           {"passes", passes},
+          {"implausible", stored_json(record, "implausible")},
+          {"warnings", stored_json(record, "warnings")},
           {"provenance", record.provenance}};
 }
 
@@ -91,6 +102,10 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
   }
   fmt::print("{}\n{}  {}  {}, {} frames, written {}\n", record.file.string(), record.id, record.name,
              to_string(record.status), record.frames, when(record.file));
+  if (const auto broken = broken_bound_of(stored_json(record, "implausible")))
+    fmt::print("\nimplausible: {}\n", text_of(*broken));
+  for (const Warning& warning : warnings_of(stored_json(record, "warnings")))
+    fmt::print("\nwarning {}: {}\n", warning.code, warning.message);
 
   std::map<std::string, std::string> summary;
   for (const auto& [name, value] : record.summary) summary[name] = format_number(value);
@@ -106,7 +121,9 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
                       fmt::format("{}", pass.calls)});
     fmt::print("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
   }
-  print_section("provenance", record.provenance);
+  std::map<std::string, std::string> provenance = record.provenance;
+  for (const char* told : {"implausible", "warnings"}) provenance.erase(told);
+  print_section("provenance", provenance);
   fmt::print("\nconfig\n{}\n", description.at("config").dump(2));
   return exit_ok;
 }

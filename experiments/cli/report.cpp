@@ -29,7 +29,8 @@ std::string status_text(const CampaignRun& run) {
 
 std::string coloured_status(const CampaignRun& run) {
   const std::string text = status_text(run);
-  return run.exit_code == 0 ? text : coloured(text, Colour::red, stdout);
+  const bool fine = run.exit_code == 0 && run.outcome && run.outcome->status == RunStatus::complete;
+  return fine ? text : coloured(text, Colour::red, stdout);
 }
 
 std::vector<ExpectationResult> check(const CampaignRun& run) {
@@ -79,6 +80,24 @@ std::string held_expectations(std::span<const CampaignRun> runs) {
   return text;
 }
 
+/// A line per run that broke a bound: what, when, where.
+std::string implausible_text(std::span<const CampaignRun> runs) {
+  std::string text;
+  for (const CampaignRun& run : runs)
+    if (run.outcome && run.outcome->broken)
+      text += fmt::format("{} {}: {}\n", coloured("implausible", Colour::red, stdout), place_text(run),
+                          text_of(*run.outcome->broken));
+  return text;
+}
+
+/// A line per code.
+std::string warnings_text(std::span<const CampaignRun> runs) {
+  std::string text;
+  for (const CollectedWarning& warning : collected_warnings(runs))
+    text += fmt::format("{} {}\n", coloured("warning", Colour::yellow, stdout), text_of(warning));
+  return text;
+}
+
 /// "strain 61 %, bending 24 %, …" of passes with at least 1 % of the time; empty if there are none.
 std::string pass_shares(const std::vector<PassTime>& passes) {
   double all = 0;
@@ -125,6 +144,26 @@ std::string time_text(std::span<const CampaignRun> runs) {
 }
 
 }  // namespace
+
+std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> runs) {
+  std::vector<CollectedWarning> collected;
+  for (const CampaignRun& run : runs) {
+    if (!run.outcome) continue;
+    for (const Warning& warning : run.outcome->warnings) {
+      const auto same = std::ranges::find(collected, warning.code, &CollectedWarning::code);
+      if (same == collected.end())
+        collected.push_back({warning.code, place_text(run), warning.message, 1});
+      else
+        ++same->runs;
+    }
+  }
+  return collected;
+}
+
+std::string text_of(const CollectedWarning& warning) {
+  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message,
+                     warning.runs == 1 ? "" : fmt::format(" (and {} more runs)", warning.runs - 1));
+}
 
 bool expectations_hold(std::span<const CampaignRun> runs) {
   return std::ranges::all_of(
@@ -198,6 +237,8 @@ Json run_json(const CampaignRun& run) {
           {"summary", outcome.summary},
           {"passes", passes},
           {"expectations", expectations},
+          {"implausible", outcome.broken ? to_json(*outcome.broken) : Json(nullptr)},
+          {"warnings", to_json(outcome.warnings)},
           {"message", run.outcome ? outcome.message : run.error}};
 }
 
@@ -221,22 +262,26 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
-  return text + held_expectations(runs) + failed_expectations(runs);
+  return text + held_expectations(runs) + failed_expectations(runs) + implausible_text(runs) +
+         warnings_text(runs);
 }
 
 std::string experiment_line(std::span<const CampaignRun> runs) {
   const auto count = [&](auto&& predicate) { return std::ranges::count_if(runs, predicate); };
-  const auto complete = count([](const CampaignRun& run) { return run.started() && run.exit_code == 0; });
+  const auto complete =
+      count([](const CampaignRun& run) { return run.outcome && run.outcome->status == RunStatus::complete; });
   const auto reused = count([](const CampaignRun& run) { return run.outcome && run.outcome->reused; });
   std::string text = fmt::format("{}: {} runs, {} complete ({} reused)", runs.front().experiment->name,
                                  runs.size(), complete, reused);
-  for (const RunStatus status : {RunStatus::diverged, RunStatus::interrupted}) {
+  for (const RunStatus status : {RunStatus::implausible, RunStatus::diverged, RunStatus::interrupted}) {
     const auto here =
         count([&](const CampaignRun& run) { return run.outcome && run.outcome->status == status; });
     if (here > 0) text += fmt::format(", {} {}", here, to_string(status));
   }
   if (const auto failed = count([](const CampaignRun& run) { return !run.error.empty(); }); failed > 0)
     text += fmt::format(", {} failed", failed);
+  for (const CollectedWarning& warning : collected_warnings(runs))
+    text += fmt::format(", {} {}", warning.runs, warning.code);
   return text + "; " + time_text(runs) + "\n" + failed_expectations(runs);
 }
 

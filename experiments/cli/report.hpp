@@ -10,7 +10,7 @@
 namespace bendlab {
 
 /// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, step_cpu_s, summary, passes, expectations,
-/// message}.
+/// implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.
 Json run_json(const CampaignRun& run);
 
 /// Swept values and the main numbers, a row per run; where the time went; which expectations hold.
@@ -20,6 +20,18 @@ std::string experiment_text(std::span<const CampaignRun> runs);
 /// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", with a further line per expectation that
 /// does not hold.
 std::string experiment_line(std::span<const CampaignRun> runs);
+
+/// A warning of an experiment: of the first run that has it, and how many do.
+struct CollectedWarning {
+  std::string code, place, message;
+  int runs = 0;
+};
+
+/// One per code. `runs` are those of one experiment.
+std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> runs);
+
+/// "units: cells 64: the cloth is … (and 3 more runs)"
+std::string text_of(const CollectedWarning& warning);
 
 /// Whether every expectation holds in every run that has a summary.
 bool expectations_hold(std::span<const CampaignRun> runs);

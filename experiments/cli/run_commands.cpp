@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <set>
 #include <system_error>
 
 #include "experiments/cli/commands.hpp"
@@ -45,13 +46,40 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
+/// Every warning once: where its experiment has it first.
+void tell_warnings(std::span<const CampaignRun> runs) {
+  for (const CollectedWarning& warning : collected_warnings(runs))
+    fmt::print(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
+}
+
+/// Those that are known before a run, of every experiment, each once. Returns how many there are.
+std::size_t tell_warnings_before(const std::vector<Experiment>& experiments) {
+  std::size_t told = 0;
+  for (const Experiment& experiment : experiments) {
+    std::vector<CampaignRun> runs;
+    std::set<std::string> seen;
+    for (const RunConfig& config : experiment.runs) {
+      if (!seen.insert(text_of_what_warns_before(config)).second) continue;
+      CampaignRun& run = runs.emplace_back(CampaignRun{.experiment = &experiment, .config = &config});
+      run.outcome = RunOutcome{.warnings = warnings_before(experiment, config)};
+    }
+    tell_warnings(runs);
+    told += collected_warnings(runs).size();
+  }
+  return told;
+}
+
 /// How the runs are reported on stdout.
 enum class Report { tables, lines, json, explanations };
 
 /// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
 /// were not started because of a signal are left out.
-int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options,
-                   Report report) {
+int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, Report report,
+                   bool strict = false) {
+  if (strict && tell_warnings_before(experiments) > 0) {
+    fmt::print(stderr, "bendlab: nothing was computed, because --strict makes these warnings errors\n");
+    return exit_failed;
+  }
   check_writable(options.out);
   catch_stop_signals();
   std::vector<CampaignRun> runs = plan_campaign(experiments);
@@ -64,6 +92,7 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
       fmt::print("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
+      if (report != Report::lines) tell_warnings(of_experiment);
       if (report == Report::tables) fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment));
       if (report == Report::lines) fmt::print("{}", experiment_line(of_experiment));
       first = false;
@@ -74,13 +103,14 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
 
   if (const int code = stop_exit_code(); code != 0) {
     const auto complete = std::ranges::count_if(
-        runs, [](const CampaignRun& run) { return run.started() && run.exit_code == 0; });
+        runs, [](const CampaignRun& run) { return run.outcome && is_whole(run.outcome->status); });
     fmt::print(stderr, "bendlab: stopped with {} of {} runs complete; the same command again does the rest\n",
                complete, runs.size());
     return code;
   }
   const int code = campaign_exit_code(runs);
-  return code == exit_ok && !expectations_hold(runs) ? int{exit_failed} : code;
+  const bool warned = strict && !collected_warnings(runs).empty();
+  return code == exit_ok && (warned || !expectations_hold(runs)) ? int{exit_failed} : code;
 }
 
 /// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow` unless it has to
@@ -128,15 +158,14 @@ int run_program(std::vector<std::string> arguments) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// "complete", "12 frames" of a run that was stopped, or "new".
+/// "complete", "implausible", "diverged, 12 frames", or "new".
 std::string state_on_disk(const fs::path& folder) {
   const fs::path file = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
   try {
     if (fs::exists(file)) {
       const RunRecord record = read_run(file);
-      return record.status == RunStatus::complete
-                 ? "complete"
-                 : fmt::format("{}, {} frames", to_string(record.status), record.frames);
+      return is_whole(record.status) ? to_string(record.status)
+                                     : fmt::format("{}, {} frames", to_string(record.status), record.frames);
     }
     if (fs::exists(part)) return fmt::format("interrupted, {} frames", read_run(part).frames);
   } catch (const RunFileError&) {
@@ -159,11 +188,13 @@ std::string cover_text(const Covered& cover) {
 
 }  // namespace
 
-int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain) {
+int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
+                bool strict) {
   return run_and_report(load_experiments(configs), options,
                         json      ? Report::json
                         : explain ? Report::explanations
-                                  : Report::tables);
+                                  : Report::tables,
+                        strict);
 }
 
 int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
@@ -197,8 +228,10 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
   return exit_ok;
 }
 
-int validate_command(const ConfigArguments& configs) {
-  for (const Experiment& experiment : load_experiments(configs))
+int validate_command(const ConfigArguments& configs, bool strict) {
+  const std::vector<Experiment> experiments = load_experiments(configs);
+  if (strict && tell_warnings_before(experiments) > 0) return exit_failed;
+  for (const Experiment& experiment : experiments)
     fmt::print("{}: {} ({} run{})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
                experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s", cover_text(experiment.cover));
   return exit_ok;

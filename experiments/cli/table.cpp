@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -73,7 +74,8 @@ std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
   const char* no_color = std::getenv("NO_COLOR");
   const bool wanted = no_color == nullptr || *no_color == '\0';
   if (!wanted || isatty(fileno(stream)) == 0) return std::string(text);
-  const int code = colour == Colour::green ? 32 : colour == Colour::red ? 31 : 2;
+  constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
+  const int code = codes.at(static_cast<std::size_t>(colour));
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 

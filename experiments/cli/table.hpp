@@ -29,7 +29,7 @@ std::string format_number(double value);
 /// "0:07", "12:34", "1:02:03".
 std::string format_duration(double seconds);
 
-enum class Colour { green, red, dim };
+enum class Colour { green, red, yellow, dim };
 
 /// The text in that colour if `stream` is a terminal and NO_COLOR is not set, else as it is.
 std::string coloured(std::string_view text, Colour colour, std::FILE* stream);

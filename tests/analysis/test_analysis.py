@@ -105,6 +105,15 @@ class LoadTest(unittest.TestCase):
         self.assertEqual((run.status, run.frames, len(run.metrics["pin_max_stretch"])), ("interrupted", 2, 2))
         self.assertTrue(np.isfinite(run.positions(-1)).all())
 
+    def test_an_implausible_run_has_all_its_data_and_is_over(self):
+        write_run(self.folder / "a/run.vtkhdf", config_of(seed=1), status="implausible", summary={"drop": 9.0})
+        write_run(self.folder / "b/run.vtkhdf", config_of(seed=2), status="diverged")
+        write_run(self.folder / "c/run.vtkhdf", config_of(seed=3), status="interrupted")
+        runs = load.load_runs(self.folder)
+        self.assertEqual([(run.status, run.complete, run.over) for run in runs],
+                         [("implausible", True, True), ("diverged", False, True), ("interrupted", False, False)])
+        self.assertEqual(load.values(runs[:1], "drop").tolist(), [9.0])  # as it was measured, not infinite
+
     def test_references_are_no_points_of_a_sweep(self):
         write_run(self.folder / "fig5/a/run.vtkhdf", config_of(cells=16))
         write_run(self.folder / "fig5/references/b/run.vtkhdf", config_of(cells=64))
@@ -495,7 +504,7 @@ class StabilityTest(unittest.TestCase):
 
     def test_a_reason_needs_its_number(self):
         cell = lambda name, status="complete", **numbers: SimpleNamespace(
-            case=SimpleNamespace(name=name), model="none", run=SimpleNamespace(status=status, summary=numbers))
+            case=SimpleNamespace(name=name), model="none", run=SimpleNamespace(complete=status == "complete", summary=numbers))
         folded = stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.3))
         self.assertIn("fold", folded)
         self.assertEqual(stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.0)), "")

@@ -9,7 +9,7 @@
 //   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
 //   /provenance             attributes; dataset `config` (resolved config, JSON text)
 //   /summary                attributes, one number each
-//   attributes of /         status: running | complete | diverged | interrupted; id; name
+//   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
 // The number of committed frames is the length of /metrics/time, which is written last in every frame.
 #pragma once
@@ -31,8 +31,18 @@ class RunFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-enum class RunStatus { running, complete, diverged, interrupted };
+/// `implausible`: computed to its end as a complete run is, and it broke a bound that its scene cannot break.
+enum class RunStatus { running, complete, diverged, interrupted, implausible };
 std::string to_string(RunStatus status);
+
+/// Whether the run went to its end: complete or implausible.
+inline bool is_whole(RunStatus status) {
+  return status == RunStatus::complete || status == RunStatus::implausible;
+}
+/// Whether the same run again would end as it did: it is whole, or diverged.
+inline bool is_over(RunStatus status) {
+  return is_whole(status) || status == RunStatus::diverged;
+}
 
 struct Column {
   std::string name, unit, meaning;

@@ -11,7 +11,8 @@ namespace {
 using hdf5::Handle;
 using hdf5::Series;
 
-constexpr std::array status_names = {"running", "complete", "diverged", "interrupted"};  // as in RunStatus
+constexpr std::array status_names = {"running", "complete", "diverged", "interrupted",
+                                     "implausible"};  // as in RunStatus
 
 std::uint64_t rows(hid_t parent, const std::string& name) {
   return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);

@@ -1,0 +1,132 @@
+// What somebody sees of a run that cannot be, and of warnings: table, JSON, exit codes, `allow` and
+// `--strict`.
+#include <filesystem>
+#include <string>
+
+#include "bendlab/io/run_file.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using bendlab::test::Workplace;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+
+// The paper's sheet on one vertex without bending springs: its figure 1 calls that pin wrong. A triangle is
+// then a thousand times as long as at rest.
+const std::string torn_scene = R"("duration": 1, "mesh": {"cells": 32}, "bending": {"model": "none"},
+  "pins": {"vertices": ["upper_right"], "ring": 0}, "solver": {"iterations": 10, "substeps": 1},
+  "material": {"strain": {"form": "normalised"}}, "initial": {"perturbation": 1e-6}})";
+const std::string torn = R"({"name": "torn", )" + torn_scene,
+                  torn_and_allowed = R"({"name": "torn", "allow": ["implausible"], )" + torn_scene;
+
+// Nothing acts on it, and nothing moves.
+const std::string calm = R"({"name": "calm", "duration": 0.1, "mesh": {"cells": 4}, "pins": {"vertices": []},
+  "effects": [])";
+
+}  // namespace
+
+TEST_CASE("A run that cannot be is told and fails the command", "[command line][plausibility]") {
+  Workplace here;
+  here.write("torn.json", torn);
+  REQUIRE(here.run("run torn.json --json") == 1);
+  const json run = here.out_lines().at(0);
+  CHECK(run.at("status") == "implausible");
+  const json& told = run.at("implausible");
+  CHECK((told.at("bound") == "stretch" || told.at("bound") == "reach"));
+  CHECK(told.at("measured").get<double>() > told.at("limit").get<double>());
+  CHECK(told.at("time").get<double>() > 0);
+  CHECK(told.at("vertex").get<int>() >= 0);
+  CHECK(told.at("constraint").at("kind") == "strain");  // it has no other
+  CHECK(told.at("constraint").at("correction").get<double>() > 0);
+  CHECK_THAT(told.at("advice").get<std::string>(), ContainsSubstring("tethers"));
+  CHECK_THAT(here.err(), ContainsSubstring("implausible: at t = "));
+
+  // It is over: not computed again, and told again.
+  REQUIRE(here.run("run torn.json") == 1);
+  CHECK_THAT(here.out(),
+             ContainsSubstring("implausible, reused") && ContainsSubstring("\nimplausible torn: at t = "));
+  REQUIRE(here.run("run torn.json --json") == 1);
+  CHECK(here.out_lines().at(0).at("implausible") == told);
+  REQUIRE(here.run("plan torn.json") == 0);
+  CHECK_THAT(here.out(), ContainsSubstring("implausible"));
+  REQUIRE(here.run("list") == 0);
+  CHECK_THAT(here.out(), ContainsSubstring("implausible"));
+  const auto files = here.run_files(".vtkhdf");
+  REQUIRE(files.size() == 1);
+  REQUIRE(here.run("show '" + files[0].string() + "' --json") == 0);
+  CHECK(json::parse(here.out()).at("status") == "implausible");
+  CHECK(json::parse(here.out()).at("implausible") == told);
+  // Its file is whole: every frame, and the summary.
+  const bendlab::RunRecord record = bendlab::read_run(files[0]);
+  CHECK(record.frames == 31);
+  CHECK(record.summary.at("worst_stretch") > 3);
+  CHECK(bendlab::read_positions(files[0], -1).size() == 3 * 33 * 33);
+}
+
+TEST_CASE("A sweep that studies failure says so, and is the same sweep", "[command line][plausibility]") {
+  Workplace here;
+  here.write("torn.json", torn);
+  here.write("allowed.json", torn_and_allowed);
+  here.write("wrong.json", R"({"name": "torn", "allow": ["diverged"], )" + torn_scene);
+  CHECK(here.run("validate wrong.json") == 3);
+  CHECK_THAT(here.err(), ContainsSubstring("/allow/0"));
+  REQUIRE(here.run("run allowed.json --json") == 0);
+  CHECK(here.out_lines().at(0).at("status") == "implausible");  // told all the same
+  REQUIRE(here.run("run torn.json --json") == 1);
+  CHECK(here.out_lines().at(0).at("reused") == true);
+  REQUIRE(here.run("schema") == 0);
+  CHECK_THAT(here.out(), ContainsSubstring("allow: default []"));
+}
+
+TEST_CASE("Warnings are told once, and --strict makes them errors", "[command line][warnings]") {
+  Workplace here;
+  here.write("seeds.json", calm + R"(, "sweep": {"/initial/seed": [1, 2, 3]}})");
+  REQUIRE(here.run("run seeds.json") == 0);
+  CHECK_THAT(here.out(),
+             ContainsSubstring("\nwarning inert_seed: ") && ContainsSubstring("(and 2 more runs)"));
+  CHECK_THAT(here.err(), ContainsSubstring("bendlab: warning: calm: inert_seed: "));
+  REQUIRE(here.run("run seeds.json --json") == 0);  // from the files
+  for (const json& run : here.out_lines()) {
+    REQUIRE(run.at("warnings").size() == 1);
+    CHECK(run.at("warnings")[0].at("code") == "inert_seed");
+  }
+  fs::remove_all(here.folder / "results");
+  CHECK(here.run("validate seeds.json") == 0);
+  CHECK(here.run("validate --strict seeds.json") == 1);
+  CHECK_THAT(here.err(), ContainsSubstring("inert_seed"));
+  CHECK(here.run("run --strict seeds.json") == 1);
+  CHECK_THAT(here.err(), ContainsSubstring("nothing was computed"));
+  CHECK_FALSE(fs::exists(here.folder / "results"));
+}
+
+TEST_CASE("A warning that only the run can give fails a strict command after it",
+          "[command line][warnings]") {
+  Workplace here;
+  // One round a step leaves a sheet on two corners stretched.
+  here.write("loose.json",
+             R"({"name": "loose", "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
+    "pins": {"vertices": ["upper_left", "upper_right"]}, "solver": {"iterations": 2, "substeps": 1}})");
+  REQUIRE(here.run("validate --strict loose.json") == 0);
+  REQUIRE(here.run("run loose.json") == 0);
+  CHECK_THAT(here.out(), ContainsSubstring("warning unconverged: "));
+  CHECK(here.run("run --strict loose.json") == 1);
+  here.write("calm.json", calm + "}");
+  CHECK(here.run("run --strict calm.json") == 0);
+}
+
+TEST_CASE("Scenes that are fine are not doubted", "[command line][plausibility][warnings]") {
+  Workplace here;
+  const std::string configs = std::string(BENDLAB_SOURCE_DIR) + "/configs/";
+  const std::string coarse = " --set /mesh/cells=12 --set /duration=0.5 --json";
+  for (const char* scene : {"flag", "skirt", "tablecloth", "sphere_drape"}) {
+    INFO(scene);
+    REQUIRE(here.run("run '" + configs + "scenes/" + scene + ".json' --strict" + coarse) == 0);
+    for (const json& run : here.out_lines()) CHECK(run.at("status") == "complete");
+  }
+  REQUIRE(here.run("run '" + configs +
+                   "paper/fig5.json' --set /mesh/cells=16 --set /initial/seed=1 --json") == 0);
+  for (const json& run : here.out_lines()) CHECK(run.at("status") == "complete");
+}

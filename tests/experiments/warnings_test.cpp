@@ -1,0 +1,147 @@
+// Every warning is given where it is due, with its number, and nowhere else.
+#include "experiments/warnings.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+
+using Summary = std::map<std::string, double>;
+
+Experiment experiment_of(const std::string& settings) {
+  return parse_experiment(R"({"name": "warned", )" + settings + "}", "test");
+}
+
+// Codes of the first run's warnings, and the message of the last one asked for.
+std::set<std::string> codes_of(const std::string& settings, const Summary* summary = nullptr) {
+  const Experiment experiment = experiment_of(settings);
+  const Scene scene = build_scene(experiment.runs.front());
+  std::set<std::string> codes;
+  for (const Warning& warning : warnings_of({experiment, experiment.runs.front(), scene, summary}))
+    codes.insert(warning.code);
+  return codes;
+}
+
+std::string message_of(const std::string& code, const std::string& settings,
+                       const Summary* summary = nullptr) {
+  const Experiment experiment = experiment_of(settings);
+  const Scene scene = build_scene(experiment.runs.front());
+  for (const Warning& warning : warnings_of({experiment, experiment.runs.front(), scene, summary}))
+    if (warning.code == code) return warning.message;
+  return "";
+}
+
+using Codes = std::set<std::string>;
+
+}  // namespace
+
+TEST_CASE("warnings: a config of defaults has none", "[warnings]") {
+  CHECK(codes_of(R"("mesh": {"cells": 4})").empty());
+}
+
+TEST_CASE("warnings: a seed that nothing uses", "[warnings]") {
+  const std::string mesh = R"("mesh": {"cells": 4}, )";
+  CHECK(codes_of(mesh + R"("initial": {"seed": 7})") == Codes{"inert_seed"});
+  CHECK(codes_of(mesh + R"("sweep": {"/initial/seed": [1, 2]})") == Codes{"inert_seed"});
+  CHECK(codes_of(mesh + R"("sweep": {"/initial": [{"seed": 1}, {"seed": 2}]})") == Codes{"inert_seed"});
+  CHECK(codes_of(mesh + R"("initial": {"perturbation": 1e-6}, "sweep": {"/initial/seed": [1, 2]})").empty());
+  CHECK(codes_of(mesh + R"("initial": {"random": 1, "seed": 2})").empty());
+  CHECK(codes_of(R"("mesh": {"cells": 4, "seed": 2})") == Codes{"inert_seed"});
+  CHECK(codes_of(R"("mesh": {"cells": 4, "generator": "delaunay", "seed": 2})").empty());
+}
+
+TEST_CASE("warnings: a piece of the mesh without a pin", "[warnings]") {
+  const std::string pieces = R"("mesh": {"cells": 4, "flaw": "pieces"}, )";
+  CHECK(codes_of(pieces + R"("pins": {"vertices": ["upper_right"]})") == Codes{"piece_without_pin"});
+  CHECK(codes_of(pieces + R"("pins": {"vertices": []})").empty());
+  CHECK(codes_of(pieces + R"("pins": {"vertices": ["left", "right"]})").empty());  // cut from bottom to top
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["upper_right"]})").empty());
+}
+
+TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {
+  const auto sheet = [](double width, const std::string& effects) {
+    return R"("mesh": {"cells": 4, "width": )" + std::to_string(width) + R"(, "height": )" +
+           std::to_string(width) + R"(}, "effects": )" + effects;
+  };
+  const std::string gravity = R"([{"type": "gravity"}])";
+  for (const double right : {0.05, 0.3, 1.0, 3.0, 6.0}) CHECK(codes_of(sheet(right, gravity)).empty());
+  for (const double wrong : {0.0005, 0.005, 10.0, 1000.0})
+    CHECK(codes_of(sheet(wrong, gravity)) == Codes{"units"});
+  CHECK_THAT(message_of("units", sheet(1000, gravity)), ContainsSubstring("1e+03 m long"));
+  CHECK(codes_of(sheet(1000, "[]")).empty());  // without gravity a length is as good as any
+  // Everything in millimetres, gravity too.
+  CHECK(codes_of(sheet(1000, R"([{"type": "gravity", "acceleration": [0, 0, -9810]}])")).empty());
+}
+
+TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnings]") {
+  const Summary stretched = {{"mean_strain", 0.08}}, short_enough = {{"mean_strain", 0.02}};
+  const std::string mesh = R"("mesh": {"cells": 4})";
+  CHECK(codes_of(mesh, &stretched) == Codes{"unconverged"});
+  CHECK_THAT(message_of("unconverged", mesh, &stretched), ContainsSubstring("mean strain 0.08"));
+  CHECK(codes_of(mesh, &short_enough).empty());
+  CHECK(codes_of(mesh).empty());  // not known before the run
+  CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})",
+                 &stretched)
+            .empty());  // it was told to stretch
+  CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance"}})", &stretched) ==
+        Codes{"unconverged"});
+  CHECK(codes_of(mesh + R"(, "material": {"strain": {"warp": 0.1}})", &stretched).empty());
+}
+
+TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
+  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of h² / (ρ a²
+  // n).
+  const double critical = 1.0 / 3600 / (0.2 * 0.0625 * 10);
+  const auto with = [](double compliance, const std::string& solver) {
+    return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": )" +
+           std::to_string(compliance) + R"(}}, "solver": {"iterations": 10, )" + solver + "}";
+  };
+  CHECK(codes_of(with(1.05 * critical, R"("substeps": 1)")).empty());
+  CHECK(codes_of(with(0.95 * critical, R"("substeps": 1)")) == Codes{"membrane_courant"});
+  CHECK(codes_of(with(0.3 * critical, R"("substeps": 2)")).empty());  // a quarter of it
+  CHECK(codes_of(with(0.6 * critical, R"("substeps": 1, "sweep": "symmetric")")).empty());
+  const std::string message = message_of("membrane_courant", with(critical / 10, R"("substeps": 1)"));
+  CHECK_THAT(message, ContainsSubstring("about 11 times") && ContainsSubstring("10 /solver/substeps"));
+}
+
+TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") {
+  const auto with = [](const char* excess, const char* k) {
+    return R"("mesh": {"cells": 4}, "bending": {"model": "prestressed", "k": )" + std::string(k) +
+           R"(, "prestressed": {"excess": )" + excess + "}}";
+  };
+  CHECK(codes_of(with("0.02", "1")).empty());
+  CHECK(codes_of(with("0.05", "0.1")).empty());
+  CHECK(codes_of(with("0.05", "0.5")) == Codes{"k_overshoot"});
+  CHECK(codes_of(with("0.2", "0.1")) == Codes{"k_overshoot"});
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "bending": {"model": "dihedral", "k": 1})").empty());
+}
+
+TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[warnings]") {
+  std::set<std::string_view> codes;
+  for (const WarningKind& kind : warning_kinds()) {
+    CHECK(codes.insert(kind.code).second);
+    CHECK(std::ranges::all_of(kind.code, [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; }));
+    CHECK_FALSE(kind.meaning.empty());
+  }
+  const std::vector<Warning> some = {{"units", "1000 m"}, {"inert_seed", "\"quoted\""}};
+  const std::vector<Warning> back = warnings_of(Json::parse(to_json(some).dump()));
+  REQUIRE(back.size() == 2);
+  CHECK(back[1].code == "inert_seed");
+  CHECK(back[1].message == "\"quoted\"");
+  CHECK(warnings_of(Json()).empty());
+}
+
+TEST_CASE("warnings: those before a run need no bending constraints", "[warnings]") {
+  const Experiment experiment = experiment_of(
+      R"("mesh": {"cells": 4, "width": 500, "height": 500}, "bending": {"model": "prestressed"})");
+  const std::vector<Warning> before = warnings_before(experiment, experiment.runs.front());
+  REQUIRE(before.size() == 1);
+  CHECK(before[0].code == "units");
+}
+
+}  // namespace bendlab
