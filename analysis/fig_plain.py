@@ -24,7 +24,7 @@ def main(results, out):
     section.judged, section.covered, section.twins = [], [], Twins()
     for name in CONFIGS:
         experiment = load_experiment(results, f"{FOLDER}/{name}")
-        runs = [run for run in section.uses(experiment) if run.status in ("complete", "implausible", "diverged")]
+        runs = [run for run in section.uses(experiment) if run.over]
         section.judged += [judge(run, name, experiment.sweep) for run in runs]
         if "cover" in experiment.settings and runs:
             section.covered.append((name, len(runs), *coverage(experiment, runs)))

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <future>
 #include <iterator>
 #include <limits>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "bendlab/metrics/motion.hpp"
@@ -161,13 +163,19 @@ class Bounds {
   std::string worst_;
 };
 
-// Whether the program says of a run that it cannot be believed.
+// Warnings that say nothing of the bounds.
+constexpr std::array<std::string_view, 3> beside = {"inert_seed", "units", "piece_without_pin"};
+
+// Whether the program says of a run that it cannot be believed, or warns of what spoils it.
 bool is_told(const Experiment& experiment, const RunConfig& config) {
   const std::filesystem::path folder =
       std::filesystem::temp_directory_path() / ("bendlab_plain_test_" + run_id(config));
   const RunOutcome outcome = execute_run(experiment, config, folder);
   std::filesystem::remove_all(folder);
-  return outcome.status != RunStatus::complete;
+  return outcome.status != RunStatus::complete ||
+         std::ranges::any_of(outcome.warnings, [](const Warning& warning) {
+           return std::ranges::find(beside, warning.code) == beside.end();
+         });
 }
 
 // What is wrong in silence with a run; empty if nothing is.
