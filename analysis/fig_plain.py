@@ -6,14 +6,18 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import group, load_experiment, swept_value
+from load import MODELS, group, load_experiment, swept_value
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, Table, figure_main
 
 COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3"}
 NAMES = {SILENT: "wrong in silence", TOLD: "wrong and told", ALARM: "sound, but told implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
-ORDER = {"cells": sorted, "substeps × iterations": lambda values: sorted(values, key=lambda text: int(text.split(" ")[0]))}
+MIXED = ("metres", "millimetres")  # the covering arrays: of each value the others are mixed evenly
+ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel", "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
+         "model": MODELS, "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
+         "height / width": ["0.25", "1", "4"], "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"], "strain form": ["normalised", "green", "angle"],
+         "substeps × iterations": ["1 × 10", "4 × 10", "64 × 1"], "order": ["colour", "mesh", "pins"], "precision": ["single", "double"]}
 FEWEST = 4  # runs that broke a bound, from which on a pair of values is listed
 TWICE = 2.0  # and how many times as many as its two values let expect
 
@@ -30,10 +34,12 @@ def main(results, out):
             section.covered.append((name, len(runs), *coverage(experiment, runs)))
         if name in TWINS:
             section.twins.add(name, experiment, runs)
+    mixed = [one for one in section.judged if one.config in MIXED]
+    if mixed:
+        section.pictures.append((_shares(mixed, out), _caption(mixed)))
+        section.pictures.append((_models_and_meshes(mixed, out), "Runs that broke a bound, of all runs with this model on this mesh: the darker, the larger "
+                                 "their share. A ring marks runs that were wrong in silence."))
     if section.judged:
-        section.pictures.append((_shares(section.judged, out), _caption(section.judged)))
-        section.pictures.append((_models_and_meshes(section.judged, out), "Runs that broke a bound, of all runs with this model on this mesh: dark "
-                                 "red where many did. A number with a ring is of runs that were wrong in silence."))
         section.tables.append(_table(section.judged))
     return section
 
@@ -93,13 +99,15 @@ def count(judged, verdict):
 
 def _caption(judged):
     parts = ", ".join(f"{count(judged, verdict)} {NAMES[verdict]}" for verdict in (SOUND, TOLD, SILENT, ALARM))
-    return (f"{len(judged)} runs: {parts}. A bar is the share of the runs with that value that broke a bound (red: in silence; yellow: told) or were "
+    return (f"{len(judged)} runs of the covering arrays: {parts}. A bar is the share of the runs with that value that broke a bound (red: in silence; yellow: told) or were "
             "told without breaking one (blue); behind the value, of how many runs. The values of the other settings are mixed evenly.")
 
 
 def values_of(judged, axis):
-    values = list(dict.fromkeys(one.settings[axis] for one in judged))
-    return ORDER.get(axis, lambda known: known)(values)
+    """Those that are there, in a reader's order."""
+    values = sorted({one.settings[axis] for one in judged})
+    known = ORDER.get(axis, [])
+    return sorted(values, key=lambda value: known.index(value) if value in known else len(known))
 
 
 def _shares(judged, out):
@@ -126,7 +134,7 @@ def _shares(judged, out):
                     share = count(some, verdict) / len(some)
                     axes.barh(place, share, left=left, height=0.78, color=COLOURS[verdict], lw=0)
                     left += share
-                axes.text(-0.02 * reach, place, str(value), ha="right", va="center", fontsize=8)
+                axes.text(-0.02 * reach, place, _short(value), ha="right", va="center", fontsize=8)
                 axes.text(left + 0.015 * reach, place, f"{100 * left:.2g} % of {len(some)}" if left else f"{len(some)}", va="center",
                           fontsize=7, color=style.GREY if not left else style.INK)
             place += 2.2
@@ -135,6 +143,10 @@ def _shares(judged, out):
     handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[verdict]) for verdict in (SILENT, TOLD, ALARM)]
     figure.legend(handles, [NAMES[verdict] for verdict in (SILENT, TOLD, ALARM)], loc="upper center", bbox_to_anchor=(0.5, 0), ncol=3)
     return style.save(figure, out, "fig_plain_shares")
+
+
+def _short(value):
+    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "")
 
 
 def _models_and_meshes(judged, out):
@@ -149,9 +161,9 @@ def _models_and_meshes(judged, out):
         some = cells.get((models[column], meshes[row]), [])
         wrong, silent = sum(one.verdict in WRONG for one in some), count(some, SILENT)
         dark = share[row, column] > 0.6 * max(0.3, np.nanmax(share))
-        axes.text(column, row, f"{wrong}/{len(some)}", ha="center", va="center", fontsize=8, color="white" if dark else style.INK if wrong else style.GREY,
+        axes.text(column, row, f"{wrong}/{len(some)}" if some else "–", ha="center", va="center", fontsize=8, color="white" if dark else style.INK if wrong else style.GREY,
                   bbox=dict(boxstyle="round,pad=0.25", fc="none", ec=COLOURS[SILENT], lw=1.3) if silent else None)
-    axes.set_xticks(range(len(models)), [style.MODEL_NAMES.get(model, model).replace(" (k_ring 1)", "") for model in models], rotation=35, ha="left")
+    axes.set_xticks(range(len(models)), [_short(model) for model in models], rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.set_yticks(range(len(meshes)), meshes)
     axes.tick_params(length=0)

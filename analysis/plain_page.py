@@ -1,6 +1,9 @@
 """Writes the page of the plain matrix: index.html, and summary.json with one object per run."""
 import argparse
+import os
 from pathlib import Path
+
+os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")  # its threads wait for each other's 3 × 2 matrices: 100 times as long on a busy machine
 
 import fig_plain
 import plain_cases
