@@ -139,15 +139,26 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
   Json settings = read_document(text, source_name, overrides, reading);
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
+  const bool covered = settings.contains("cover");
+  const Json given_cover = take(settings, "cover", Json());
 
   Experiment experiment;
   experiment.source = source;
   ConfigProblems problems;
-  experiment.axes = read_axes(sweep, settings, problems);
+  experiment.axes = read_axes(sweep, settings, covered, problems);
   experiment.expectations = read_expectations(expect, settings, problems);
-  check_settings(settings, experiment.axes, problems);
+  const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
+  if (!cover) check_settings(settings, experiment.axes, problems);
   problems.insert(problems.begin(), reading.begin(), reading.end());
-  if (problems.empty()) experiment.runs = expand_sweep(settings, experiment.axes, problems);
+  if (problems.empty())
+    experiment.runs = cover ? expand_cover(settings, experiment.axes, *cover, experiment.cover, problems)
+                            : expand_sweep(settings, experiment.axes, problems);
+  // What no combination mends is wrong beside the sweep.
+  if (cover && !problems.empty() && experiment.runs.empty()) {
+    ConfigProblems beside;
+    check_settings(settings, experiment.axes, beside);
+    if (!beside.empty()) problems = std::move(beside);
+  }
   // With overrides the sweep may be a part of the one that the expectations were written for.
   if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
   if (!problems.empty()) throw ConfigError(source_name, std::move(problems));

@@ -73,11 +73,21 @@ std::string identity_text(const RunConfig& config);
 /// A swept pointer and its values, normalised.
 using Axis = std::pair<std::string, std::vector<Json>>;
 
+/// What a covering array holds of a sweep.
+struct Covered {
+  int strength = 0;  ///< of how many axes every combination of values is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< these combinations
+  std::size_t missing = 0;           ///< of these, how many no run has
+  std::vector<std::string> refused;  ///< why: the values that do not go together, as "/a = 1, /b = 2"
+};
+
 struct Experiment {
   std::string name, description;
   std::filesystem::path source;  ///< the config's file, empty if it came from text
-  std::vector<RunConfig> runs;   ///< sweep expanded in order, last axis fastest; equal points appear once
-  std::vector<Axis> axes;        ///< the sweep
+  std::vector<RunConfig>
+      runs;  ///< sweep expanded in order, last axis fastest, or covered; equal points appear once
+  std::vector<Axis> axes;  ///< the sweep
+  Covered cover;
   std::vector<Expectation> expectations;
   /// What its runs may come to without a failing exit code: no part of what a run is.
   std::vector<std::string> allow;

@@ -140,7 +140,8 @@ const std::array<Parameter, 4>& pins() {
   static const std::array<Parameter, 4> table = {
       Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
                 .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides and centre of its x-y "
-                           "face; top_rim and bottom_rim are the ends of a tube",
+                           "face; top_rim and bottom_rim are the ends of a tube; circle is the ring of vertices a quarter of "
+                           "the smaller side from the centre, interior four vertices at 0.3 and 0.7 of both sides",
                 .choices = vertex_selectors()},
       Parameter{.name = "indices", .type = numbers, .unit = "1", .default_value = no_indices,
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), besides the "
@@ -393,6 +394,15 @@ constexpr std::array quality = {
               .minimum = 0, .maximum = 60},
 };
 
+constexpr std::array cover = {
+    Parameter{.name = "strength", .type = integer, .unit = "1", .default_value = {},
+              .meaning = "Of how many axes every combination of values occurs: 2 for every pair of values",
+              .minimum = 1, .maximum = 6, .required = true},
+    Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "Another seed gives other runs, with the same promise",
+              .minimum = 0, .maximum = largest_seed},
+};
+
 constexpr std::array expectation = {
     Parameter{.name = "metric", .type = text, .unit = "", .default_value = {},
               .meaning = "Which number of the run's summary",
@@ -417,6 +427,12 @@ constexpr std::array lists = {
                "What to vary: {\"/json/pointer\": [values]}, \"all\" instead of the list for every choice of "
                "a setting. One run per combination, the last pointer "
                "fastest; a pointer may also name a whole object, or the whole list of effects"},
+    ConfigList{"cover",
+               "A part of a large sweep instead of all of it: with \"cover\": 3 every value of any three "
+               "axes occurs "
+               "together in at least one run, in as few runs as a greedy search finds, the same on every "
+               "machine. What "
+               "does not go together is left out; 'bendlab plan' says what that was. A number, or an object"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
 };
 
@@ -498,6 +514,10 @@ const Parameter& effect_type_parameter() {
                                 .required = true,
                                 .choices = names};
   return row;
+}
+
+std::span<const Parameter> cover_parameters() {
+  return cover;
 }
 
 std::span<const Parameter> expectation_parameters() {

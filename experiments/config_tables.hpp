@@ -37,11 +37,14 @@ struct ConfigList {
   std::string_view name, meaning;
 };
 
-/// `effects`, `sweep` and `expect`.
+/// `effects`, `sweep`, `cover` and `expect`.
 std::span<const ConfigList> config_lists();
 
 /// The `type` of an entry of `effects`; its other settings are the effect's own table.
 const Parameter& effect_type_parameter();
+
+/// The settings of `cover`.
+std::span<const Parameter> cover_parameters();
 
 /// The settings of an entry of `expect`, besides its object `where`.
 std::span<const Parameter> expectation_parameters();

@@ -40,7 +40,7 @@ bool set_inside_axis(Json& values, const std::string& rest, const Json& value) {
 // Returns what is wrong, or "".
 std::string apply(Json& document, const std::string& pointer, const std::string& text) {
   const std::vector<std::string> known = known_pointers(document);
-  const auto free_places = {"/name", "/description", "/sweep", "/expect"};
+  const auto free_places = {"/name", "/description", "/sweep", "/cover", "/expect"};
   const bool is_free =
       std::ranges::any_of(free_places, [&](const char* p) { return lies_within(pointer, p); });
   Json value = read_override_value(document, pointer, text);

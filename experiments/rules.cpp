@@ -42,6 +42,30 @@ void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   }
 }
 
+// A ring of two vertices is no tube; a lattice of one triangle's width has no second row.
+void check_cells(const Json& mesh, ConfigProblems& problems) {
+  if (!mesh.contains("generator")) return;
+  const int least = mesh["generator"] == "tube" ? 3 : mesh["generator"] == "equilateral" ? 2 : 1;
+  if (mesh["cells"].get<int>() < least)
+    problems.push_back({"/mesh/cells", fmt::format("expected at least {} for the generator {}, got {}", least,
+                                                   mesh["generator"].get_ref<const std::string&>(),
+                                                   given_text(mesh["cells"]))});
+}
+
+// The rigidity that springs give a sheet is known where they lie flat.
+void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
+  const Json &bending = canonical["bending"], &mesh = canonical["mesh"];
+  if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
+  const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
+  const std::string& generator = mesh["generator"].get_ref<const std::string&>();
+  if (model->springs_only && model->name != "none" && (generator == "tube" || generator == "sphere"))
+    problems.push_back(
+        {"/bending/stiffness",
+         fmt::format("physical is known for the springs of {} on flat rest shapes only, not on a {}: give "
+                     "k or compliance, or take a model of hinges",
+                     model->name, generator)});
+}
+
 void check_indices(const Json& pins, ConfigProblems& problems) {
   const Json& indices = pins["indices"];
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -202,10 +226,12 @@ class MethodRules {
 void apply_rules(const Json& given, Json& canonical, ConfigProblems& problems) {
   check_name(canonical, problems);
   settle_mesh(given, canonical["mesh"], problems);
+  check_cells(canonical["mesh"], problems);
   check_indices(canonical["pins"], problems);
   check_warp_direction(canonical["material"], problems);
   keep_chosen_model(canonical["bending"]);
   settle_bending_stiffness(canonical["bending"], problems);
+  check_springs_lie_flat(canonical, problems);
   MethodRules(canonical, problems).settle();
   settle_accuracy(canonical["accuracy"], problems);
 }

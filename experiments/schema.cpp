@@ -175,6 +175,14 @@ Json sweep_schema() {
   return schema;
 }
 
+Json cover_schema() {
+  Json strength = value_schema(cover_parameters()[0]);
+  Json schema = Json::object();
+  schema["oneOf"] =
+      Json::array({std::move(strength), object_schema("Strength and seed", cover_parameters())});
+  return schema;
+}
+
 Json expect_schema() {
   Json entry = object_schema("One bound; min, max or both", expectation_parameters());
   entry["properties"]["where"]["type"] = "object";
@@ -187,6 +195,7 @@ Json expect_schema() {
 
 Json list_schema(std::string_view name) {
   if (name == "effects") return effects_schema();
+  if (name == "cover") return cover_schema();
   return name == "sweep" ? sweep_schema() : expect_schema();
 }
 
@@ -211,8 +220,10 @@ std::string schema_text() {
   for (const ConfigSection& section : config_sections())
     text += fmt::format("\n{}\n{}{}", section.pointer.empty() ? "(top level)" : section.pointer,
                         wrapped(section.meaning, 2), rows_text(section.parameters));
-  for (const ConfigList& list : config_lists())
+  for (const ConfigList& list : config_lists()) {
     text += fmt::format("\n/{}\n{}", list.name, wrapped(list.meaning, 2));
+    if (list.name == "cover") text += rows_text(cover_parameters());
+  }
   text += rows_text(expectation_parameters());
   text += wrapped("where: optional; an object", 2) + wrapped(expectation_where_meaning(), 6);
   for (const Effect* effect : effects())

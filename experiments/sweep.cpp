@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
+#include <stdexcept>
 
+#include "experiments/config_tables.hpp"
 #include "experiments/pointers.hpp"
 #include "experiments/resolve.hpp"
 
@@ -76,11 +79,17 @@ bool advance(std::vector<std::size_t>& indices, const std::vector<Axis>& axes) {
   return false;
 }
 
-std::string point_text(const std::vector<Axis>& axes, const std::vector<std::size_t>& indices) {
+std::string tuple_text(const std::vector<Axis>& axes, const CoverTuple& tuple) {
   std::vector<std::string> parts;
-  for (std::size_t a = 0; a < axes.size(); ++a)
-    parts.push_back(fmt::format("{} = {}", axes[a].first, axes[a].second[indices[a]].dump()));
+  for (const auto& [axis, value] : tuple)
+    parts.push_back(fmt::format("{} = {}", axes[axis].first, axes[axis].second[value].dump()));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string point_text(const std::vector<Axis>& axes, const std::vector<std::size_t>& indices) {
+  CoverTuple whole;
+  for (std::size_t a = 0; a < axes.size(); ++a) whole.emplace_back(a, indices[a]);
+  return tuple_text(axes, whole);
 }
 
 // The run at one combination; its problems are those of values that do not go together.
@@ -105,7 +114,7 @@ RunConfig make_run(Json settings, const std::vector<Axis>& axes, const std::vect
 
 }  // namespace
 
-std::vector<Axis> read_axes(const Json& sweep, const Json& settings, ConfigProblems& problems) {
+std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covered, ConfigProblems& problems) {
   std::vector<Axis> axes;
   if (!sweep.is_object()) {
     problems.push_back({"/sweep", "expected an object {\"/json/pointer\": [values]}"});
@@ -134,13 +143,32 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, ConfigProbl
       points = std::min(points * values.size(), most_points + 1);
     }
   }
+  if (covered) return axes;
   if (points > most_points)
     problems.push_back(
-        {"/sweep", fmt::format("has more than {} combinations; shorten the lists or make several "
-                               "configs of it",
-                               most_points)});
+        {"/sweep",
+         fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
+                     "run a part that has every pair of values, with \"cover\": 2",
+                     most_points)});
   check_values(settings, axes, problems);
   return axes;
+}
+
+std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
+  Json given = cover;
+  if (cover.is_number()) given = Json({{"strength", cover}});
+  if (!given.is_object()) {
+    problems.push_back(
+        {"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
+    return std::nullopt;
+  }
+  ConfigProblems found;
+  const ParameterValues values =
+      values_of(read_settings(given, "/cover", cover_parameters(), {}, found), cover_parameters());
+  problems.insert(problems.end(), found.begin(), found.end());
+  if (!found.empty()) return std::nullopt;
+  return Cover{.strength = static_cast<int>(values.integer("strength")),
+               .seed = static_cast<std::uint64_t>(values.integer("seed"))};
 }
 
 Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {
@@ -160,6 +188,53 @@ std::vector<RunConfig> expand_sweep(const Json& settings, const std::vector<Axis
     if (!problems.empty()) return runs;
     if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
   } while (advance(indices, axes));
+  return runs;
+}
+
+std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis>& axes, const Cover& cover,
+                                    Covered& told, ConfigProblems& problems) {
+  std::vector<std::size_t> sizes;
+  for (const Axis& axis : axes) sizes.push_back(axis.second.size());
+  std::map<CoverTuple, ConfigProblem> why;  // a value → what was wrong with a point that has it
+  std::vector<RunConfig> allowed_runs;
+  const auto allowed = [&](const CoverRow& row) {
+    ConfigProblems found;
+    RunConfig run = make_run(settings, axes, row, found);
+    if (found.empty()) allowed_runs.push_back(std::move(run));
+    for (std::size_t a = 0; a < axes.size() && !found.empty(); ++a) why[{{a, row[a]}}] = found.front();
+    return found.empty();
+  };
+  const CoverRows covering = [&] {
+    try {
+      return covering_rows(sizes, cover, allowed, most_points);
+    } catch (const std::invalid_argument& error) {
+      problems.push_back({"/cover", error.what()});
+      return CoverRows();
+    }
+  }();
+  if (covering.rows.size() > most_points)
+    problems.push_back(
+        {"/cover", fmt::format("needs more than {} runs; choose a smaller strength, or shorten the lists "
+                               "of the sweep",
+                               most_points)});
+  for (const CoverTuple& tuple : covering.impossible)
+    if (tuple.size() == 1) {
+      const auto& [axis, value] = tuple.front();
+      problems.push_back(
+          {child_pointer(axis_pointer(axes[axis].first), std::to_string(value)),
+           fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
+                       why[tuple].pointer, why[tuple].message)});
+    } else {
+      told.refused.push_back(tuple_text(axes, tuple));
+    }
+  told.strength = cover.strength;
+  told.tuples = covering.tuples;
+  told.missing = covering.missing;
+
+  std::vector<RunConfig> runs;
+  std::set<std::string> seen;
+  for (RunConfig& run : allowed_runs)
+    if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
   return runs;
 }
 

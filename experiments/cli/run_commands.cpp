@@ -140,6 +140,7 @@ constexpr std::array reproducibles = {
     Reproducible{"stiffness", {"stiffness"}, "stiffness_page.py"},
     Reproducible{"stability", {"stability", "one_pin"}, "stability_page.py"},
     Reproducible{"accuracy", {"accuracy"}, "accuracy_page.py"},
+    Reproducible{"plain", {"plain"}, "plain_page.py"},
 };
 
 /// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
@@ -171,6 +172,18 @@ std::string state_on_disk(const fs::path& folder) {
     return "unreadable";
   }
   return "new";
+}
+
+/// What a cover promises and what it left out, a line or two; empty for a whole sweep.
+std::string cover_text(const Covered& cover) {
+  if (cover.strength == 0) return "";
+  std::string text = fmt::format("covers {} of {} combinations of the values of {} axes\n",
+                                 cover.tuples - cover.missing, cover.tuples, cover.strength);
+  constexpr std::size_t shown = 5;
+  for (std::size_t i = 0; i < std::min(cover.refused.size(), shown); ++i)
+    text += fmt::format("left out, because these do not go together: {}\n", cover.refused[i]);
+  if (cover.refused.size() > shown) text += fmt::format("and {} more\n", cover.refused.size() - shown);
+  return text;
 }
 
 }  // namespace
@@ -208,8 +221,9 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
       table.add_row(std::move(cells));
     }
     if (!json)
-      fmt::print("{}: {} run{}, {} complete\n\n{}\n", experiment.name, experiment.runs.size(),
-                 experiment.runs.size() == 1 ? "" : "s", complete, table.text());
+      fmt::print("{}: {} run{}, {} complete\n{}\n{}\n", experiment.name, experiment.runs.size(),
+                 experiment.runs.size() == 1 ? "" : "s", complete, cover_text(experiment.cover),
+                 table.text());
   }
   return exit_ok;
 }
@@ -218,8 +232,8 @@ int validate_command(const ConfigArguments& configs, bool strict) {
   const std::vector<Experiment> experiments = load_experiments(configs);
   if (strict && tell_warnings_before(experiments) > 0) return exit_failed;
   for (const Experiment& experiment : experiments)
-    fmt::print("{}: {} ({} run{})\n", coloured("ok", Colour::green, stdout), experiment.source.string(),
-               experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
+    fmt::print("{}: {} ({} run{})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
+               experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s", cover_text(experiment.cover));
   return exit_ok;
 }
 

@@ -21,6 +21,7 @@ import fig_accuracy_roads  # noqa: E402
 import fig_accuracy_scaling  # noqa: E402
 import fig_accuracy_solver  # noqa: E402
 import fig_models  # noqa: E402
+import fig_plain  # noqa: E402
 import fig_scenes  # noqa: E402
 import fig_stability  # noqa: E402
 import fig_stiffness_buckling  # noqa: E402
@@ -29,6 +30,8 @@ import fig_structure  # noqa: E402
 import load  # noqa: E402
 import obstacles  # noqa: E402
 import page  # noqa: E402
+import plain_cases  # noqa: E402
+import plain_page  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_page  # noqa: E402
@@ -547,6 +550,124 @@ class StabilityTest(unittest.TestCase):
             section = stability_page.main(Path(folder), Path(folder) / "page")
             self.assertEqual(section.cells, {})
             self.assertIn("Runs that are missing", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
+
+
+class PlainTest(unittest.TestCase):
+    """Bounds of the plain matrix on motions whose numbers are known."""
+
+    @staticmethod
+    def sheet(cells=4, pins=(), velocity=(0, 0, 0)):
+        """A unit square of cells × cells squares at rest, as plain_cases.Scene has it, with one frame."""
+        x, y = np.meshgrid(np.linspace(0, 1, cells + 1), np.linspace(0, 1, cells + 1))
+        rest = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
+        corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
+        triangles = np.concatenate([np.stack([corner, corner + 1, corner + cells + 2], axis=1), np.stack([corner, corner + cells + 2, corner + cells + 1], axis=1)])
+        pinned = np.isin(np.arange(len(rest)), pins)
+        scene = SimpleNamespace(rest=rest, triangles=triangles, pins=np.flatnonzero(pinned), size=np.sqrt(2), gravity=np.array([0, 0, -9.81]), h=0.01,
+                                frames=rest[None], time=np.zeros(1), velocity=np.tile(np.array(velocity, float), (len(rest), 1)), run=SimpleNamespace(pinned=pinned))
+        scene.velocity[scene.pins] = 0
+        scene.mass = plain_cases.Scene._masses(scene)
+        return scene
+
+    def test_steps_of_free_fall_are_free_fall(self):
+        scene = self.sheet(velocity=(0.3, 0, 1))
+        place, speed, frames = scene.rest.copy(), scene.velocity.copy(), []
+        for step in range(31):
+            if step % 10 == 0:
+                frames.append(place.copy())
+            speed = speed + scene.h * scene.gravity
+            place = place + scene.h * speed
+        scene.frames, scene.time = np.array(frames), 10 * scene.h * np.arange(4)
+        self.assertLess(plain_cases.fall_error(scene), 1e-12)
+        self.assertLess(plain_cases.energy_gain(scene), 1e-12)
+        self.assertLessEqual(plain_cases.speed(scene), 1)
+        scene.frames = np.repeat(scene.rest[None], 4, axis=0)  # gravity 9.81, thrown up by 1: would be lower by 0.18
+        self.assertGreater(plain_cases.fall_error(scene), 0.1)
+
+    def test_masses_are_thirds_of_areas(self):
+        scene = self.sheet(1)
+        np.testing.assert_allclose(scene.mass, np.array([2, 1, 1, 2]) / 6)  # the diagonal joins the first and the last
+
+    def test_a_stretched_sheet_has_its_stretch_and_a_turned_one_none(self):
+        scene = self.sheet()
+        scene.frames = np.stack([scene.rest, scene.rest * [1.2, 1, 1]])
+        np.testing.assert_allclose(plain_cases.strains(scene), (0.2, 1.2))
+        scene.frames = scene.rest[None] @ np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
+        np.testing.assert_allclose(plain_cases.strains(scene), (0, 1), atol=1e-7)  # √ of rounding
+
+    def test_reach_is_the_way_along_edges_and_a_tenth(self):
+        scene = self.sheet(4, pins=(0,))
+        far = scene.rest * [1.2, 1, 1]  # (1, 0) is 1.2 from its pin, and its way is 1
+        scene.frames = np.stack([scene.rest, far])
+        self.assertAlmostEqual(plain_cases.beyond_reach(scene), (1.2 - 1.1) / scene.size, places=12)
+
+    def test_ways_are_the_shortest(self):
+        scene = self.sheet(5, pins=(0, 35))
+        way, pin = plain_cases.ways_from(scene)
+        x, y = scene.rest[:, 0], scene.rest[:, 1]
+        exact = lambda dx, dy: np.minimum(dx, dy) * np.sqrt(2) + abs(dx - dy)  # the diagonals run this way
+        np.testing.assert_allclose(way, np.minimum(exact(x, y), exact(1 - x, 1 - y)), atol=1e-12)
+        self.assertEqual(set(pin), {0, 35})
+
+    def test_energy_from_nothing_is_seen(self):
+        scene = self.sheet(pins=(0,))
+        scene.frames, scene.time = np.stack([scene.rest, scene.rest + [0, 0, 0.1]]), np.array([0, 0.1])
+        # 1 m/s and 0.05 m in the mean, on a scale of g √2
+        self.assertAlmostEqual(plain_cases.energy_gain(scene), (0.5 + 9.81 * 0.05) / (9.81 * np.sqrt(2)), places=9)
+
+    @staticmethod
+    def judged(value, told="", status="complete", **settings):
+        return plain_cases.Judged("first", SimpleNamespace(status=status, cpu_s=0.1), settings, [plain_cases.Bound("mean strain", value, 0.1, "1")], told, "")
+
+    def test_silence_is_a_broken_bound_of_which_nothing_was_told(self):
+        self.assertEqual(self.judged(0.2).verdict, plain_cases.SILENT)
+        self.assertEqual(self.judged(np.nan).verdict, plain_cases.SILENT)
+        self.assertEqual(self.judged(0.2, "unconverged").verdict, plain_cases.TOLD)
+        self.assertEqual(self.judged(0.05, "unconverged").verdict, plain_cases.SOUND)
+        self.assertEqual(self.judged(0.05, "implausible", "implausible").verdict, plain_cases.ALARM)
+
+    def test_pairs_that_fail_together_are_found_and_single_values_are_not(self):
+        values = [(a, b, c) for a in range(4) for b in range(4) for c in range(4)]
+        together = [self.judged(0.2 if a == b == 1 else 0, a=a, b=b, c=c) for a, b, c in values]
+        self.assertEqual([(pair, wrong, runs) for pair, wrong, runs, _ in fig_plain.pairs(together)], [((("a", 1), ("b", 1)), 4, 4)])
+        self.assertEqual(fig_plain.pairs([self.judged(0.2 if a == 1 else 0, a=a, b=b, c=c) for a, b, c in values]), [])
+        self.assertEqual(fig_plain.pairs([self.judged(0.0, a=1, b=2)]), [])
+
+    def test_a_run_that_stops_at_once_breaks_a_bound(self):
+        with tempfile.TemporaryDirectory() as folder:
+            config = {"name": "plain_first", "duration": 0.3, "mesh": {"generator": "grid", "diagonal": "same", "cells": 1, "height": 1, "width": 1, "scale": 1},
+                      "pins": {"vertices": ["top"], "ring": 0}, "bending": {"model": "none", "stiffness": "k", "k": 0.5}, "effects": [],
+                      "material": {"strain": {"form": "green", "stiffness": "k"}}, "initial": {"tilt": 0, "velocity": [0, 0, 0], "spin": [0, 0, 0]},
+                      "solver": {"dt": 0.01, "substeps": 1, "iterations": 1, "order": "mesh", "sweep": "forward", "precision": "single"}}
+            write_run(Path(folder) / "run.vtkhdf", config, committed=1, status="diverged")
+            judged = plain_cases.judge(load.load_run(Path(folder) / "run.vtkhdf"), "first", {})
+        self.assertEqual([bound.name for bound in judged.broken], ["time not simulated"])
+        self.assertEqual((judged.verdict, judged.told), (plain_cases.TOLD, "diverged"))
+        self.assertEqual(judged.settings["pins"], "an edge")
+
+    def test_both_units_read_alike(self):
+        read = lambda name: json.loads((load.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
+        small, large, metres = (read(name)["sweep"] for name in (*plain_cases.TWINS, "metres"))
+        self.assertEqual(large, metres)
+        self.assertEqual([len(values) for values in small.values()], [len(values) for values in large.values()])
+        for one, other in zip(small["/bending"], large["/bending"]):
+            self.assertEqual(plain_cases._bending({"bending": one, "mesh": {"scale": 2.0 ** -10}}), plain_cases._bending({"bending": other, "mesh": {"scale": 1.0}}))
+        scales = {value["scale"] for value in small["/mesh"]}
+        self.assertEqual(scales, {1 / 1024})
+        self.assertEqual(read("millimetres")["effects"][0]["acceleration"][2], -9.81 / 1024)
+
+    def test_what_a_cover_lacks_is_counted(self):
+        experiment = SimpleNamespace(settings={"cover": 2}, sweep={"/mesh/cells": [2, 4], "/bending/model": ["none", "lod"], "/solver/sweep": ["forward"]})
+        run = lambda cells, model: SimpleNamespace(config={"mesh": {"cells": cells}, "bending": {"model": model}, "solver": {"sweep": "forward"}})
+        strength, held, wanted, absent = fig_plain.coverage(experiment, [run(2, "none"), run(4, "none"), run(2, "lod")])
+        self.assertEqual((strength, held, wanted), (2, 7, 8))
+        self.assertEqual(absent, [(("/mesh/cells", 4), ("/bending/model", "lod"))])
+
+    def test_a_page_without_runs_says_what_is_missing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            section = plain_page.main(Path(folder), Path(folder) / "page")
+            self.assertEqual(section.judged, [])
+            self.assertIn("configs/plain/first.json: 72 runs", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
 
 
 class AccuracyTest(unittest.TestCase):

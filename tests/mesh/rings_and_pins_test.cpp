@@ -153,6 +153,34 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   CHECK(select_vertices(sleeve, "top_rim") == std::vector{last - 4, last - 3, last - 2, last - 1, last});
 }
 
+TEST_CASE("a circle is closed around the centre, and four vertices lie inside", "[mesh]") {
+  const RestMesh round(
+      disc(0.5, 8));  // rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4, of 24 vertices
+  const std::vector<int> circle = select_vertices(round, "circle");
+  CHECK(circle.size() == 24);
+  for (const int v : circle) CHECK_THAT(round.position(v).norm(), WithinAbs(0.25, 1e-12));
+
+  const RestMesh four(
+      grid(1, 1, 4, 4, Diagonal::both));  // a cross around the centre, its corners are farther: √2/4
+  for (const int v : select_vertices(four, "circle")) CHECK(four.position(v).norm() <= 0.25 + 1e-12);
+  CHECK(select_vertices(four, "circle").size() == 8);  // 4 neighbours at 1/4 and the 4 crossings at √2/8
+
+  const RestMesh round_about(tube(0.25, 0.25, 2, 24));
+  const std::vector<int> patch = select_vertices(round_about, "circle");
+  CHECK(patch.size() > 3);
+  CHECK(static_cast<int>(patch.size()) < round_about.vertex_count() / 4);
+
+  const RestMesh ten(grid(2, 1, 10, 10));
+  const std::vector<int> interior = select_vertices(ten, "interior");
+  REQUIRE(interior.size() == 4);
+  for (const int v : interior) {
+    CHECK_THAT(std::abs(ten.position(v).x()), WithinAbs(0.4, 1e-12));  // 0.3 and 0.7 of 2, from the middle
+    CHECK_THAT(std::abs(ten.position(v).y()), WithinAbs(0.2, 1e-12));
+  }
+  CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), "interior") ==
+        std::vector<int>(4, 4));  // the only one there is
+}
+
 TEST_CASE("the paper's m and n by hand for three meshes", "[mesh][levels]") {
   SECTION("unit square grid") {
     struct Case {

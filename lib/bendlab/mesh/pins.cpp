@@ -11,9 +11,9 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 11> selectors = {
-    "upper_right", "upper_left", "lower_right", "lower_left", "top",       "bottom",
-    "left",        "right",      "centre",      "top_rim",    "bottom_rim"};
+constexpr std::array<std::string_view, 13> selectors = {
+    "upper_right", "upper_left", "lower_right", "lower_left", "top",    "bottom",  "left",
+    "right",       "centre",     "top_rim",     "bottom_rim", "circle", "interior"};
 
 constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
 
@@ -39,6 +39,28 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
                     "pinned whole. Name corners or sides",
                     name));
   return rim;
+}
+
+// The border of what lies around the vertex nearest to the centre: vertices within the radius that have a neighbour outside.
+std::vector<int> circle_vertices(const RestMesh& rest) {
+  const Vector2 extent = (rest.box_max() - rest.box_min()).head<2>();
+  const double radius = 0.25 * extent.minCoeff() + relative_tolerance * rest.size();
+  const Vector3 middle = rest.position(nearest_vertex(rest, rest.centre().head<2>()));
+  const auto is_inside = [&](int v) { return (rest.position(v) - middle).norm() <= radius; };
+  std::vector<int> circle;
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (is_inside(v) && !std::ranges::all_of(rest.one_ring()[v], is_inside)) circle.push_back(v);
+  return circle;
+}
+
+// Not quarters: on a grid many vertices would be as near to these.
+std::vector<int> interior_vertices(const RestMesh& rest) {
+  const Vector2 low = rest.box_min().head<2>(), extent = rest.box_max().head<2>() - low;
+  std::vector<int> interior;
+  for (const double y : {0.3, 0.7})
+    for (const double x : {0.3, 0.7})
+      interior.push_back(nearest_vertex(rest, low + extent.cwiseProduct(Vector2(x, y))));
+  return interior;
 }
 
 // Squared distance of a point from the segment a b.
@@ -104,6 +126,8 @@ std::vector<int> select_vertices(const RestMesh& rest, std::string_view name) {
   if (name == "right") return side_vertices(rest, 0, high.x());
   if (name == "top_rim") return rim_vertices(rest, name, high.z());
   if (name == "bottom_rim") return rim_vertices(rest, name, low.z());
+  if (name == "circle") return circle_vertices(rest);
+  if (name == "interior") return interior_vertices(rest);
   throw std::invalid_argument(
       fmt::format("'{}' names no vertices; allowed: {}", name, fmt::join(selectors, ", ")));
 }

@@ -25,7 +25,8 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
 /// Vertices by name: `upper_right`, `upper_left`, `lower_right`, `lower_left` (the vertex nearest to that
 /// corner of the rest box's x-y face), `top`, `bottom`, `left`, `right` (all vertices within 10⁻⁶ of the size
 /// of that side), `centre` (nearest to the centre of the box), `top_rim`, `bottom_rim` (all vertices at the largest
-/// or smallest z, the ends of a tube). Throws std::invalid_argument for another name, and for a rim of a flat mesh,
+/// or smallest z, the ends of a tube), `circle` (the outermost vertices within a quarter of the box's smaller x-y extent of
+/// the `centre`), `interior` (four, nearest to 0.3 and 0.7 of the box's width and height). Throws std::invalid_argument for another name, and for a rim of a flat mesh,
 /// because that is every vertex.
 std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
 

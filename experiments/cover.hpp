@@ -1,0 +1,42 @@
+// Covering arrays: few rows in which every combination of values of any few axes occurs.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace bendlab {
+
+/// How a sweep is covered.
+struct Cover {
+  int strength = 2;        ///< of how many axes every combination of values occurs
+  std::uint64_t seed = 1;  ///< another seed gives other rows, with the same promise
+};
+
+/// One value index per axis.
+using CoverRow = std::vector<std::size_t>;
+
+/// Some axes and the index of the value of each, axes ascending.
+using CoverTuple = std::vector<std::pair<std::size_t, std::size_t>>;
+
+struct CoverRows {
+  std::vector<CoverRow> rows;  ///< each different, each allowed
+  std::size_t tuples = 0;      ///< combinations of `strength` axes' values that the rows were to hold
+  std::size_t missing = 0;     ///< of these, how many no row holds
+  /// The reasons for that: combinations of as few values as possible with which no allowed row was found.
+  std::vector<CoverTuple> impossible;
+};
+
+/// Rows such that every combination of values of any `strength` axes (all of them, if there are fewer) is in at least one
+/// row for which `allowed` is true, where there is one. Greedy (Cohen, Dalal, Fredman, Patton: The AETG System, 1997): each
+/// row begins with a combination that is not covered yet, and takes axis after axis the value that covers most; the best of a
+/// few such rows is kept. What `allowed` refuses is learned pair by pair and avoided. The same arguments give the same rows
+/// on every machine. `sizes` holds the number of values of each axis, each at least 1. Stops once there are more than
+/// `most_rows` rows. Throws std::invalid_argument for a strength below 1, and for more than 20 million combinations.
+CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
+                        const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows);
+
+}  // namespace bendlab
