@@ -230,12 +230,20 @@ bool Search::between(const Setting& setting) const {
   return above && *above > *demand_.cpu_s;
 }
 
+// Time per frame beyond which nothing need be run. Where nothing fit is as fast as demanded, it is that of the fastest fit
+// setting, which then is the nearest.
+double Search::longest() const {
+  if (demand_.error) {
+    const std::optional<Rated> best = chosen(measured_, demand_);
+    return best ? best->cpu_s : infinity;
+  }
+  return front_.empty() ? infinity : std::max(*demand_.cpu_s, front_.front().cpu_s);
+}
+
 bool Search::worth(const Setting& setting) const {
   const std::optional<double> cpu_s = cost(setting);
   if (!cpu_s) return true;
-  const std::optional<Rated> best = demand_.error ? chosen(measured_, demand_) : std::nullopt;
-  const double most = demand_.error ? (best ? best->cpu_s : infinity) : *demand_.cpu_s;
-  if (*cpu_s >= most) return false;
+  if (*cpu_s >= longest()) return false;
   double least = infinity;  // error for that time
   for (const Rated& point : front_)
     if (point.cpu_s <= *cpu_s) least = point.error;

@@ -71,6 +71,7 @@ class Search {
   bool more_iterations(const Setting& setting) const;
   bool rounding_suspected(const Setting& setting) const;
   bool between(const Setting& setting) const;
+  double longest() const;
   bool worth(const Setting& setting) const;
   std::vector<Setting> all_settings(const std::string& model) const;
   Strained predicted_strain(const std::vector<Setting>& measured, const Setting& setting) const;

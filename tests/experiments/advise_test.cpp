@@ -332,6 +332,11 @@ TEST_CASE("advise: the search finds what trying everything finds, in fewer runs"
     for (const Rated& point : search.measured())
       CHECK(point.cpu_s <= cpu_s * 1.001 + 1e-9 + 4e-4);  // but the first
   }
+  // A time that suffices for nothing fit: the fastest fit setting is found, which is 4 substeps of b.
+  Search search({"a", "b"}, {.cpu_s = 2e-4}, {});
+  machine.run(search);
+  CHECK_FALSE(chosen(search.measured(), {.cpu_s = 2e-4}));
+  CHECK(nearest(search.measured(), {.cpu_s = 2e-4})->setting == Setting{"b", 4});
 }
 
 TEST_CASE("advise: what takes too long is predicted from a law, and only there", "[advise]") {
