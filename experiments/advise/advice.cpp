@@ -258,8 +258,9 @@ class Advisor {
     }
   }
 
-  // Beyond the reference.
+  // Beyond the reference, unless it is a ruin.
   Strained strained(const Measured& found) const {
+    if (!reference_tells(advice_)) return {found.strain.value_or(0), found.stretch, found.implausible};
     return {std::max(0.0, found.strain.value_or(0) - advice_.reference_strain),
             std::max(1.0, found.stretch / advice_.reference_stretch), found.implausible};
   }

@@ -61,9 +61,9 @@ bool all_alike(const std::vector<Rated>& points) {
 std::string reference_text(const Advice& advice) {
   if (!(advice.reference_strain <= largest_reference_strain))
     return fmt::format(
-        "The reference itself is stretched by {} (rms), as no cloth is, so that it tells no errors: are "
-        "lengths in "
-        "metres, the density in kg/m^2 and the membrane's compliance in m/N?",
+        "The reference itself is stretched by {} (rms), as no cloth is, so that it tells no errors: it flew "
+        "apart, or "
+        "lengths are not in metres, the density not in kg/m^2 or the membrane's compliance not in m/N.",
         percent_text(advice.reference_strain));
   return fmt::format(
       "The reference itself is known to {} only, so that it tells no errors: motions that fall and fold are "
