@@ -273,8 +273,8 @@ class Advisor {
                : found.why;
   }
 
-  // The reference's model, as coarse as it stays whole, with each of these accuracies. Beside a pose that is torn apart an
-  // equilibrium is looked for in vain, and for long.
+  // The reference's model, as coarse as it stays whole, with each of these accuracies. Beside a pose that is
+  // torn apart an equilibrium is looked for in vain, and for long.
   std::vector<Measured> probe(const std::vector<Json>& accuracies) {
     std::vector<Measured> found;
     constexpr int finest = 256;
@@ -341,8 +341,8 @@ class Advisor {
     return advice_.exit_code == 0;
   }
 
-  // Where every pose needs an equilibrium of its own, which takes a thousand times as long as a coarse run, those that are
-  // stretched as no cloth is get none: they are unfit whatever their error is.
+  // Where every pose needs an equilibrium of its own, which takes a thousand times as long as a coarse run,
+  // those that are stretched as no cloth is get none: they are unfit whatever their error is.
   std::vector<Setting> without_stretched(const std::vector<Setting>& settings, Search& search) {
     std::vector<Setting> left, doubtful;
     for (const Setting& setting : settings)

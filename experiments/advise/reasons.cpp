@@ -21,7 +21,8 @@ double least(const std::vector<Rated>& points, Value value) {
   return value(*std::ranges::min_element(points, {}, value));
 }
 
-// What is wrong with these, which are all unfit: how many for which reason, and how far the best of them is off.
+// What is wrong with these, which are all unfit: how many for which reason, and how far the best of them is
+// off.
 std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   std::map<Unfit, std::vector<Rated>> because;
   for (const Rated& point : points) because[unfit(point)].push_back(point);

@@ -230,8 +230,8 @@ bool Search::between(const Setting& setting) const {
   return above && *above > *demand_.cpu_s;
 }
 
-// Time per frame beyond which nothing need be run. Where nothing fit is as fast as demanded, it is that of the fastest fit
-// setting, which then is the nearest.
+// Time per frame beyond which nothing need be run. Where nothing fit is as fast as demanded, it is that of
+// the fastest fit setting, which then is the nearest.
 double Search::longest() const {
   if (demand_.error) {
     const std::optional<Rated> best = chosen(measured_, demand_);

@@ -4,10 +4,11 @@
 //   iterations 1 2 4 10             where the next fewer is on the front
 //   precision  single, double       where rounding seems to hold single back
 //
-// A setting is worth a run if it could be on the front: an error falls at best with the square of the work (substeps ×
-// iterations), and what is known to cost more than a setting that already meets the demand need not be run. Since the
-// cheapest come first, a tighter demand measures what a looser one did, and more. Unfit settings (fitness.hpp) are on no
-// front and rule no other out; until one is fit, more substeps go before more iterations.
+// A setting is worth a run if it could be on the front: an error falls at best with the square of the work
+// (substeps × iterations), and what is known to cost more than a setting that already meets the demand need
+// not be run. Since the cheapest come first, a tighter demand measures what a looser one did, and more. Unfit
+// settings (fitness.hpp) are on no front and rule no other out; until one is fit, more substeps go before
+// more iterations.
 #pragma once
 
 #include <map>
@@ -36,7 +37,8 @@ class Search {
   /// What is worth a run now, the cheapest first; empty when the search is over.
   std::vector<Next> next() const;
 
-  /// What a run gave; without an error it diverged, or had no reference, or its strain is unfit and it was not compared.
+  /// What a run gave; without an error it diverged, or had no reference, or its strain is unfit and it was
+  /// not compared.
   void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
 
   /// No further run of the model.
@@ -44,11 +46,12 @@ class Search {
 
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Whether a run with it may be stretched beyond what is fit: no coarser one of its model was seen to be less.
+  /// Whether a run with it may be stretched beyond what is fit: no coarser one of its model was seen to be
+  /// less.
   bool may_be_stretched(const Setting& setting) const;
 
-  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much work. Their strain is
-  /// that of the finest measured one, or less where it follows a law, too.
+  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much
+  /// work. Their strain is that of the finest measured one, or less where it follows a law, too.
   std::vector<Rated> predicted() const;
 
  private:
