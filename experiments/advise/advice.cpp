@@ -4,12 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <memory>
 #include <stdexcept>
 #include <thread>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
+#include "bendlab/metrics/shape_error.hpp"
+#include "experiments/accuracy.hpp"
+#include "experiments/advise/reasons.hpp"
 #include "experiments/cli/errors.hpp"
 #include "experiments/cli/signals.hpp"
 #include "experiments/machine.hpp"
@@ -29,7 +34,34 @@ struct Measured {
   std::string why;    // no error
   bool failed = false, diverged = false;
   double kinetic_energy = 0;  // at the end, J
+  double stretch = 1;         // of a triangle, the largest: of the motion, or at the end
+  bool implausible = false;
 };
+
+// Also of a status that no number can be: what is not finite is stretched without bound.
+double or_endless(double value) {
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+// Root mean square of the Green strain at the end of a run, or its mean over the frames.
+double strain_in(const std::filesystem::path& file, bool over_time) {
+  const Course end = read_course(file);
+  if (!over_time) return or_endless(strain_error(end.rest, end.poses.back()));
+  const std::size_t frames = read_metric(file, "time").size();
+  double sum = 0;
+  for (std::size_t f = 0; f < frames; ++f) {
+    const std::vector<double> numbers = read_positions(file, static_cast<std::int64_t>(f));
+    const Positions pose = Eigen::Map<const Positions>(numbers.data(), end.poses.back().rows(), 3);
+    sum += strain_error(end.rest, pose);
+  }
+  return or_endless(sum / static_cast<double>(frames));
+}
+
+double stretch_in(const std::filesystem::path& file, bool over_time) {
+  const std::vector<double> stretches = read_metric(file, "max_stretch");
+  const double largest = over_time ? *std::ranges::max_element(stretches) : stretches.back();
+  return std::max(1.0, or_endless(largest));
+}
 
 // CPU seconds of the steps of a run: simulated again, without recording, until it took long enough to be told from noise.
 double steps_again(const RunConfig& config, double simulated) {
@@ -79,11 +111,19 @@ Measured measured_by(const CampaignRun& run) {
                     .cpu_s = cpu_per_frame(*run.config, outcome),
                     .wall_s = outcome.reused ? 0 : outcome.wall_s,
                     .why = outcome.message,
-                    .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back()};
+                    .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
+                    // By its name: there are programs that know no such status.
+                    .implausible = to_string(outcome.status) == "implausible"};
   if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
     measured.error.reset();
   measured.diverged = outcome.status == RunStatus::diverged;
-  if (measured.diverged) measured.why = "diverged";
+  if (measured.diverged) {
+    measured.why = "diverged";
+    return measured;
+  }
+  const bool over_time = run.config->section("/accuracy").boolean("over_time");
+  measured.strain = measured.strain ? or_endless(*measured.strain) : strain_in(outcome.file, over_time);
+  measured.stretch = stretch_in(outcome.file, over_time);
   return measured;
 }
 
@@ -103,10 +143,14 @@ class Advisor {
     std::vector<std::string> models = models_that_can();
     choose_reference();
     if (advice_.exit_code != 0) return advice_;
+    const bool reference_model_asked = std::ranges::find(models, question_.reference_model()) != models.end();
     Search search(std::move(models), options_.demand,
                   {.most_substeps = most_substeps(), .least_error = 2 * advice_.reference_gap.value_or(0)});
     start_ = Clock::now();
-    while (measure_some(search)) {
+    beside_runs_s_ = 0;
+    // It is a setting as others are, and often the first that is fit.
+    if (probe_ && reference_model_asked) take(probe_->first, probe_->second, search);
+    while (reference_tells(advice_) && measure_some(search)) {
     }
     while (confirm_choice(search)) {
     }
@@ -168,8 +212,10 @@ class Advisor {
       tell_(fmt::format("the reference is the same motion with {} substeps, and {} to know its own error",
                         question_.reference_substeps(), question_.reference_substeps() / 2));
     const std::vector<Measured> found = probe({advice_.accuracy});  // which makes it
-    if (advice_.exit_code == 0 && !found.front().error)
-      throw std::runtime_error("there is nothing to measure errors against: " + why_none(found.front()));
+    if (advice_.exit_code != 0) return;
+    if (!found.front().error)
+      throw std::runtime_error("there is nothing to measure errors against: " + why_no_error(found.front()));
+    keep_probe(found.front());
   }
 
   // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the start?
@@ -184,27 +230,61 @@ class Advisor {
     if (!first && !beside) {
       if (options_.error_of || found[0].diverged)
         throw std::runtime_error("there is no equilibrium that errors could be measured against: " +
-                                 why_none(found[0]) + "; --what motion compares the motion instead");
+                                 why_no_error(found[0]) + "; --what motion compares the motion instead");
       return false;
     }
     advice_.still_moving = question_.speed(found[0].kinetic_energy);
     advice_.many_equilibria = beside && (!first || std::abs(*first - *beside) > same);
     advice_.accuracy = accuracies[advice_.many_equilibria ? 1 : 0];
+    keep_probe(found[advice_.many_equilibria ? 1 : 0]);
     return true;
   }
 
+  // How the reference itself is stretched: a membrane that is told to give way does so rightly.
+  void keep_probe(const Measured& found) {
+    const Setting setting{question_.reference_model(), probe_substeps_};
+    probe_ = {setting, found};
+    const RunConfig config = question_.run_with(setting, advice_.accuracy);
+    if (std::optional<RunConfig> reference = reference_of(config, Against::physical)) {
+      if (config.section("/accuracy").boolean("start_from_end")) reference->starts_at_end_of = run_id(config);
+      Experiment references;
+      references.name = "references";
+      const std::filesystem::path file =
+          run_folder(options_.campaign.out / question_.name(), references, *reference) / "run.vtkhdf";
+      if (!std::filesystem::exists(file)) return;
+      const bool over_time = config.section("/accuracy").boolean("over_time");
+      advice_.reference_strain = strain_in(file, over_time);
+      advice_.reference_stretch = stretch_in(file, over_time);
+    }
+  }
+
+  // Beyond the reference, unless it is a ruin.
+  Strained strained(const Measured& found) const {
+    if (!reference_tells(advice_)) return {found.strain.value_or(0), found.stretch, found.implausible};
+    return {std::max(0.0, found.strain.value_or(0) - advice_.reference_strain),
+            std::max(1.0, found.stretch / advice_.reference_stretch), found.implausible};
+  }
+
   // Of the probe.
-  std::string why_none(const Measured& found) const {
+  std::string why_no_error(const Measured& found) const {
     return found.diverged
                ? fmt::format("{} diverges even with 256 substeps in /solver/dt; a smaller one may help",
                              question_.reference_model())
                : found.why;
   }
 
-  // The reference's model, as coarse as it stays whole, with each of these accuracies.
+  // The reference's model, as coarse as it stays whole, with each of these accuracies. Beside a pose that is
+  // torn apart an equilibrium is looked for in vain, and for long.
   std::vector<Measured> probe(const std::vector<Json>& accuracies) {
     std::vector<Measured> found;
-    for (const int substeps : {16, 64, 256}) {
+    constexpr int finest = 256;
+    for (const int substeps : {16, 64, finest}) {
+      probe_substeps_ = substeps;
+      if (accuracies.size() > 1 && substeps < finest) {
+        found = execute({question_.run_with({question_.reference_model(), substeps}, Json::object())});
+        if (advice_.exit_code != 0) break;
+        if (found.front().diverged || found.front().strain.value_or(0) > largest_reference_strain) continue;
+      }
       std::vector<RunConfig> runs;
       for (const Json& accuracy : accuracies)
         runs.push_back(question_.run_with({question_.reference_model(), substeps}, accuracy));
@@ -223,17 +303,22 @@ class Advisor {
     std::vector<CampaignRun> runs;
     for (const RunConfig& config : experiment.runs)
       runs.push_back({.experiment = &experiment, .config = &config});
+    const Clock::time_point before = Clock::now();
     run_campaign(runs, options_.campaign, [](std::size_t) {});
     advice_.exit_code = stop_exit_code();
     for (const CampaignRun& run : runs)
       if (run.exit_code == exit_io || run.exit_code == exit_mesh) advice_.exit_code = run.exit_code;
     std::vector<Measured> measured;
     if (advice_.exit_code != 0) return measured;
+    double longest_s = 0;
     for (const CampaignRun& run : runs) {
       measured.push_back(measured_by(run));
       if (run.outcome && !run.outcome->reused) ++advice_.computed;
       if (measured.back().gap) advice_.reference_gap = measured.back().gap;
+      longest_s = std::max(longest_s, measured.back().wall_s);
     }
+    const double all_s = std::chrono::duration<double>(Clock::now() - before).count();
+    if (longest_s > 0) beside_runs_s_ = std::max(0.0, all_s - longest_s);
     return measured;
   }
 
@@ -242,18 +327,36 @@ class Advisor {
     std::vector<Search::Next> next = search.next();
     if (next.empty()) return false;
     next.resize(std::min(next.size(), static_cast<std::size_t>(jobs_)));
-    std::vector<RunConfig> configs;
     std::vector<Setting> settings;
-    for (const Search::Next& each : next) {
-      RunConfig config = question_.run_with(each.setting, advice_.accuracy);
-      if (!in_time(each.cpu_s, config, share_of_search)) continue;
-      configs.push_back(std::move(config));
-      settings.push_back(each.setting);
-    }
-    if (configs.empty()) return !(advice_.out_of_time = true);
+    for (const Search::Next& each : next)
+      if (in_time(each.cpu_s, question_.run_with(each.setting, advice_.accuracy), share_of_search))
+        settings.push_back(each.setting);
+    if (settings.empty()) return !(advice_.out_of_time = true);
+    if (advice_.many_equilibria) settings = without_stretched(settings, search);
+    if (advice_.exit_code != 0 || settings.empty()) return advice_.exit_code == 0;
+    std::vector<RunConfig> configs;
+    for (const Setting& setting : settings) configs.push_back(question_.run_with(setting, advice_.accuracy));
     const std::vector<Measured> found = execute(std::move(configs));
     for (std::size_t i = 0; i < found.size(); ++i) take(settings[i], found[i], search);
     return advice_.exit_code == 0;
+  }
+
+  // Where every pose needs an equilibrium of its own, which takes a thousand times as long as a coarse run,
+  // those that are stretched as no cloth is get none: they are unfit whatever their error is.
+  std::vector<Setting> without_stretched(const std::vector<Setting>& settings, Search& search) {
+    std::vector<Setting> left, doubtful;
+    for (const Setting& setting : settings)
+      (search.may_be_stretched(setting) ? doubtful : left).push_back(setting);
+    if (doubtful.empty()) return left;
+    std::vector<RunConfig> configs;
+    for (const Setting& setting : doubtful) configs.push_back(question_.run_with(setting, Json::object()));
+    const std::vector<Measured> found = execute(std::move(configs));
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i].failed || found[i].diverged || unfit(0, strained(found[i])) != Unfit::no)
+        take(doubtful[i], found[i], search);
+      else
+        left.push_back(doubtful[i]);
+    return left;
   }
 
   // Runs the setting that a prediction would have advised: a law promises what no run has shown. False when the choice
@@ -279,24 +382,34 @@ class Advisor {
       return true;
     const double passed = std::chrono::duration<double>(Clock::now() - start_).count();
     const double frames = frames_per_second * config.section("").number("duration");
-    return passed + cpu_per_frame.value_or(0) * frames * wall_per_cpu_ < share * options_.time_limit_s;
+    return passed + beside_runs_s_ + cpu_per_frame.value_or(0) * frames * wall_per_cpu_ <
+           share * options_.time_limit_s;
   }
 
   void take(const Setting& setting, const Measured& found, Search& search) {
     if (found.failed) {
-      advice_.left_out.push_back({setting.model, found.why});
+      const auto same = std::ranges::find(advice_.left_out, found.why, &LeftOut::why);
+      if (same != advice_.left_out.end())
+        same->what += ", " + setting.model;
+      else
+        advice_.left_out.push_back({setting.model, found.why});
       search.drop(setting.model);
       return;
     }
-    search.add(setting, found.error, found.cpu_s);
-    if (found.error && found.strain) advice_.strain[setting] = *found.strain;
-    if (!found.error)
+    const Strained stretched = strained(found);
+    const bool compared = found.error || unfit(0, stretched) == Unfit::no;
+    search.add(setting, found.error, found.cpu_s, stretched);
+    if (found.strain) advice_.strain[setting] = *found.strain;
+    if (!found.error && compared)
       without_error_[setting.model].push_back(fmt::format("{}: {}", setting_text(setting), found.why));
     const double cpu_s = found.cpu_s * frames_per_second * question_.scene().section("").number("duration");
     constexpr double long_enough = 0.1;  // s
     if (found.wall_s > long_enough) wall_per_cpu_ = std::clamp(found.wall_s / cpu_s, 1.0, 10.0);
     tell_(fmt::format("{}: {}, {:.3g} ms per frame", setting_text(setting),
-                      found.error ? "error " + percent_text(*found.error) : found.why, 1e3 * found.cpu_s));
+                      found.error ? "error " + percent_text(*found.error)
+                      : compared  ? found.why
+                                  : fmt::format("unfit ({})", name_of(unfit(0, stretched))),
+                      1e3 * found.cpu_s));
   }
 
   void choose(const Search& search) {
@@ -305,7 +418,8 @@ class Advisor {
     advice_.front = front_of(advice_.points);
     // No error is known that is smaller than the reference's own.
     const bool knowable =
-        !options_.demand.error || advice_.reference_gap.value_or(0) < *options_.demand.error;
+        reference_tells(advice_) &&
+        (!options_.demand.error || advice_.reference_gap.value_or(0) < *options_.demand.error);
     advice_.best = knowable ? chosen(advice_.points, options_.demand) : std::nullopt;
     advice_.nearest = advice_.best ? std::nullopt : nearest(advice_.points, options_.demand);
   }
@@ -326,16 +440,21 @@ class Advisor {
     std::map<std::string, std::vector<Rated>> of_model;
     for (const Rated& point : advice_.points)
       if (!point.predicted) of_model[point.setting.model].push_back(point);
-    const std::vector<Rated> shown = thinned(advice_.front);
+    std::vector<Rated> shown = thinned(advice_.front);
+    std::ranges::copy(unfit_front_of(advice_.points), std::back_inserter(shown));
     for (const auto& [model, points] : of_model) {
       const bool ahead = std::ranges::any_of(shown, [&](const Rated& p) { return p.setting.model == model; });
       if (ahead) continue;
       const Rated best = *nearest(points, {.error = 0});
+      const bool fit = unfit(best) == Unfit::no;
       advice_.left_out.push_back(
           {model,
-           fmt::format("{} measured, others are as good or better; its best: error {} in {:.3g} ms ({})",
-                       points.size(), percent_text(best.error), 1e3 * best.cpu_s,
-                       setting_text(best.setting))});
+           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", points.size(),
+                       fit ? "others are as good or better; its best"
+                           : fmt::format("none is fit ({}); its nearest", name_of(unfit(best))),
+                       std::isfinite(best.error) ? "error " + percent_text(best.error)
+                                                 : "strain " + percent_text(advice_.strain.at(best.setting)),
+                       1e3 * best.cpu_s, setting_text(best.setting))});
     }
     for (const auto& [model, why] : without_error_)
       advice_.left_out.push_back(
@@ -348,6 +467,10 @@ class Advisor {
   int jobs_ = 1;
   Clock::time_point start_;
   double wall_per_cpu_ = 1;
+  double beside_runs_s_ =
+      0;  // wall time of the last round but for its longest run: equilibria, repeated steps
+  int probe_substeps_ = 16;
+  std::optional<std::pair<Setting, Measured>> probe_;
   std::map<std::string, std::vector<std::string>> without_error_;  // setting and why, by model
   Advice advice_;
 };

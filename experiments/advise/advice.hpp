@@ -31,14 +31,17 @@ struct Advice {
   bool many_equilibria = false;
   Json accuracy;  ///< the section that the errors come from
   std::optional<double> reference_gap =
-      std::nullopt;         ///< what the reference itself is not known to, in sizes
-  double still_moving = 0;  ///< of the pose at rest: the cloth's rms speed at the end, sizes per second
+      std::nullopt;              ///< what the reference itself is not known to, in sizes
+  double reference_strain = 0;   ///< rms of its Green strain: the stated membrane may give way
+  double reference_stretch = 1;  ///< of a triangle, the largest
+  double still_moving = 0;       ///< of the pose at rest: the cloth's rms speed at the end, sizes per second
   std::map<Setting, double>
       strain;  ///< of measured points: rms of the Green strain, of which the stated cloth has none
   std::optional<Rated> best =
-      std::nullopt;  ///< what the demand asked for, if the reference is known that well
-  std::optional<Rated> nearest = std::nullopt;  ///< where there is none
-  std::vector<Rated> points, front;             ///< measured, and predicted where the time ended
+      std::nullopt;  ///< what the demand asked for, if it is fit and the reference is known that well
+  std::optional<Rated> nearest = std::nullopt;  ///< where there is none; it may be unfit
+  std::vector<Rated> points;                    ///< measured, and predicted where the time ended
+  std::vector<Rated> front;                     ///< of the fit ones
   std::vector<LeftOut> left_out;
   int computed = 0;          ///< runs, besides those that were there
   bool out_of_time = false;  ///< some settings were not measured

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "experiments/advise/demand.hpp"
+#include "experiments/advise/fitness.hpp"
 
 namespace bendlab {
 
@@ -21,21 +22,34 @@ struct Setting {
 
 struct Rated {
   Setting setting;
-  double error = 0;  ///< in sizes of the mesh
+  double error = 0;  ///< in sizes of the mesh; infinite: not compared, because of its strain
   double cpu_s = 0;  ///< per frame
   bool predicted = false;
+  Strained strained{};
 };
 
-/// The points that no other beats in both error and time, the fastest first. Of equal ones the first.
+Unfit unfit(const Rated& point);
+
+/// Those that may be advised.
+std::vector<Rated> fit_ones(std::span<const Rated> points);
+
+/// The fit points that no other fit one beats in both error and time, the fastest first. Of equal ones the
+/// first.
 std::vector<Rated> front_of(std::span<const Rated> points);
+
+/// Of the unfit points that are faster than every fit one, those that are less beyond the limits than all
+/// faster ones.
+std::vector<Rated> unfit_front_of(std::span<const Rated> points);
 
 /// Of a front the points that are a tenth more accurate than the one before them, and the last.
 std::vector<Rated> thinned(std::span<const Rated> front);
 
-/// The fastest point whose error is at most the demanded one, or the most accurate whose time is.
+/// The fastest fit point whose error is at most the demanded one, or the most accurate fit one whose time is.
 std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand);
 
-/// Without a point that meets the demand, the one that comes nearest: the most accurate, or the fastest.
+/// Without a point that meets the demand, the one that comes nearest: the most accurate fit one, or the
+/// fastest fit one. Where none is fit, the one that is least beyond the limits; of those within the demanded
+/// time, if there are any.
 std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand);
 
 /// "dihedral, 16 substeps, 1 iteration, single".

@@ -33,7 +33,9 @@ double work_of(const Setting& setting) {
 }  // namespace
 
 Search::Search(std::vector<std::string> models, const Demand& demand, const Limits& limits)
-    : models_(std::move(models)), demand_(demand), limits_(limits) {}
+    : models_(std::move(models)), demand_(demand), limits_(limits) {
+  if (demand_.error) demand_.error = std::min(*demand_.error, largest_error);
+}
 
 std::vector<Search::Next> Search::next() const {
   std::vector<Next> found;
@@ -41,13 +43,28 @@ std::vector<Search::Next> Search::next() const {
     for (const Setting& setting : all_settings(model))
       if (!find(setting) && is_next(setting) && worth(setting)) found.push_back({setting, cost(setting)});
   std::ranges::stable_sort(found, {}, [](const Next& next) { return next.cpu_s.value_or(0); });
+  if (front_.empty())
+    std::ranges::stable_partition(found, [](const Next& next) {
+      return next.setting.iterations == 1 && !next.setting.double_precision;
+    });
   return found;
 }
 
-void Search::add(const Setting& setting, std::optional<double> error, double cpu_s) {
-  results_[setting] = {error, cpu_s};
-  if (error) measured_.push_back({setting, *error, cpu_s});
+void Search::add(const Setting& setting, std::optional<double> error, double cpu_s,
+                 const Strained& strained) {
+  const bool rated = error || stretched({.strained = strained});
+  results_[setting] = {error, cpu_s, strained, rated};
+  if (rated) measured_.push_back({setting, error.value_or(infinity), cpu_s, false, strained});
   front_ = front_of(measured_);
+  ahead_ = front_.empty() ? unfit_front_of(measured_) : front_;
+}
+
+bool Search::may_be_stretched(const Setting& setting) const {
+  for (const auto& [other, result] : results_)
+    if (result.timed && !stretched(result) && other.model == setting.model &&
+        other.substeps <= setting.substeps && other.iterations <= setting.iterations)
+      return false;
+  return true;
 }
 
 void Search::drop(const std::string& model) {
@@ -62,13 +79,16 @@ std::vector<Rated> Search::predicted() const {
     for (const int iterations : iteration_levels)
       for (const bool double_precision : {false, true}) {
         std::vector<Worked> known;
+        std::vector<Setting> measured;
         int last = 0;
         for (const int substeps : substep_levels) {
           const Setting setting{model, substeps, iterations, double_precision};
           const Result* result = find(setting);
           if (result == nullptr) continue;
           last = substeps;
-          if (result->error) known.push_back({work_of(setting), *result->error});
+          if (!result->error) continue;
+          known.push_back({work_of(setting), *result->error});
+          measured.push_back(setting);
         }
         constexpr std::size_t most = 4;  // what was coarser tells little of what is finer
         const std::size_t first = known.size() > most ? known.size() - most : 0;
@@ -79,10 +99,23 @@ std::vector<Rated> Search::predicted() const {
           if (substeps <= last || substeps > std::min(farthest * last, limits_.most_substeps)) continue;
           const double error =
               law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
-          if (error >= limits_.least_error) points.push_back({setting, error, *cost(setting), true});
+          if (error >= limits_.least_error)
+            points.push_back({setting, error, *cost(setting), true, predicted_strain(measured, setting)});
         }
       }
   return points;
+}
+
+Strained Search::predicted_strain(const std::vector<Setting>& measured, const Setting& setting) const {
+  const auto at = [&](auto value) {
+    std::vector<Worked> known;
+    for (const Setting& each : measured) known.push_back({work_of(each), value(find(each)->strained)});
+    const auto law = fit_power_law(known);
+    return law ? law->at(work_of(setting)) : known.back().error;
+  };
+  return {at([](const Strained& s) { return s.rms; }),
+          1 + at([](const Strained& s) { return s.largest - 1; }),
+          find(measured.back())->strained.implausible};
 }
 
 const Search::Result* Search::find(const Setting& setting) const {
@@ -90,9 +123,13 @@ const Search::Result* Search::find(const Setting& setting) const {
   return found == results_.end() ? nullptr : &found->second;
 }
 
+bool Search::stretched(const Result& result) {
+  return unfit(0, result.strained) != Unfit::no;
+}
+
 std::optional<double> Search::error_of(const Setting& setting) const {
   const Result* result = find(setting);
-  return result ? result->error : std::nullopt;
+  return result && !stretched(*result) ? result->error : std::nullopt;
 }
 
 // From the runs of its model in its precision, or else in the other. One that diverged tells no time.
@@ -100,7 +137,7 @@ std::optional<double> Search::cost(const Setting& setting) const {
   for (const bool same : {true, false}) {
     std::vector<Timed> timed;
     for (const auto& [other, result] : results_)
-      if (result.error && other.model == setting.model &&
+      if (result.timed && other.model == setting.model &&
           (other.double_precision == setting.double_precision) == same)
         timed.push_back({other.substeps, other.iterations, result.cpu_s});
     const double factor = same ? 1 : setting.double_precision ? double_cost : 1 / double_cost;
@@ -123,7 +160,7 @@ double Search::optimistic(const Setting& setting) const {
 }
 
 bool Search::on_front(const Setting& setting) const {
-  return std::ranges::find(front_, setting, &Rated::setting) != front_.end();
+  return std::ranges::find(ahead_, setting, &Rated::setting) != ahead_.end();
 }
 
 bool Search::is_next(const Setting& setting) const {
@@ -174,25 +211,39 @@ bool Search::rounding_suspected(const Setting& setting) const {
   const Result* tried = find(single);
   if (tried == nullptr || setting.substeps < 8) return false;
   const auto before = error_of(with_substeps(single, half));
+  if (stretched(*tried)) return before.has_value();
   return !tried->error || (before && *tried->error > 0.75 * *before);
 }
 
 // 3 · 2^k substeps, where 2 · 2^k don't meet the demand and these may.
 bool Search::between(const Setting& setting) const {
   const int below = setting.substeps / 3 * 2;
-  const auto error = error_of(with_substeps(setting, below));
+  const Result *coarser = find(with_substeps(setting, below)),
+               *finer = find(with_substeps(setting, 2 * below));
+  if (coarser == nullptr) return false;
+  if (stretched(*coarser))
+    return finer != nullptr && finer->error && unfit(*finer->error, finer->strained) == Unfit::no;
+  const auto error = coarser->error;
   if (!error) return false;
   if (demand_.error) return *error > *demand_.error && optimistic(setting) <= *demand_.error;
   const auto above = cost(with_substeps(setting, 2 * below));
   return above && *above > *demand_.cpu_s;
 }
 
+// Time per frame beyond which nothing need be run. Where nothing fit is as fast as demanded, it is that of
+// the fastest fit setting, which then is the nearest.
+double Search::longest() const {
+  if (demand_.error) {
+    const std::optional<Rated> best = chosen(measured_, demand_);
+    return best ? best->cpu_s : infinity;
+  }
+  return front_.empty() ? infinity : std::max(*demand_.cpu_s, front_.front().cpu_s);
+}
+
 bool Search::worth(const Setting& setting) const {
   const std::optional<double> cpu_s = cost(setting);
   if (!cpu_s) return true;
-  const std::optional<Rated> best = demand_.error ? chosen(measured_, demand_) : std::nullopt;
-  const double most = demand_.error ? (best ? best->cpu_s : infinity) : *demand_.cpu_s;
-  if (*cpu_s >= most) return false;
+  if (*cpu_s >= longest()) return false;
   double least = infinity;  // error for that time
   for (const Rated& point : front_)
     if (point.cpu_s <= *cpu_s) least = point.error;

@@ -4,9 +4,11 @@
 //   iterations 1 2 4 10             where the next fewer is on the front
 //   precision  single, double       where rounding seems to hold single back
 //
-// A setting is worth a run if it could be on the front: an error falls at best with the square of the work (substeps ×
-// iterations), and what is known to cost more than a setting that already meets the demand need not be run. Since the
-// cheapest come first, a tighter demand measures what a looser one did, and more.
+// A setting is worth a run if it could be on the front: an error falls at best with the square of the work
+// (substeps × iterations), and what is known to cost more than a setting that already meets the demand need
+// not be run. Since the cheapest come first, a tighter demand measures what a looser one did, and more. Unfit
+// settings (fitness.hpp) are on no front and rule no other out; until one is fit, more substeps go before
+// more iterations.
 #pragma once
 
 #include <map>
@@ -35,24 +37,34 @@ class Search {
   /// What is worth a run now, the cheapest first; empty when the search is over.
   std::vector<Next> next() const;
 
-  /// What a run gave; without an error it diverged, or had no reference.
-  void add(const Setting& setting, std::optional<double> error, double cpu_s);
+  /// What a run gave; without an error it diverged, or had no reference, or its strain is unfit and it was
+  /// not compared.
+  void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
 
   /// No further run of the model.
   void drop(const std::string& model);
 
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much work.
+  /// Whether a run with it may be stretched beyond what is fit: no coarser one of its model was seen to be
+  /// less.
+  bool may_be_stretched(const Setting& setting) const;
+
+  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much
+  /// work. Their strain is that of the finest measured one, or less where it follows a law, too.
   std::vector<Rated> predicted() const;
 
  private:
   struct Result {
-    std::optional<double> error;
+    std::optional<double> error{};
     double cpu_s = 0;
+    Strained strained{};
+    bool timed = false;  ///< it ran to its end
   };
 
   const Result* find(const Setting& setting) const;
+  static bool stretched(const Result& result);
+  /// Of what is not stretched: other errors tell nothing.
   std::optional<double> error_of(const Setting& setting) const;
   std::optional<double> cost(const Setting& setting) const;
   double optimistic(const Setting& setting) const;
@@ -62,14 +74,18 @@ class Search {
   bool more_iterations(const Setting& setting) const;
   bool rounding_suspected(const Setting& setting) const;
   bool between(const Setting& setting) const;
+  double longest() const;
   bool worth(const Setting& setting) const;
   std::vector<Setting> all_settings(const std::string& model) const;
+  Strained predicted_strain(const std::vector<Setting>& measured, const Setting& setting) const;
 
   std::vector<std::string> models_;
   Demand demand_;
   Limits limits_;
   std::map<Setting, Result> results_;
-  std::vector<Rated> measured_, front_;
+  std::vector<Rated> measured_;
+  std::vector<Rated> front_;  ///< of the fit ones
+  std::vector<Rated> ahead_;  ///< where none is fit, those that are least beyond the limits
 };
 
 }  // namespace bendlab

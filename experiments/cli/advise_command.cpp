@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <stdexcept>
@@ -10,6 +11,7 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "experiments/advise/advice.hpp"
+#include "experiments/advise/reasons.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/errors.hpp"
 #include "experiments/cli/signals.hpp"
@@ -76,24 +78,52 @@ const char* how(const Rated& point) {
   return point.predicted ? "predicted" : "measured";
 }
 
-std::string point_text(const Rated& point) {
-  return fmt::format("{}: error {}, {:.3g} ms of CPU per frame ({})", setting_text(point.setting),
-                     percent_text(point.error), 1e3 * point.cpu_s, how(point));
+std::optional<double> strain_of(const Rated& point, const Advice& advice) {
+  const auto found = advice.strain.find(point.setting);
+  return found == advice.strain.end() ? std::nullopt : std::optional(found->second);
 }
 
-std::string front_text(const std::vector<Rated>& front, const Advice& advice) {
-  const auto strain = [&](const Rated& point) {
-    const auto found = advice.strain.find(point.setting);
-    return found == advice.strain.end() ? "" : percent_number(found->second);
-  };
+// The error of what was not compared is not known, and no more than its strain need be.
+std::string point_text(const Rated& point, const Advice& advice) {
+  const Unfit why = unfit(point);
+  std::string text =
+      fmt::format("{}: {}", setting_text(point.setting),
+                  std::isfinite(point.error) ? "error " + percent_text(point.error) : "error not measured");
+  if (const auto strain = strain_of(point, advice); why != Unfit::no && strain)
+    text += fmt::format(", strain {} (rms)", percent_text(*strain));
+  if (why == Unfit::stretch) text += fmt::format(", a triangle {:.3g} times as long", point.strained.largest);
+  return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point));
+}
+
+// What nobody is advised to take stands above what is fit, and says so.
+std::vector<Rated> rows_of(const Advice& advice) {
+  std::vector<Rated> rows = unfit_front_of(advice.points);
+  for (const Rated& point : thinned(advice.front)) rows.push_back(point);
+  return rows;
+}
+
+std::string front_text(const Advice& advice) {
   Table table(
       {"model", "substeps", "iterations", "precision", "error (%)", "strain (%)", "ms per frame", ""});
-  for (const Rated& point : front)
+  for (const Rated& point : rows_of(advice)) {
+    const auto strain = strain_of(point, advice);
+    const Unfit why = unfit(point);
     table.add_row({point.setting.model, std::to_string(point.setting.substeps),
                    std::to_string(point.setting.iterations),
-                   point.setting.double_precision ? "double" : "single", percent_number(point.error),
-                   strain(point), fmt::format("{:.3g}", 1e3 * point.cpu_s), how(point)});
+                   point.setting.double_precision ? "double" : "single",
+                   std::isfinite(point.error) ? percent_number(point.error) : "-",
+                   strain ? percent_number(*strain) : "", fmt::format("{:.3g}", 1e3 * point.cpu_s),
+                   why == Unfit::no ? how(point) : fmt::format("{}, unfit: {}", how(point), name_of(why))});
+  }
   return table.text();
+}
+
+std::string limits_text() {
+  return fmt::format(
+      "unfit: an error above {}, {} more strain (rms) than the reference, or a triangle {} times as long as "
+      "its "
+      "longest; such a setting is never advised",
+      percent_text(largest_error), percent_text(largest_strain), largest_stretch);
 }
 
 std::string demand_text(const Demand& demand) {
@@ -101,46 +131,66 @@ std::string demand_text(const Demand& demand) {
                       : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s);
 }
 
-void print_text(const Advice& advice, const Question& question, const Demand& demand) {
-  if (advice.best)
-    fmt::print("{}: take {}\n", question.name(), point_text(*advice.best));
-  else if (advice.nearest)
-    fmt::print("{}: no setting {}meets {}; nearest is {}\n", question.name(),
-               advice.out_of_time ? "run so far " : "", demand_text(demand), point_text(*advice.nearest));
+// What came nearest, and whether it would be fit.
+void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
+  if (anything_fit(advice))
+    fmt::print("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",
+               demand_text(options.demand));
   else
-    fmt::print("{}: no setting gave an error\n", question.name());
-  fmt::print("\nerror: rms {}, in sizes of the mesh\n\n{}", what_text(advice, question),
-             front_text(thinned(advice.front), advice));
+    fmt::print("{}: nothing to advise, no setting {}is fit", question.name(),
+               advice.out_of_time ? "run so far " : "");
+  if (advice.nearest)
+    fmt::print("; nearest is {}{}", point_text(*advice.nearest, advice),
+               anything_fit(advice) ? "" : ", which is not to be used");
+  fmt::print("\n");
+  for (const std::string& sentence : why_none(advice, options.demand, options.time_limit_s))
+    fmt::print("{}\n", sentence);
+}
+
+void print_text(const Advice& advice, const Question& question, const AdviceOptions& options) {
+  if (advice.best)
+    fmt::print("{}: take {}\n", question.name(), point_text(*advice.best, advice));
+  else
+    print_none(advice, question, options);
+  fmt::print("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+  if (!unfit_front_of(advice.points).empty()) fmt::print("{}\n", limits_text());
+  fmt::print("\n{}", front_text(advice));
   constexpr double at_rest = 0.02;  // sizes per second
   if (advice.error_of == ErrorOf::rest && advice.still_moving > at_rest)
     fmt::print(
         "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer one brings "
-        "it to "
+        "it "
+        "to "
         "rest, --what motion compares its motion.\n",
         percent_text(advice.still_moving));
-  if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
-    fmt::print("\nThe reference itself is known to {} only: motions that fall and fold are chaotic.\n",
-               percent_text(*advice.reference_gap));
-  if (const auto& point = advice.best ? advice.best : advice.nearest) {
+  const auto& point = advice.best ? advice.best : advice.nearest;
+  if (point && anything_fit(advice)) {
     constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
       fmt::print("\nThe reference itself is not known ten times as well as this error.\n");
-    fmt::print("\nto use it:\n");
+    fmt::print("\nto use {}:\n", advice.best ? "it" : "the nearest");
     for (const std::string& change : question.changes(point->setting)) fmt::print("  --set {}\n", change);
   }
   if (!advice.left_out.empty()) fmt::print("\nnot on this front:\n");
   for (const LeftOut& each : advice.left_out) fmt::print("  {}: {}\n", each.what, each.why);
 }
 
+Json number_or_null(double number) {
+  return std::isfinite(number) ? Json(number) : Json(nullptr);
+}
+
 Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   if (!point) return nullptr;
-  const auto strain = advice.strain.find(point->setting);
+  const auto strain = strain_of(*point, advice);
+  const Unfit why = unfit(*point);
   return {{"model", point->setting.model},
           {"substeps", point->setting.substeps},
           {"iterations", point->setting.iterations},
           {"precision", point->setting.double_precision ? "double" : "single"},
-          {"error", point->error},
-          {"strain", strain == advice.strain.end() ? Json(nullptr) : Json(strain->second)},
+          {"error", number_or_null(point->error)},
+          {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
+          {"stretch_over_reference", number_or_null(point->strained.largest)},
+          {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
           {"cpu_s_per_frame", point->cpu_s},
           {"predicted", point->predicted}};
 }
@@ -151,7 +201,8 @@ Json points_json(const std::vector<Rated>& points, const Advice& advice) {
   return list;
 }
 
-Json advice_json(const Advice& advice, const Question& question, const Demand& demand) {
+Json advice_json(const Advice& advice, const Question& question, const AdviceOptions& options) {
+  const Demand& demand = options.demand;
   constexpr const char* kinds[] = {"rest", "motion", "own"};
   Json left_out = Json::array();
   for (const LeftOut& each : advice.left_out) left_out.push_back({{"what", each.what}, {"why", each.why}});
@@ -162,7 +213,14 @@ Json advice_json(const Advice& advice, const Question& question, const Demand& d
       {"many_equilibria", advice.many_equilibria},
       {"still_moving", advice.still_moving},
       {"reference_gap", advice.reference_gap ? Json(*advice.reference_gap) : Json(nullptr)},
+      {"reference_strain", number_or_null(advice.reference_strain)},
+      {"limits",
+       {{"error", largest_error},
+        {"strain_over_reference", largest_strain},
+        {"stretch_over_reference", largest_stretch}}},
       {"accuracy", advice.accuracy},
+      {"anything_fit", anything_fit(advice)},
+      {"why_none", why_none(advice, demand, options.time_limit_s)},
       {"advice", point_json(advice.best, advice)},
       {"nearest", point_json(advice.nearest, advice)},
       {"set", Json::array()},
@@ -171,8 +229,8 @@ Json advice_json(const Advice& advice, const Question& question, const Demand& d
       {"left_out", left_out},
       {"computed_runs", advice.computed},
       {"complete", !advice.out_of_time}};
-  if (const auto& point = advice.best ? advice.best : advice.nearest)
-    json["set"] = question.changes(point->setting);
+  const auto& point = advice.best ? advice.best : advice.nearest;
+  if (point && anything_fit(advice)) json["set"] = question.changes(point->setting);
   return json;
 }
 
@@ -222,12 +280,12 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     return advice.exit_code;
   }
   if (json)
-    fmt::print("{}\n", advice_json(advice, question, options.demand).dump());
+    fmt::print("{}\n", advice_json(advice, question, options).dump());
   else
-    print_text(advice, question, options.demand);
+    print_text(advice, question, options);
   if (!advice.best && !arguments.write.empty())
-    fmt::print(stderr, "bendlab: {} is not written, as no setting meets the demand\n",
-               arguments.write.string());
+    fmt::print(stderr, "bendlab: {} is not written, as no setting {}\n", arguments.write.string(),
+               anything_fit(advice) ? "meets the demand" : "is fit to be advised");
   if (!advice.best) return exit_failed;
   if (!arguments.write.empty())
     write_config(question.written(advice.best->setting, arguments.write.parent_path()), arguments.write);

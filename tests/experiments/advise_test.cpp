@@ -2,12 +2,15 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "experiments/advise/demand.hpp"
 #include "experiments/advise/fit.hpp"
+#include "experiments/advise/fitness.hpp"
 #include "experiments/advise/front.hpp"
+#include "experiments/advise/reasons.hpp"
 #include "experiments/advise/search.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
@@ -24,6 +27,13 @@ Rated rated(const std::string& model, double error, double cpu_s) {
   return {{model}, error, cpu_s};
 }
 
+// With more strain than its reference has, and its longest triangle over that of the reference.
+Rated stretched(const std::string& model, double error, double cpu_s, double strain, double stretch = 1) {
+  return {{model}, error, cpu_s, false, {strain, stretch}};
+}
+
+constexpr double not_compared = std::numeric_limits<double>::infinity();
+
 std::string models_of(const std::vector<Rated>& points) {
   std::string models;
   for (const Rated& point : points) models += point.setting.model;
@@ -34,6 +44,7 @@ std::string models_of(const std::vector<Rated>& points) {
 struct Imaginary {
   std::function<std::optional<double>(const Setting&)> error;
   std::function<double(const Setting&)> cpu_s;
+  std::function<Strained(const Setting&)> strained = [](const Setting&) { return Strained{}; };
 
   // Measures what the search asks for, the cheapest at a time, while it costs at most `most`.
   int run(Search& search, double most = 1e9) const {
@@ -41,7 +52,7 @@ struct Imaginary {
     for (auto next = search.next(); !next.empty() && next.front().cpu_s.value_or(0) <= most;
          next = search.next()) {
       const Setting& setting = next.front().setting;
-      search.add(setting, error(setting), cpu_s(setting));
+      search.add(setting, error(setting), cpu_s(setting), strained(setting));
       REQUIRE(++runs < 2000);
     }
     return runs;
@@ -173,6 +184,99 @@ TEST_CASE("advise: the front has what nothing beats in both, and the choice is o
   CHECK(nearest(points, {.cpu_s = 0.5})->setting.model == "b");
 }
 
+TEST_CASE("advise: what is fit, and by how much another is not", "[advise]") {
+  CHECK(unfit(0.2, {0.1, 1.5}) == Unfit::no);
+  CHECK(unfit(0.21, {}) == Unfit::error);
+  CHECK(unfit(not_compared, {}) == Unfit::error);
+  CHECK(unfit(0.01, {0.11, 1}) == Unfit::strain);
+  CHECK(unfit(0.01, {0, 1.6}) == Unfit::stretch);
+  CHECK(unfit(0.01, {0, 1, true}) == Unfit::implausible);
+  CHECK(unfit(std::nan(""), {}) == Unfit::error);
+  CHECK(unfit(0.01, {std::nan(""), 1}) == Unfit::strain);
+  // The first of several.
+  CHECK(unfit(1, {1, 9}) == Unfit::strain);
+  CHECK_THAT(beyond_limits(0.1, {0.05, 1.25}), WithinRel(0.5, 1e-12));
+  CHECK_THAT(beyond_limits(1.89, {0.2, 1}), WithinRel(1.89 / 0.2, 1e-12));
+  CHECK_THAT(beyond_limits(not_compared, {0.3, 1.5}), WithinRel(3.0, 1e-12));
+}
+
+TEST_CASE("advise: nothing unfit is chosen, or hides what is fit", "[advise]") {
+  // a to d are as fast and as accurate as one could wish, and ruins.
+  const std::vector<Rated> points = {
+      stretched("a", 1.89, 1, 30000),       stretched("b", 0.01, 1, 0.5), stretched("c", 0.02, 2, 0, 2.6),
+      stretched("d", not_compared, 2, 0.3), rated("e", 0.15, 5),          rated("f", 0.04, 9),
+      stretched("g", 0.01, 10, 0.2)};
+  CHECK(models_of(fit_ones(points)) == "ef");
+  CHECK(models_of(front_of(points)) == "ef");
+  CHECK(models_of(unfit_front_of(points)) == "bcd");  // 5, 3.2 and 3 times beyond; g is slower than e
+  CHECK(chosen(points, {.error = 0.05})->setting.model == "f");
+  CHECK(chosen(points, {.error = 0.9})->setting.model == "e");
+  CHECK(chosen(points, {.cpu_s = 20})->setting.model == "f");
+  CHECK_FALSE(chosen(points, {.cpu_s = 4}));  // four are that fast
+  CHECK_FALSE(chosen(points, {.error = 0.02}));
+  CHECK(nearest(points, {.error = 0.02})->setting.model == "f");
+  CHECK(nearest(points, {.cpu_s = 4})->setting.model == "e");
+
+  const std::vector<Rated> ruins(points.begin(), points.begin() + 4);
+  CHECK(front_of(ruins).empty());
+  CHECK_FALSE(chosen(ruins, {.error = 0.99}));
+  CHECK_FALSE(chosen(ruins, {.cpu_s = 100}));
+  CHECK(nearest(ruins, {.error = 0.05})->setting.model == "d");
+  CHECK(nearest(ruins, {.cpu_s = 1.5})->setting.model == "b");  // of those within the time
+  CHECK(nearest(ruins, {.cpu_s = 0.5})->setting.model == "d");  // none is
+}
+
+TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
+  const auto told = [](const Advice& advice, const Demand& demand) {
+    std::string text;
+    for (const std::string& sentence : why_none(advice, demand, 40)) text += sentence + "\n";
+    return text;
+  };
+  const auto of = [](std::vector<Rated> points) {
+    Advice advice;
+    advice.points = std::move(points);
+    advice.front = front_of(advice.points);
+    return advice;
+  };
+  Advice ruins = of({stretched("a", 1.89, 1, 30000), stretched("b", 0.01, 1, 0.5), rated("c", 0.3, 3)});
+  CHECK_FALSE(anything_fit(ruins));
+  CHECK_THAT(
+      told(ruins, {.error = 0.05}),
+      ContainsSubstring("Of 3 settings that were run, 2 stretched the cloth by more than 10 % (rms; the "
+                        "least: 50 %); 1 had more than 20 % of error (the least: 30 %)."));
+  CHECK_THAT(told(ruins, {.error = 0.05}), !ContainsSubstring("time limit"));
+  ruins.out_of_time = true;
+  CHECK_THAT(told(ruins, {.error = 0.05}), ContainsSubstring("The time limit (40 s) ended"));
+
+  const Advice budget = of({stretched("a", 0.1, 1, 0, 2.5), rated("b", 0.1, 3)});
+  CHECK(anything_fit(budget));
+  CHECK_THAT(
+      told(budget, {.cpu_s = 2}),
+      ContainsSubstring("Nothing fit was found within that time") &&
+          ContainsSubstring("1 stretched a triangle to more than 1.5 times its length (the least: 2.5)"));
+  CHECK_THAT(told(budget, {.cpu_s = 0.5}), ContainsSubstring("the fastest setting takes 1e+03 ms"));
+
+  Advice chaotic = of({rated("a", 0.1, 1)});
+  chaotic.reference_gap = 685;
+  CHECK_FALSE(anything_fit(chaotic));
+  CHECK_THAT(told(chaotic, {.cpu_s = 2}), ContainsSubstring("The reference itself is known to 68500 % only"));
+  chaotic.reference_gap = 0.1;
+  CHECK(anything_fit(chaotic));
+  CHECK_THAT(told(chaotic, {.error = 0.05}), ContainsSubstring("The reference itself is known to 10 % only"));
+  Advice ruined = of({rated("a", 0.1, 1)});
+  ruined.reference_strain = 30;
+  CHECK_FALSE(anything_fit(ruined));
+  CHECK_THAT(told(ruined, {.error = 0.05}), ContainsSubstring("The reference itself is stretched by 3000 %"));
+
+  CHECK_THAT(told(of({rated("a", 0.37, 1), rated("b", 0.371, 1), rated("c", 0.37, 2), rated("d", 0.375, 3)}),
+                  {.error = 0.05}),
+             ContainsSubstring("not come to rest"));
+  CHECK_THAT(told(of({}), {.error = 0.05}), ContainsSubstring("No setting gave an error"));
+  Advice good = of({rated("a", 0.1, 1)});
+  good.best = good.points.front();
+  CHECK(why_none(good, {.error = 0.2}, 40).empty());
+}
+
 TEST_CASE("advise: a power law is found, and nothing where there is none", "[advise]") {
   const auto fit = [](const std::vector<double>& errors) {
     std::vector<Worked> points;
@@ -217,7 +321,7 @@ TEST_CASE("advise: the search finds what trying everything finds, in fewer runs"
     REQUIRE(found);
     CHECK(found->cpu_s <= best->cpu_s);
   }
-  for (const double cpu_s : {2e-4, 1e-3, 2.5e-3, 0.01, 0.04}) {
+  for (const double cpu_s : {5e-4, 1e-3, 2.5e-3, 0.01, 0.04}) {
     INFO("time " << cpu_s);
     Search search({"a", "b"}, {.cpu_s = cpu_s}, {});
     machine.run(search);
@@ -228,6 +332,11 @@ TEST_CASE("advise: the search finds what trying everything finds, in fewer runs"
     for (const Rated& point : search.measured())
       CHECK(point.cpu_s <= cpu_s * 1.001 + 1e-9 + 4e-4);  // but the first
   }
+  // A time that suffices for nothing fit: the fastest fit setting is found, which is 4 substeps of b.
+  Search search({"a", "b"}, {.cpu_s = 2e-4}, {});
+  machine.run(search);
+  CHECK_FALSE(chosen(search.measured(), {.cpu_s = 2e-4}));
+  CHECK(nearest(search.measured(), {.cpu_s = 2e-4})->setting == Setting{"b", 4});
 }
 
 TEST_CASE("advise: what takes too long is predicted from a law, and only there", "[advise]") {
@@ -266,6 +375,58 @@ TEST_CASE("advise: a model that fails is left, and one that diverges is tried fi
   const auto found = chosen(search.measured(), {.error = 0.02});
   REQUIRE(found);
   CHECK(found->setting == Setting{"a", 12});  // 2 / 12² = 0.014, 2 / 8² = 0.031
+}
+
+TEST_CASE("advise: where coarse settings are ruins the search goes on to finer ones", "[advise]") {
+  // Below 16 substeps the cloth is torn apart, and looks right.
+  Imaginary torn = machine;
+  torn.error = [](const Setting& s) -> std::optional<double> {
+    return s.substeps < 16 ? 0.001 : *machine.error(s);
+  };
+  torn.strained = [](const Setting& s) { return Strained{s.substeps < 16 ? 50.0 / s.substeps : 0.01}; };
+  for (const Demand& demand : {Demand{.error = 0.02}, Demand{.error = 0.9}, Demand{.cpu_s = 0.02}}) {
+    Search search({"a", "b"}, demand, {});
+    CHECK(torn.run(search) < 60);  // of 144
+    const auto found = chosen(search.measured(), demand);
+    REQUIRE(found);
+    CHECK(found->setting.substeps >= 16);
+    // None of the more iterations were tried on ruins while finer ones were left.
+    int on_ruins = 0;
+    for (const Rated& point : search.measured())
+      on_ruins += point.setting.substeps < 16 && point.setting.iterations > 1;
+    CHECK(on_ruins == 0);
+  }
+
+  // The same where ruins are not compared; what is between a ruin and a fit one is tried for the time it saves.
+  torn.error = [](const Setting& s) { return s.substeps < 16 ? std::optional<double>() : machine.error(s); };
+  Search search({"a"}, {.error = 0.1}, {});
+  CHECK(search.may_be_stretched({"a", 8}));
+  torn.run(search);
+  CHECK(chosen(search.measured(), {.error = 0.1})->setting == Setting{"a", 16});
+  CHECK(std::ranges::count(search.measured(), Setting{"a", 12}, &Rated::setting) == 1);
+  CHECK_FALSE(search.may_be_stretched({"a", 32}));
+  CHECK(search.may_be_stretched({"a", 8}));
+
+  // Nothing is ever fit: it ends, without a choice.
+  torn.strained = [](const Setting&) { return Strained{3}; };
+  Search hopeless({"a", "b"}, {.error = 0.1}, {});
+  torn.run(hopeless);
+  CHECK_FALSE(chosen(hopeless.measured(), {.error = 0.99}));
+  CHECK(nearest(hopeless.measured(), {.error = 0.1}));
+}
+
+TEST_CASE("advise: a prediction takes the strain along", "[advise]") {
+  Imaginary soft = machine;
+  soft.strained = [](const Setting& s) { return Strained{3.0 / s.substeps}; };
+  Search search({"a"}, {.error = 0.001}, {});
+  soft.run(search, 2e-4 * 16);  // up to 16 substeps, of a strain of 0.19
+  const std::vector<Rated> predicted = search.predicted();
+  REQUIRE(predicted.size() == 4);  // 24, 32, 48, 64
+  for (const Rated& point : predicted) {
+    INFO(setting_text(point.setting));
+    CHECK_THAT(point.strained.rms, WithinRel(3.0 / point.setting.substeps, 1e-9));
+    CHECK((unfit(point) == Unfit::strain) == (point.setting.substeps < 32));
+  }
 }
 
 TEST_CASE("advise: a cantilever's advice is what a run of it gives", "[advise]") {
@@ -334,9 +495,43 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
 
   // Nothing is that accurate: said, with what comes nearest, and nothing is written.
   CHECK(place.run("advise strip.json --error 0.01% --models none --write best.json") == 1);
-  CHECK_THAT(place.out(), ContainsSubstring("no setting meets"));
+  CHECK_THAT(place.out(), ContainsSubstring("nothing to advise"));
   CHECK_FALSE(std::filesystem::exists(place.folder / "best.json"));
   CHECK_THAT(place.err(), ContainsSubstring("best.json is not written"));
+
+  // What is fit, and not as fast as demanded, may be used all the same.
+  CHECK(place.run("advise strip.json --budget 1us --models dihedral") == 1);
+  CHECK_THAT(place.out(), ContainsSubstring("no setting meets 0.001 ms") &&
+                              ContainsSubstring("Nothing is that fast") &&
+                              ContainsSubstring("to use the nearest:"));
+}
+
+TEST_CASE("advise: where nothing is fit nothing is recommended, whatever was asked for", "[advise]") {
+  Workplace place;
+  place.write("strip.json", cantilever);
+  const std::string stiff =
+      "advise strip.json --models none --set /bending/flexural_rigidity=0.01 --set /duration=0.7 ";
+  // A strip without bending stiffness hangs straight down: with the stated one it would stand out.
+  for (const char* demand : {"--error 99%", "--budget 1s"}) {
+    INFO(demand);
+    CHECK(place.run(stiff + "--write best.json " + demand) == 1);
+    INFO(place.out());
+    CHECK_THAT(place.out(), !ContainsSubstring("to use") && !ContainsSubstring("--set"));
+    CHECK_THAT(place.out(), ContainsSubstring("nothing to advise") && ContainsSubstring("nearest is none") &&
+                                ContainsSubstring("which is not to be used") &&
+                                ContainsSubstring("had more than 20 % of error") &&
+                                ContainsSubstring("unfit: "));
+    CHECK_FALSE(std::filesystem::exists(place.folder / "best.json"));
+    CHECK_THAT(place.err(), ContainsSubstring("no setting is fit to be advised"));
+    CHECK(place.run(stiff + "--json " + demand) == 1);
+    const json told = place.out_lines().at(0);
+    CHECK(told.at("advice").is_null());
+    CHECK(told.at("anything_fit") == false);
+    CHECK(told.at("set").empty());
+    CHECK(told.at("front").empty());
+    CHECK(told.at("nearest").at("unfit") == "error");
+    CHECK(told.at("why_none").at(0).get<std::string>().starts_with("Of "));
+  }
 }
 
 TEST_CASE("advise: a cloth that has not come to rest is noticed, and one that nothing holds has a motion",

@@ -1,0 +1,23 @@
+#include "experiments/advise/fitness.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace bendlab {
+
+Unfit unfit(double error, const Strained& strained) {
+  if (strained.implausible) return Unfit::implausible;
+  if (!(strained.rms <= largest_strain)) return Unfit::strain;
+  if (!(strained.largest <= largest_stretch)) return Unfit::stretch;
+  if (!(error <= largest_error)) return Unfit::error;
+  return Unfit::no;
+}
+
+double beyond_limits(double error, const Strained& strained) {
+  double worst = std::max(strained.rms / largest_strain, (strained.largest - 1) / (largest_stretch - 1));
+  // What was not compared is judged by its strain, for which it was not.
+  if (std::isfinite(error)) worst = std::max(worst, error / largest_error);
+  return worst;
+}
+
+}  // namespace bendlab

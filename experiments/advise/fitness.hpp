@@ -1,0 +1,49 @@
+// Whether a setting may be advised at all, whatever was asked for: its pose is the cloth's, and cloth can be
+// stretched so.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace bendlab {
+
+/// In sizes of the mesh, rms. The points of a square lie 0.29 sizes (rms) from its middle: a sheet that is
+/// crumpled to a point there has that error, and a fifth is most of it.
+inline constexpr double largest_error = 0.2;
+
+/// Rms of the Green strain beyond the reference's. Woven cloth stretches by less than a tenth as it is worn
+/// (Provot 1995 and Bridson 2003 limit their springs to it).
+inline constexpr double largest_strain = 0.1;
+
+/// Of any triangle, over the largest of the reference. Woven cloth tears at 1.05 to 1.4, and a triangle at a
+/// pin shows it as a spike.
+inline constexpr double largest_stretch = 1.5;
+
+/// Rms of the Green strain of the reference itself: half as long again (1.41) is what an elastic knit has
+/// when it is pulled, and none has under its weight. Beyond it the reference is a ruin, or its units are not
+/// metres and kilograms.
+inline constexpr double largest_reference_strain = 0.5;
+
+/// How the cloth of a run is stretched, beyond its reference.
+struct Strained {
+  double rms = 0;            ///< of the Green strain, less that of the reference, at least 0
+  double largest = 1;        ///< stretch of a triangle, over that of the reference, at least 1
+  bool implausible = false;  ///< the run broke a bound that its scene cannot break
+
+  friend bool operator==(const Strained&, const Strained&) = default;
+};
+
+enum class Unfit { no, implausible, strain, stretch, error };
+inline constexpr std::array<std::string_view, 5> unfit_names = {"", "implausible", "strain", "stretch",
+                                                                "error"};
+constexpr std::string_view name_of(Unfit why) {
+  return unfit_names[static_cast<std::size_t>(why)];
+}
+
+/// The first reason why a setting with this error (sizes; infinite where it was not compared) is not advised.
+Unfit unfit(double error, const Strained& strained);
+
+/// By which factor the worst of error, strain and stretch is beyond its limit; at most 1 where it is fit.
+double beyond_limits(double error, const Strained& strained);
+
+}  // namespace bendlab

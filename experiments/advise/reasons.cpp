@@ -1,0 +1,128 @@
+#include "experiments/advise/reasons.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace bendlab {
+namespace {
+
+std::vector<Rated> measured_ones(const Advice& advice) {
+  std::vector<Rated> kept;
+  std::ranges::copy_if(advice.points, std::back_inserter(kept), [](const Rated& p) { return !p.predicted; });
+  return kept;
+}
+
+template <class Value>
+double least(const std::vector<Rated>& points, Value value) {
+  return value(*std::ranges::min_element(points, {}, value));
+}
+
+// What is wrong with these, which are all unfit: how many for which reason, and how far the best of them is
+// off.
+std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
+  std::map<Unfit, std::vector<Rated>> because;
+  for (const Rated& point : points) because[unfit(point)].push_back(point);
+  std::vector<std::string> parts;
+  const std::string beyond =
+      advice.reference_strain > 0.01 * largest_strain
+          ? fmt::format(" beyond the {} of the reference", percent_text(advice.reference_strain))
+          : "";
+  for (const auto& [why, those] : because) {
+    const std::string count = std::to_string(those.size());
+    if (why == Unfit::implausible) parts.push_back(count + " gave an implausible run");
+    if (why == Unfit::strain)
+      parts.push_back(fmt::format("{} stretched the cloth by more than {}{} (rms; the least: {})", count,
+                                  percent_text(largest_strain), beyond,
+                                  percent_text(least(those, [](const Rated& p) { return p.strained.rms; }))));
+    if (why == Unfit::stretch)
+      parts.push_back(
+          fmt::format("{} stretched a triangle to more than {} times its length (the least: {:.3g})", count,
+                      largest_stretch, least(those, [](const Rated& p) { return p.strained.largest; })));
+    if (why == Unfit::error)
+      parts.push_back(fmt::format("{} had more than {} of error (the least: {})", count,
+                                  percent_text(largest_error),
+                                  percent_text(least(those, [](const Rated& p) { return p.error; }))));
+  }
+  return fmt::format("{}.", fmt::join(parts, "; "));
+}
+
+// Settings that agree with each other are not what is wrong.
+bool all_alike(const std::vector<Rated>& points) {
+  constexpr std::size_t enough = 4;
+  constexpr double alike = 1.1;
+  if (points.size() < enough) return false;
+  const auto [least, most] = std::ranges::minmax_element(points, {}, &Rated::error);
+  return std::isfinite(most->error) && most->error <= alike * least->error;
+}
+
+std::string reference_text(const Advice& advice) {
+  if (!(advice.reference_strain <= largest_reference_strain))
+    return fmt::format(
+        "The reference itself is stretched by {} (rms), as no cloth is, so that it tells no errors: it flew "
+        "apart, or "
+        "lengths are not in metres, the density not in kg/m^2 or the membrane's compliance not in m/N.",
+        percent_text(advice.reference_strain));
+  return fmt::format(
+      "The reference itself is known to {} only, so that it tells no errors: motions that fall and fold are "
+      "chaotic. A "
+      "shorter /duration is known better.",
+      percent_text(*advice.reference_gap));
+}
+
+std::string budget_text(const std::vector<Rated>& measured, double budget, const Advice& advice) {
+  std::vector<Rated> within;
+  std::ranges::copy_if(measured, std::back_inserter(within),
+                       [&](const Rated& point) { return point.cpu_s <= budget; });
+  if (within.empty())
+    return fmt::format("Nothing is that fast: the fastest setting takes {:.3g} ms.",
+                       1e3 * least(measured, [](const Rated& p) { return p.cpu_s; }));
+  return fmt::format("Nothing fit was found within that time. Of {} settings that are as fast, {}",
+                     within.size(), unfit_text(within, advice));
+}
+
+}  // namespace
+
+bool reference_tells(const Advice& advice) {
+  return advice.reference_strain <= largest_reference_strain &&
+         advice.reference_gap.value_or(0) <= largest_error;
+}
+
+bool anything_fit(const Advice& advice) {
+  return reference_tells(advice) && !advice.front.empty();
+}
+
+std::vector<std::string> why_none(const Advice& advice, const Demand& demand, double time_limit_s) {
+  if (advice.best) return {};
+  if (!reference_tells(advice)) return {reference_text(advice)};
+  std::vector<std::string> sentences;
+  const std::vector<Rated> measured = measured_ones(advice);
+  if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
+    sentences.push_back(
+        fmt::format("The reference itself is known to {} only: motions that fall and fold are chaotic.",
+                    percent_text(*advice.reference_gap)));
+  if (measured.empty())
+    sentences.emplace_back("No setting gave an error.");
+  else if (advice.front.empty())
+    sentences.push_back(
+        fmt::format("Of {} settings that were run, {}", measured.size(), unfit_text(measured, advice)));
+  else if (demand.cpu_s)
+    sentences.push_back(budget_text(measured, *demand.cpu_s, advice));
+  if (advice.front.empty() && all_alike(measured))
+    sentences.emplace_back(
+        "They all agree with each other, and not with the reference: the cloth has not come to rest by the "
+        "end of "
+        "/duration, or it rests in another pose than the reference.");
+  if (advice.out_of_time)
+    sentences.push_back(
+        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command goes "
+                    "on, and further "
+                    "with a longer --time-limit.",
+                    time_limit_s));
+  return sentences;
+}
+
+}  // namespace bendlab
