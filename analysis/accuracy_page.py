@@ -6,6 +6,7 @@ import accuracy
 import fig_accuracy
 import fig_accuracy_beat
 import fig_accuracy_roads
+import fig_accuracy_rounding
 import fig_accuracy_scaling
 import fig_accuracy_solver
 from html_parts import document, escape, section_html
@@ -13,7 +14,8 @@ from load import CONFIGS, load_experiment
 from report import write_objects
 from stiffness_page import checks_html
 
-FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_scaling, fig_accuracy_roads]
+FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_rounding, fig_accuracy_scaling,
+           fig_accuracy_roads]
 EVERYTHING = "./bendlab reproduce accuracy      # everything, and this page"
 
 

@@ -9,6 +9,8 @@
 
 #include "experiments/energy.hpp"
 #include "experiments/pointers.hpp"
+#include "experiments/precision.hpp"
+#include "experiments/solver_stiffness.hpp"
 
 namespace bendlab {
 namespace {
@@ -177,6 +179,31 @@ Message k_overshoot(const WarningInput& input) {
       excess, k, strain);
 }
 
+// ---- soft_solver
+
+Message soft_solver(const WarningInput& input) {
+  return soft_solver_warning(*input.summary);
+}
+
+// ---- weaker_push
+
+Message weaker_push(const WarningInput& input) {
+  return input.scene.push ? push_warning(*input.scene.push) : std::nullopt;
+}
+
+// ---- single_precision
+
+// A sheet on tethers, or on a plane, in single precision: see precision.cpp.
+Message single_precision(const WarningInput& input) {
+  if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
+  const RoundingSpeed speed = rounding_speed(input.scene);
+  if (speed.single_suffices()) return std::nullopt;
+  return fmt::format(
+      "an effect moves vertices to positions that single precision rounds: each rounding is {:.2g} m/s in a "
+      "substep, and gravity adds {:.2g} m/s. /solver/precision: auto takes double for it",
+      speed.rounded, speed.gained);
+}
+
 constexpr std::array kinds = {
     WarningKind{"inert_seed", "a seed is set or swept that nothing uses", true, inert_seed},
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
@@ -185,6 +212,11 @@ constexpr std::array kinds = {
     WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as told", true,
                 membrane_courant},
     WarningKind{"k_overshoot", "bending springs at that k stretch the sheet", true, k_overshoot},
+    WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
+                single_precision},
+    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false, weaker_push},
+    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told", false,
+                soft_solver},
     WarningKind{"unconverged", "iterations leave a membrane stretched that does not stretch", false,
                 unconverged},
 };

@@ -90,7 +90,11 @@ class PbdStep final : public TimeStep<Real> {
         all.push_back(points[v].vector().template cast<double>());
       return all;
     };
-    const std::vector<Vector3> positions = vectors(state_.position.data());
+    std::vector<Vector3> positions = vectors(state_.position.data());
+    if constexpr (keeps_remainders) {
+      const std::vector<Vector3> remainders = vectors(state_.position_remainder.data());
+      for (std::size_t v = 0; v < count; ++v) positions[v] += remainders[v];
+    }
     const std::vector<Vector3> rest = vectors(this->rest_points());
     std::vector<char> is_pinned;
     double largest = 0;
