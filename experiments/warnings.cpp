@@ -93,6 +93,35 @@ Message piece_without_pin(const WarningInput& input) {
       loose, rest.vertex_count(), first);
 }
 
+// ---- all_pinned
+
+Message all_pinned(const WarningInput& input) {
+  const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
+  if (input.scene.pins.all.size() != vertices) return std::nullopt;
+  return fmt::format(
+      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: on a "
+      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or /pins/distance pins "
+      "fewer",
+      vertices);
+}
+
+// ---- inert_stiffness
+
+// What a physical stiffness is told in, without saying that there is one.
+Message inert_stiffness(const WarningInput& input) {
+  if (input.config.section("/bending").text("stiffness") == "physical") return std::nullopt;
+  for (const auto& [swept, values] : input.experiment.axes)  // other runs of the sweep may use it
+    if (lies_within("/bending/stiffness", swept)) return std::nullopt;
+  for (const char* name : {"flexural_rigidity", "quartic_coefficient"}) {
+    const std::string pointer = fmt::format("/bending/{}", name);
+    if (is_chosen(input, pointer))
+      return fmt::format("{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
+                         "/bending/stiffness to physical, or leave it out",
+                         pointer, input.config.section("/bending").text("stiffness"));
+  }
+  return std::nullopt;
+}
+
 // ---- units
 
 // Under gravity a length L has a time √(L / g) in which it falls and swings: 0.03 s for 1 cm, 0.8 s for 6 m.
@@ -105,6 +134,11 @@ Message units(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   const double g = gravity_of(input.scene.effects).norm();
   const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
+  // kg/m²: gauze has 0.02, a heavy carpet 4.
+  constexpr double heaviest = 10;
+  if (const double density = input.config.section("/material").number("density"); density > heaviest)
+    return fmt::format("a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2",
+                       density);
   if (!(g >= weakest_gravity)) return std::nullopt;
   const double time = std::sqrt(extent / g);
   if (time >= shortest_time && time <= longest_time) return std::nullopt;
@@ -208,6 +242,8 @@ constexpr std::array kinds = {
     WarningKind{"inert_seed", "a seed is set or swept that nothing uses", true, inert_seed},
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
                 piece_without_pin},
+    WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
+    WarningKind{"inert_stiffness", "a physical stiffness is given and not asked for", true, inert_stiffness},
     WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
     WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as told", true,
                 membrane_courant},

@@ -122,6 +122,51 @@ TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") 
   CHECK(codes_of(R"("mesh": {"cells": 4}, "bending": {"model": "dihedral", "k": 1})").empty());
 }
 
+TEST_CASE("warnings: nothing can move", "[warnings]") {
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 5})") == Codes{"all_pinned"});
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 0.5})").empty());
+}
+
+TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
+  const std::string mesh = R"("mesh": {"cells": 4}, )";
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5})") == Codes{"inert_stiffness"});
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "physical"})").empty());
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
+                           "sweep": {"/bending/stiffness": ["k", "physical"]})")
+            .empty());
+}
+
+TEST_CASE("warnings: a density in g/m²", "[warnings]") {
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "material": {"density": 200})") == Codes{"units"});
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "material": {"density": 2})").empty());
+}
+
+TEST_CASE("warnings: effects whose rounding hides gravity in single precision", "[warnings]") {
+  const std::string on_a_plane = R"("mesh": {"cells": 4}, "pins": {"vertices": []},
+      "effects": [{"type": "gravity"}, {"type": "plane", "point": [0, 0, -1]}], )";
+  const auto solver = [](const char* precision, int substeps) {
+    return std::string(R"("solver": {"precision": ")") + precision + R"(", "substeps": )" + std::to_string(substeps) + "}";
+  };
+  CHECK(codes_of(on_a_plane + solver("single", 4096)) == Codes{"single_precision"});
+  CHECK(codes_of(on_a_plane + solver("single", 1)).empty());
+  CHECK(codes_of(on_a_plane + solver("auto", 4096)).empty());
+  // Constraints alone lose nothing.
+  CHECK(codes_of(R"("mesh": {"cells": 4}, )" + solver("single", 4096)).empty());
+}
+
+TEST_CASE("auto takes double where an effect's rounding hides gravity", "[scene]") {
+  const auto precision_with = [](const std::string& effects, int substeps) {
+    return build_scene(experiment_of(R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"})" + effects +
+                                     R"(], "solver": {"substeps": )" + std::to_string(substeps) + "}")
+                           .runs.front())
+        .precision;
+  };
+  CHECK(precision_with("", 4096) == Precision::single_precision);
+  CHECK(precision_with(R"(, {"type": "viscous_drag"})", 4096) == Precision::single_precision);
+  CHECK(precision_with(R"(, {"type": "tethers"})", 4096) == Precision::double_precision);
+  CHECK(precision_with(R"(, {"type": "tethers"})", 1) == Precision::single_precision);
+}
+
 TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[warnings]") {
   std::set<std::string_view> codes;
   for (const WarningKind& kind : warning_kinds()) {

@@ -104,10 +104,10 @@ BENDLAB_INLINE PackMask<Real> has_lever(const Pack<Real>& weighted, const Pack<R
 
 // Shortens a multiplier that would move a corner farther than largest_move sizes.
 template <class Kind, class Real>
-[[gnu::noinline]] Pack<Real> within_reach(const Pack<Real>& change,
-                                          const std::array<PackVector<Real>, Kind::arity>& gradient,
-                                          const std::array<PackPoints<Real>, Kind::arity>& p,
-                                          const std::array<Pack<Real>, Kind::rest_values>& rest) {
+BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
+                                       const std::array<PackVector<Real>, Kind::arity>& gradient,
+                                       const std::array<PackPoints<Real>, Kind::arity>& p,
+                                       const std::array<Pack<Real>, Kind::rest_values>& rest) {
   Pack<Real> size = PackKernel<Kind>::template rest_size_squared<Real>(rest), farthest{};
   for (std::size_t i = 0; i < Kind::arity; ++i) {
     farthest = larger<Real>(farthest, p[i].w * p[i].w * dot(gradient[i], gradient[i]));
@@ -147,66 +147,84 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   return c;
 }
 
+// False where the constraints have to be projected carefully, because one has collapsed, its corners are held or of uneven
+// mass, or one moved farther than its constraint is long at rest; nothing is changed then.
+template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
+BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t lane,
+                                 Real compliance_over_h2) {
+  const Pack<Real> zero{}, one = broadcast<Real>(1);
+  const auto offsets = offsets_at(batch.corner, lane);
+  std::array<PackPoints<Real>, Kind::arity> p;
+  [[maybe_unused]] std::array<MovedRows<Real>, Kind::arity> moved;
+  if constexpr (split) {
+    for (std::size_t i = 0; i < Kind::arity; ++i) moved[i] = moved_rows(places, offsets[i]);
+    const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
+    for (std::size_t i = 1; i < Kind::arity; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
+  } else {
+    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = gather(places.moved, offsets[i]);
+  }
+  const auto rest = load_rest(batch.rest, lane);
+  constexpr std::integral_constant<typename Kind::Law, law> this_law;
+  PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
+  if constexpr (careful) c = opened<Kind>(c, p, rest, this_law, batch, lane);
+  const Lightness<Real> w(p);
+  const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
+  PackMask<Real> acts = c.defined & (weighted > zero);
+  if constexpr (careful) acts = acts & has_lever<Real>(weighted, w.most, c.gradient);
+  Pack<Real> sum = weighted, alpha{}, multiplier{};
+  if constexpr (compliant) {
+    alpha = compliance_over_h2 * load(&batch.softness[lane]);
+    if constexpr (!OneSided<Kind>) sum = sum + alpha;
+  }
+  if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
+  const Pack<Real> divisor = acts ? sum : one;
+  Pack<Real> change;
+  if constexpr (compliant) {
+    multiplier = load(&batch.multiplier[lane]);
+    if constexpr (OneSided<Kind>)
+      change = acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha, multiplier)
+                    : zero;
+    else
+      change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
+  } else {
+    change = acts ? -batch.k * c.value / divisor : zero;
+  }
+  if constexpr (careful) {
+    change = within_reach<Kind>(change, c.gradient, p, rest);
+  } else {
+    // No corner moves farther than the root of this: w²|∇C|² is at most the largest w times Σ w|∇C|².
+    const Pack<Real> way = change * change * weighted * w.most;
+    if (any(~c.defined | w.uneven() | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
+      return false;
+  }
+  if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
+  for (std::size_t i = 0; i < Kind::arity; ++i) {
+    const PackVector<Real> move = scaled<Real>(change * p[i].w, c.gradient[i]);
+    if constexpr (split) {
+      scatter_moved(places, offsets[i], moved[i], move);
+    } else {
+      p[i].position = p[i].position + move;
+      scatter(places.moved, offsets[i], p[i]);
+    }
+  }
+  return true;
+}
+
+// Apart, so that what is rare takes no registers from what is not.
+template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
+[[gnu::noinline]] void project_carefully(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
+                                         std::size_t lane, Real compliance_over_h2) {
+  project_pack<Real, Kind, law, compliant, true, split>(places, batch, lane, compliance_over_h2);
+}
+
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
 void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
                    std::size_t last, Real compliance_over_h2) {
-  const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
-       lane += static_cast<std::size_t>(lanes<Real>)) {
-    const auto offsets = offsets_at(batch.corner, lane);
-    std::array<PackPoints<Real>, Kind::arity> p;
-    [[maybe_unused]] std::array<MovedRows<Real>, Kind::arity> moved;
-    if constexpr (split) {
-      for (std::size_t i = 0; i < Kind::arity; ++i) moved[i] = moved_rows(places, offsets[i]);
-      const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
-      for (std::size_t i = 1; i < Kind::arity; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
-    } else {
-      for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = gather(places.moved, offsets[i]);
-    }
-    const auto rest = load_rest(batch.rest, lane);
-    constexpr std::integral_constant<typename Kind::Law, law> this_law;
-    PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
-    if (any(~c.defined)) [[unlikely]]
-      c = opened<Kind>(c, p, rest, this_law, batch, lane);
-    const Lightness<Real> w(p);
-    const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
-    PackMask<Real> acts = c.defined & (weighted > zero);
-    if (any(acts & w.uneven())) [[unlikely]]
-      acts = acts & has_lever<Real>(weighted, w.most, c.gradient);
-    Pack<Real> sum = weighted, alpha{}, multiplier{};
-    if constexpr (compliant) {
-      alpha = compliance_over_h2 * load(&batch.softness[lane]);
-      if constexpr (!OneSided<Kind>) sum = sum + alpha;
-    }
-    if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
-    const Pack<Real> divisor = acts ? sum : one;
-    Pack<Real> change;
-    if constexpr (compliant) {
-      multiplier = load(&batch.multiplier[lane]);
-      if constexpr (OneSided<Kind>)
-        change = acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha,
-                                                                multiplier)
-                      : zero;
-      else
-        change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
-    } else {
-      change = acts ? -batch.k * c.value / divisor : zero;
-    }
-    // No corner moves farther than the root of this: w²|∇C|² is at most the largest w times Σ w|∇C|².
-    if (any(PackKernel<Kind>::template exceeds_rest_size<Real>(change * change * weighted * w.most, rest)))
+       lane += static_cast<std::size_t>(lanes<Real>))
+    if (!project_pack<Real, Kind, law, compliant, false, split>(places, batch, lane, compliance_over_h2))
         [[unlikely]]
-      change = within_reach<Kind>(change, c.gradient, p, rest);
-    if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
-    for (std::size_t i = 0; i < Kind::arity; ++i) {
-      const PackVector<Real> move = scaled<Real>(change * p[i].w, c.gradient[i]);
-      if constexpr (split) {
-        scatter_moved(places, offsets[i], moved[i], move);
-      } else {
-        p[i].position = p[i].position + move;
-        scatter(places.moved, offsets[i], p[i]);
-      }
-    }
-  }
+      project_carefully<Real, Kind, law, compliant, split>(places, batch, lane, compliance_over_h2);
 }
 
 template <class Real, class Kind, typename Kind::Law law>
