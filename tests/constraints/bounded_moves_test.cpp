@@ -121,9 +121,8 @@ std::vector<std::array<Vector3, N>> moves(const Poses<N>& poses, Batch batch, Ro
   for (std::size_t c = 0; c < poses.size(); ++c)
     for (std::size_t i = 0; i < N; ++i) {
       const std::size_t v = c * N + i;
-      result[c][i] = road == Road::split ? moved[v].vector().template cast<double>()
-                                         : points[v].vector().template cast<double>() -
-                                               before[v].vector().template cast<double>();
+      result[c][i] = (road == Road::split ? moved : points)[v].vector().template cast<double>();
+      if (road != Road::split) result[c][i] -= before[v].vector().template cast<double>();
     }
   return result;
 }

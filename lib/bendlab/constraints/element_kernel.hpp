@@ -69,38 +69,25 @@ BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
   return x > y ? x : y;
 }
 
-template <class Real, std::size_t N>
-BENDLAB_INLINE Pack<Real> weighted_square(const std::array<PackPoints<Real>, N>& p,
-                                          const std::array<PackVector<Real>, N>& gradient) {
-  Pack<Real> sum{};
-  for (std::size_t i = 0; i < N; ++i) sum = sum + p[i].w * dot(gradient[i], gradient[i]);
-  return sum;
-}
-
-// The largest and the smallest inverse mass of the corners.
+// What ∇C says of a projection.
 template <class Real>
-struct Lightness {
-  Pack<Real> most, least;
+struct Leverage {
+  Pack<Real> weighted{};   // Σ w|∇C|²
+  Pack<Real> largest_w{};
+  PackMask<Real> is_more_than_rounding;  // of the corners that can move, see least_lever
 
   template <std::size_t N>
-  BENDLAB_INLINE explicit Lightness(const std::array<PackPoints<Real>, N>& p) : most(p[0].w), least(p[0].w) {
-    for (std::size_t i = 1; i < N; ++i) {
-      most = larger<Real>(most, p[i].w);
-      least = p[i].w < least ? p[i].w : least;
+  BENDLAB_INLINE Leverage(const std::array<PackPoints<Real>, N>& p,
+                          const std::array<PackVector<Real>, N>& gradient) {
+    Pack<Real> whole{};
+    for (std::size_t i = 0; i < N; ++i) {
+      const Pack<Real> squared = dot(gradient[i], gradient[i]);
+      weighted = weighted + p[i].w * squared, whole = whole + squared;
+      largest_w = larger<Real>(largest_w, p[i].w);
     }
+    is_more_than_rounding = weighted > least_lever<Real> * largest_w * whole;
   }
-  // Lanes in which the gradient of the corners that can move may be rounding: others are held, or much heavier.
-  BENDLAB_INLINE PackMask<Real> uneven() const { return least < uneven_masses<Real> * most; }
 };
-
-// Lanes in which the gradient of the corners that can move is more than rounding.
-template <class Real, std::size_t N>
-BENDLAB_INLINE PackMask<Real> has_lever(const Pack<Real>& weighted, const Pack<Real>& largest_w,
-                                        const std::array<PackVector<Real>, N>& gradient) {
-  Pack<Real> whole{};
-  for (std::size_t i = 0; i < N; ++i) whole = whole + dot(gradient[i], gradient[i]);
-  return weighted > least_lever<Real> * largest_w * whole;
-}
 
 // Shortens a multiplier that would move a corner farther than largest_move sizes.
 template <class Kind, class Real>
@@ -147,8 +134,8 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   return c;
 }
 
-// False where the constraints have to be projected carefully, because one has collapsed, its corners are held or of uneven
-// mass, or one moved farther than its constraint is long at rest; nothing is changed then.
+// False where the constraints have to be projected carefully, because one has collapsed or a corner moved farther than its
+// constraint is long at rest; nothing is changed then.
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t lane,
                                  Real compliance_over_h2) {
@@ -167,11 +154,9 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
   constexpr std::integral_constant<typename Kind::Law, law> this_law;
   PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
   if constexpr (careful) c = opened<Kind>(c, p, rest, this_law, batch, lane);
-  const Lightness<Real> w(p);
-  const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
-  PackMask<Real> acts = c.defined & (weighted > zero);
-  if constexpr (careful) acts = acts & has_lever<Real>(weighted, w.most, c.gradient);
-  Pack<Real> sum = weighted, alpha{}, multiplier{};
+  const Leverage<Real> leverage(p, c.gradient);
+  PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
+  Pack<Real> sum = leverage.weighted, alpha{}, multiplier{};
   if constexpr (compliant) {
     alpha = compliance_over_h2 * load(&batch.softness[lane]);
     if constexpr (!OneSided<Kind>) sum = sum + alpha;
@@ -193,8 +178,8 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
     change = within_reach<Kind>(change, c.gradient, p, rest);
   } else {
     // No corner moves farther than the root of this: w²|∇C|² is at most the largest w times Σ w|∇C|².
-    const Pack<Real> way = change * change * weighted * w.most;
-    if (any(~c.defined | w.uneven() | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
+    const Pack<Real> way = change * change * leverage.weighted * leverage.largest_w;
+    if (any(~c.defined | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
       return false;
   }
   if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
@@ -242,10 +227,10 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
         gradient = select(c.defined, gradient, PackVector<Real>{});
     Pack<Real> rate{};
     for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
-    const Pack<Real> weighted = weighted_square<Real>(p, c.gradient);
-    PackMask<Real> acts = c.defined & has_lever<Real>(weighted, Lightness<Real>(p).most, c.gradient);
+    const Leverage<Real> leverage(p, c.gradient);
+    PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
     if constexpr (OneSided<Kind>) acts = acts & (c.value < zero);
-    const Pack<Real> change = acts ? -k * rate / (acts ? weighted : one) : zero;
+    const Pack<Real> change = acts ? -k * rate / (acts ? leverage.weighted : one) : zero;
     for (std::size_t i = 0; i < Kind::arity; ++i)
       v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
     scatter_corners(velocities, batch.corner, lane, v);

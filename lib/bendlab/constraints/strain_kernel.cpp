@@ -37,13 +37,14 @@ struct TriangleLanes {
   Pack<Real> alpha, stretch_alpha;  // XPBD: α̃
   std::array<Pack<Real>, 4> multipliers{};
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // of all terms so far
-  Pack<Real> way{};  // of all terms so far: no corner moved farther than the root of this times the largest w
+  Pack<Real> least_weight;  // of a gradient that is more than rounding, see least_lever
+  Pack<Real> way{};         // of all terms so far: no corner moved farther than the root of this times the largest w
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
   // One projection of one term: PBD with the fraction k, or XPBD. `careful`: collapsed lanes take the gradient of their rest
-  // shape, what is rounding does not act, and no corner moves too far; else `defined` and `way` say whether it has to be.
+  // shape, and no corner moves too far; else `defined` and `way` say whether it has to be.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
   BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
@@ -55,9 +56,7 @@ struct TriangleLanes {
     const PerTriangle<Real> squares = term.gradient.squares();
     const Pack<Real> zero{}, one = broadcast<Real>(1), weighted = squares.weighted_sum(t);
     const Pack<Real> sum = compliant ? term.scale * term.scale * weighted + a : weighted;
-    PackMask<Real> acts = term.defined & (weighted > zero);
-    if constexpr (careful)
-      acts = acts & (weighted > least_lever<Real> * t.largest_w() * squares.sum());
+    const auto acts = term.defined & (weighted > least_weight * squares.sum());
     const Pack<Real> divisor = acts ? sum : one;
     Pack<Real> change, step{};  // along `gradient`; of the multiplier
     if constexpr (compliant) {
@@ -87,17 +86,17 @@ struct TriangleLanes {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
   }
 
-  // Whether the triangles have to be projected carefully: one has collapsed, a corner moved farther than its triangle is long
-  // at rest, or corners are held (or much heavier), so that the gradient of the others may be rounding.
+  // Whether the triangles have to be projected carefully: one has collapsed, or a corner moved farther than its triangle is
+  // long at rest.
   template <bool split>
   BENDLAB_INLINE bool needs_care(const Corners<Real, split>& t) const {
-    const Pack<Real> w = t.largest_w();
-    return any(~defined | (way * w * squared_inverses() > 2) | (t.smallest_w() < uneven_masses<Real> * w));
+    return any(~defined | (way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
   }
 
   template <StrainForm form, bool compliant, bool careful, bool split>
   BENDLAB_INLINE void project(Corners<Real, split>& t) {
     const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
+    least_weight = least_lever<Real> * t.largest_w();
     Stretch<Real> warp{q.q00, q.q10}, weft{q.q01, q.q11};
     if constexpr (careful)
       warp.was_collapsed = warp.has_collapsed(t), weft.was_collapsed = weft.has_collapsed(t);

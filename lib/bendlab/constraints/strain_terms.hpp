@@ -34,10 +34,6 @@ struct Corners {
     return c.position - a.position;
   }
   BENDLAB_INLINE Pack<Real> largest_w() const { return larger<Real>(larger<Real>(a.w, b.w), c.w); }
-  BENDLAB_INLINE Pack<Real> smallest_w() const {
-    const Pack<Real> least = a.w < b.w ? a.w : b.w;
-    return least < c.w ? least : c.w;
-  }
   // Of the longest edge, or of how long the triangle is at rest.
   BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const {
     const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;

@@ -30,11 +30,6 @@ template <class Real>
 inline constexpr Real least_lever = Real(64 * 64) * std::numeric_limits<Real>::epsilon() *
                                     std::numeric_limits<Real>::epsilon();
 
-/// Below this ratio of two corners' inverse masses (0 of a pinned one, for example) a gradient is looked at by least_lever: a
-/// lever cannot vanish while all corners move alike.
-template <class Real>
-inline constexpr Real uneven_masses = Real(1e-3);
-
 /// No projection moves a corner farther than this many sizes of its constraint (the longest distance between its corners,
 /// at rest or now, whichever is longer). Regular constraints stay below it (a hinge of equilateral triangles that opens by
 /// π moves by 1.1 edges); above it the linear step of a projection says nothing about the constraint.

@@ -52,6 +52,21 @@ struct Placed {
   }
 };
 
+// Positions at the end of a substep, and velocities: these change by what projections changed, so that nothing is lost of
+// them where nothing projects. Each with what its rounded number lacks. Arrays of x, y, z, w in a row.
+template <class Real>
+void update_numbers(const Real* __restrict base, const Real* __restrict moved, const Real* __restrict predicted,
+                    Real per_substep, Real* __restrict position, Real* __restrict position_remainder,
+                    Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
+                    std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    Real v = velocity[i], x = base[i];
+    velocity_remainder[i] += sum_with_remainder<Real>(v, (moved[i] - predicted[i]) * per_substep);
+    position_remainder[i] = sum_with_remainder<Real>(x, moved[i]);
+    velocity[i] = v, position[i] = x;
+  }
+}
+
 // Position-based dynamics (Müller et al. 2007): predict, project, update.
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
@@ -290,22 +305,11 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // Velocities change by what projections changed, so that nothing is lost of them where nothing projects.
   void update_from_moves(Real h) {
-    const Real *const base = numbers(state_.previous), *const moved = numbers(moved_),
-                      *const predicted = numbers(predicted_);
-    Real *const position = numbers(state_.position), *const position_remainder = numbers(state_.position_remainder),
-                *const velocity = numbers(state_.velocity),
-                *const velocity_remainder = numbers(state_.velocity_remainder);
-    const Real per_substep = 1 / h;
     for_numbers([&](std::size_t first, std::size_t last) {
-#pragma GCC ivdep  // six arrays
-      for (std::size_t i = first; i < last; ++i) {
-        Real v = velocity[i], x = base[i];
-        velocity_remainder[i] += sum_with_remainder(v, (moved[i] - predicted[i]) * per_substep);
-        position_remainder[i] = sum_with_remainder(x, moved[i]);
-        velocity[i] = v, position[i] = x;
-      }
+      update_numbers(numbers(state_.previous), numbers(moved_), numbers(predicted_), 1 / h, numbers(state_.position),
+                     numbers(state_.position_remainder), numbers(state_.velocity),
+                     numbers(state_.velocity_remainder), first, last);
     });
   }
 
