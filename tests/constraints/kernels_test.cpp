@@ -345,12 +345,15 @@ TEMPLATE_TEST_CASE("collapsed elements without a rest shape and padded lanes are
 
 TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[constraints]") {
   for (const int n : {1, 2, 10, 50}) {
-    Point<double> a{0, 0, 0, 1}, b{2, 0, 0, 3};
+    std::array<Point<double>, 2> points = {Point<double>{0, 0, 0, 1}, Point<double>{2, 0, 0, 3}};
+    const Places<double> places(points.data());
     const double k = k_of_projection(StiffnessKind::k_per_step, 0.3, n);
     for (int i = 0; i < n; ++i)
-      project_reference<double, 2>({&a, &b}, distance_constraint<double>({a.vector(), b.vector()}, 1), k);
+      project_reference<double>(corners_at(places, offset_of(0), offset_of(1)),
+                                distance_constraint<double>({points[0].vector(), points[1].vector()}, 1), k, nullptr,
+                                0.0);
     // From a violation of 1 to 0.7 of it; rounding of at most 50 multiplications.
-    CHECK_THAT((b.vector() - a.vector()).norm() - 1, Catch::Matchers::WithinAbs(0.7, 1e-14));
+    CHECK_THAT((points[1].vector() - points[0].vector()).norm() - 1, Catch::Matchers::WithinAbs(0.7, 1e-14));
   }
 }
 

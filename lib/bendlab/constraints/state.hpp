@@ -50,7 +50,7 @@ struct State {
     Quad v = detail::load_point(velocity[vertex]);
     if (!velocity_remainder.empty()) {
       Point<Real>& remainder = velocity_remainder[vertex];
-      detail::store_point<Real>(remainder, detail::load_point(remainder) + sum_with_remainder<Quad>(v, by));
+      detail::store_point<Real>(remainder, sum_with_remainder<Quad>(v, by + detail::load_point(remainder)));
     } else {
       v = v + by;
     }

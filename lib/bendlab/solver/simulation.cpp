@@ -61,7 +61,8 @@ void update_numbers(const Real* __restrict base, const Real* __restrict moved, c
                     std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     Real v = velocity[i], x = base[i];
-    velocity_remainder[i] += sum_with_remainder<Real>(v, (moved[i] - predicted[i]) * per_substep);
+    velocity_remainder[i] =
+        sum_with_remainder<Real>(v, (moved[i] - predicted[i]) * per_substep + velocity_remainder[i]);
     position_remainder[i] = sum_with_remainder<Real>(x, moved[i]);
     velocity[i] = v, position[i] = x;
   }
