@@ -44,17 +44,18 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
   const bool is_free =
       std::ranges::any_of(free_places, [&](const char* p) { return lies_within(pointer, p); });
   Json value = read_override_value(document, pointer, text);
-  if (!is_free && document.contains("sweep") && document["sweep"].is_object())
-    for (auto& [swept, values] : document["sweep"].items()) {
-      if (swept == pointer) {
-        values = is_axis(value, is_list_setting(document, pointer)) ? value : Json::array({value});
-        return "";
-      }
+  if (!is_free && document.contains("sweep") && document["sweep"].is_object()) {
+    // An axis of its own comes first: another one may sweep the whole that the setting lies in.
+    if (const auto axis = document["sweep"].find(pointer); axis != document["sweep"].end()) {
+      *axis = is_axis(value, is_list_setting(document, pointer)) ? value : Json::array({value});
+      return "";
+    }
+    for (auto& [swept, values] : document["sweep"].items())
       if (lies_within(pointer, swept))
         return set_inside_axis(values, pointer.substr(swept.size()), value)
                    ? ""
                    : fmt::format("not every value that is swept for '{}' has such a place", swept);
-    }
+  }
   if (!is_free && std::ranges::find(known, pointer) == known.end())
     return unknown_pointer_text(pointer, known);
   return set_at(document, pointer, std::move(value)) ? "" : "there is no such place in the config";

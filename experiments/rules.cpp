@@ -52,16 +52,17 @@ void check_cells(const Json& mesh, ConfigProblems& problems) {
                                                    given_text(mesh["cells"]))});
 }
 
-// The rigidity that springs give a sheet is known where they lie flat.
+// The rigidity that springs and arcs give a sheet is known where they lie flat.
 void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const Json &bending = canonical["bending"], &mesh = canonical["mesh"];
   if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
   const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
   const std::string& generator = mesh["generator"].get_ref<const std::string&>();
-  if (model->springs_only && model->name != "none" && (generator == "tube" || generator == "sphere"))
+  const bool shortens = (model->springs_only && model->name != "none") || model->name == "choi_ko";
+  if (shortens && (generator == "tube" || generator == "sphere"))
     problems.push_back(
         {"/bending/stiffness",
-         fmt::format("physical is known for the springs of {} on flat rest shapes only, not on a {}: give "
+         fmt::format("physical is known for {} on flat rest shapes only, not on a {}: give "
                      "k or compliance, or take a model of hinges",
                      model->name, generator)});
 }

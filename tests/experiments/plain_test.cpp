@@ -23,7 +23,7 @@ namespace bendlab {
 namespace {
 
 // As in analysis/plain_cases.py, where the reasons stand.
-constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 3, speed = 3, energy = 0.02,
+constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 3, speed = 4, energy = 0.02,
                  fall = 1e-3, rounding = 1e-6;
 
 Experiment plain(const std::string& name) {

@@ -148,6 +148,14 @@ TEST_CASE("sweep: a slip of too many combinations is refused") {
   check_problem(sweep, "/sweep", "more than 10000 combinations");  // 101² = 10201
 }
 
+TEST_CASE("override: an axis of its own is replaced, though another one sweeps the whole it lies in") {
+  const std::string sweep = R"("sweep": {"/mesh": [{"cells": 2}, {"generator": "disc"}], "/mesh/cells": [4, 8]})";
+  CHECK(experiment(sweep).runs.size() == 4);
+  const Experiment one = experiment(sweep, {"/mesh/cells=6"});
+  REQUIRE(one.runs.size() == 2);
+  for (const RunConfig& run : one.runs) CHECK(run.section("/mesh").integer("cells") == 6);
+}
+
 TEST_CASE("override: sets a value, creating objects on the way") {
   const auto run = [](const std::vector<std::string>& overrides,
                       const std::string& rest = R"("duration": 1)") {

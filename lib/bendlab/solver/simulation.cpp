@@ -5,6 +5,7 @@
 #include <limits>
 #include <numeric>
 #include <stdexcept>
+#include <utility>
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
@@ -12,6 +13,7 @@
 #include "bendlab/solver/equilibrium.hpp"
 #include "bendlab/solver/flight.hpp"
 #include "bendlab/solver/kang_cho.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/time_step.hpp"
 
@@ -84,11 +86,17 @@ class PbdStep final : public TimeStep<Real> {
     if constexpr (keeps_remainders) {
       moved_.resize(state_.position.size()), predicted_ = moved_;
       state_.position_remainder = state_.velocity_remainder = moved_;
+      for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
+        if (state_.position[v].w == 0) pinned_.push_back(v);
+      put_.resize(pinned_.size());
     }
     fill_constraints(input);
     compile_plan(std::move(effect_passes));
   }
 
+  std::size_t memory_bytes() const override {
+    return Base::memory_bytes() + bytes_of(before_forces_) + bytes_of(moved_) + bytes_of(predicted_);
+  }
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {
@@ -285,13 +293,16 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // What effects changed of that. Where they changed nothing the difference is exactly 0.
+  // What effects changed of that.
   void take_moves_over() {
     const Real *const base = numbers(state_.previous), *const position = numbers(state_.position);
     Real* const moved = numbers(moved_);
     for_numbers([&](std::size_t first, std::size_t last) {
-      for (std::size_t i = first; i < last; ++i) moved[i] += position[i] - (base[i] + moved[i]);
+      for (std::size_t i = first; i < last; ++i)
+        moved[i] = position[i] == base[i] + moved[i] ? moved[i] : position[i] - base[i];
     });
+    for (std::size_t i = 0; i < pinned_.size(); ++i) put_[i] = state_.position[pinned_[i]];
+    are_put_ = true;
   }
 
   // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's fourth number,
@@ -312,6 +323,11 @@ class PbdStep final : public TimeStep<Real> {
                      numbers(state_.position_remainder), numbers(state_.velocity),
                      numbers(state_.velocity_remainder), first, last);
     });
+    if (!std::exchange(are_put_, false)) return;
+    for (std::size_t i = 0; i < pinned_.size(); ++i) {  // to the last digit, which the sum may round otherwise
+      state_.position[pinned_[i]] = put_[i];
+      state_.position_remainder[pinned_[i]] = {};
+    }
   }
 
   Places<Real> places() {
@@ -376,6 +392,9 @@ class PbdStep final : public TimeStep<Real> {
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
+  std::vector<std::size_t> pinned_;  // places; single precision
+  Points<Real> put_;                 // where effects put these in this substep
+  bool are_put_ = false;
   Points<Real> moved_, predicted_;  // m, since the start of the substep: now, and before projections; single precision
   double last_substep_ = 0;     // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
