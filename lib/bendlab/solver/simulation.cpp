@@ -324,9 +324,11 @@ class PbdStep final : public TimeStep<Real> {
                      numbers(state_.velocity_remainder), first, last);
     });
     if (!std::exchange(are_put_, false)) return;
-    for (std::size_t i = 0; i < pinned_.size(); ++i) {  // to the last digit, which the sum may round otherwise
-      state_.position[pinned_[i]] = put_[i];
-      state_.position_remainder[pinned_[i]] = {};
+    for (std::size_t i = 0; i < pinned_.size(); ++i) {  // to the last digit, which sums may round otherwise
+      const std::size_t v = pinned_[i];
+      const Vector3Of<Real> way = put_[i].vector() - state_.previous[v].vector();
+      state_.position[v] = put_[i], state_.velocity[v].set(way / h);
+      state_.position_remainder[v] = state_.velocity_remainder[v] = {};
     }
   }
 
