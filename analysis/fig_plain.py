@@ -134,7 +134,7 @@ def _shares(judged, out):
                     share = count(some, verdict) / len(some)
                     axes.barh(place, share, left=left, height=0.78, color=COLOURS[verdict], lw=0)
                     left += share
-                axes.text(-0.02 * reach, place, _short(value), ha="right", va="center", fontsize=8)
+                axes.text(-0.02 * reach, place, _short(axis, value), ha="right", va="center", fontsize=8)
                 axes.text(left + 0.015 * reach, place, f"{100 * left:.2g} % of {len(some)}" if left else f"{len(some)}", va="center",
                           fontsize=7, color=style.GREY if not left else style.INK)
             place += 2.2
@@ -145,8 +145,9 @@ def _shares(judged, out):
     return style.save(figure, out, "fig_plain_shares")
 
 
-def _short(value):
-    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "")
+def _short(axis, value):
+    """How a value reads beside its bar; `none` of the pins is no model."""
+    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "") if axis == "model" else str(value)
 
 
 def _models_and_meshes(judged, out):
@@ -163,7 +164,7 @@ def _models_and_meshes(judged, out):
         dark = share[row, column] > 0.6 * max(0.3, np.nanmax(share))
         axes.text(column, row, f"{wrong}/{len(some)}" if some else "–", ha="center", va="center", fontsize=8, color="white" if dark else style.INK if wrong else style.GREY,
                   bbox=dict(boxstyle="round,pad=0.25", fc="none", ec=COLOURS[SILENT], lw=1.3) if silent else None)
-    axes.set_xticks(range(len(models)), [_short(model) for model in models], rotation=35, ha="left")
+    axes.set_xticks(range(len(models)), [_short("model", model) for model in models], rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.set_yticks(range(len(meshes)), meshes)
     axes.tick_params(length=0)

@@ -11,8 +11,9 @@ enum class Precision { single_precision, double_precision };
 /// Effects that move vertices (tethers, obstacles, self-collision, moving pins, …) and the method kang_cho know positions as
 /// one number: these they round, and each rounding is a speed.
 struct RoundingSpeed {
-  double rounded = 0;  ///< m/s, ε d / h: one rounding in single precision of a coordinate as large as the cloth
-  double gained = 0;   ///< m/s, g h: what gravity adds to a speed in a substep; 0 without gravity
+  double rounded =
+      0;  ///< m/s, ε d / h: one rounding in single precision of a coordinate as large as the cloth
+  double gained = 0;     ///< m/s, g h: what gravity adds to a speed in a substep; 0 without gravity
   bool matters = false;  ///< something in the scene rounds positions
 
   /// Whether single precision resolves gravity.

@@ -98,12 +98,12 @@ std::string remedies_for(Bound bound, const Scene& scene) {
   std::vector<std::string_view> texts;
   if (scene.input.settings.method != Method::pbd) return "";  // nothing was tried there
   if (bound == Bound::momentum || bound == Bound::fall) {
-    if (scene.precision == Precision::single_precision)
-      texts.push_back("/solver/precision: auto or double");
+    if (scene.precision == Precision::single_precision) texts.push_back("/solver/precision: auto or double");
   } else {
     if (is_pumped(scene))
       texts.push_back(
-          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained 1.3 to 7 times its energy: none)");
+          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained 1.3 to 7 times its energy: "
+          "none)");
     for (const std::string_view text : of_a_tear(scene)) texts.push_back(text);
   }
   return fmt::format("{}", fmt::join(texts, "; "));

@@ -60,11 +60,10 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const std::string& generator = mesh["generator"].get_ref<const std::string&>();
   const bool shortens = (model->springs_only && model->name != "none") || model->name == "choi_ko";
   if (shortens && (generator == "tube" || generator == "sphere"))
-    problems.push_back(
-        {"/bending/stiffness",
-         fmt::format("physical is known for {} on flat rest shapes only, not on a {}: give "
-                     "k or compliance, or take a model of hinges",
-                     model->name, generator)});
+    problems.push_back({"/bending/stiffness",
+                        fmt::format("physical is known for {} on flat rest shapes only, not on a {}: give "
+                                    "k or compliance, or take a model of hinges",
+                                    model->name, generator)});
 }
 
 void check_indices(const Json& pins, ConfigProblems& problems) {

@@ -31,7 +31,7 @@ struct Scene {
   Pins pins{};
   std::vector<BendingFact> bending_facts;
   std::optional<PushBound> push{};  ///< of springs that push: what the solver can hold
-  int springs_beyond_ring_1 = 0;  ///< distance constraints that are not edges of the mesh
+  int springs_beyond_ring_1 = 0;    ///< distance constraints that are not edges of the mesh
   SimulationInput input;
   std::vector<EffectSettings> effects;
   Precision precision = Precision::single_precision;

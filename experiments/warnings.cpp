@@ -36,13 +36,17 @@ Message unconverged(const WarningInput& input) {
     const auto found = input.summary->find(name);
     return found == input.summary->end() ? 0.0 : found->second;
   };
-  const double mean = number("mean_strain"), most = number("max_stretch");
+  // A run of less than a second may end where it only begins to stretch: medians do not see it.
+  const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
+               most = std::max(number("max_stretch"), number("max_stretch_last"));
   if (!rigid || input.scene.input.settings.method != Method::pbd ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return fmt::format(
-      "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not stretch: {} "
-      "substeps × {} iterations leave it unconverged. More /solver/substeps with fewer /solver/iterations each "
+      "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not "
+      "stretch: {} "
+      "substeps × {} iterations leave it unconverged. More /solver/substeps with fewer /solver/iterations "
+      "each "
       "help: 10 × 1 left 0.012 and 1.1 where 1 × 10 left 0.056 and 1.36",
       mean, most, input.scene.input.settings.substeps, input.scene.input.settings.iterations);
 }
@@ -106,8 +110,10 @@ Message all_pinned(const WarningInput& input) {
   const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
   if (input.scene.pins.all.size() != vertices) return std::nullopt;
   return fmt::format(
-      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: on a "
-      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or /pins/distance pins "
+      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: "
+      "on a "
+      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or "
+      "/pins/distance pins "
       "fewer",
       vertices);
 }
@@ -122,9 +128,10 @@ Message inert_stiffness(const WarningInput& input) {
   for (const char* name : {"flexural_rigidity", "quartic_coefficient"}) {
     const std::string pointer = fmt::format("/bending/{}", name);
     if (is_chosen(input, pointer))
-      return fmt::format("{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
-                         "/bending/stiffness to physical, or leave it out",
-                         pointer, input.config.section("/bending").text("stiffness"));
+      return fmt::format(
+          "{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
+          "/bending/stiffness to physical, or leave it out",
+          pointer, input.config.section("/bending").text("stiffness"));
   }
   return std::nullopt;
 }
@@ -144,8 +151,8 @@ Message units(const WarningInput& input) {
   // kg/m²: gauze has 0.02, a heavy carpet 4.
   constexpr double heaviest = 10;
   if (const double density = input.config.section("/material").number("density"); density > heaviest)
-    return fmt::format("a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2",
-                       density);
+    return fmt::format(
+        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2", density);
   if (!(g >= weakest_gravity)) return std::nullopt;
   const double time = std::sqrt(extent / g);
   if (time >= shortest_time && time <= longest_time) return std::nullopt;
@@ -257,9 +264,10 @@ constexpr std::array kinds = {
     WarningKind{"k_overshoot", "bending springs at that k stretch the sheet", true, k_overshoot},
     WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
                 single_precision},
-    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false, weaker_push},
-    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told", false,
-                soft_solver},
+    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false,
+                weaker_push},
+    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told",
+                false, soft_solver},
     WarningKind{"unconverged", "iterations leave a membrane stretched that does not stretch", false,
                 unconverged},
 };

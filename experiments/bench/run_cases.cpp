@@ -81,8 +81,7 @@ BenchRow measure_recording(const std::string& name, int cells, double duration_s
   const auto run = [&](const Experiment& experiment) {
     fs::remove_all(scratch.folder);
     const RunOutcome outcome = execute_run(experiment, experiment.runs.front(), scratch.folder);
-    if (!is_whole(outcome.status))
-      throw std::runtime_error("a benchmark's run failed: " + outcome.message);
+    if (!is_whole(outcome.status)) throw std::runtime_error("a benchmark's run failed: " + outcome.message);
     return outcome;
   };
   const auto stepping_s = [](const RunOutcome& outcome) {

@@ -31,8 +31,8 @@ Vector3 rotated(const Eigen::Quaterniond& turn, const Vector3& p) {
 // equilateral, or anything.
 std::array<Vector3, 4> shape(std::mt19937_64& random, int kind) {
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
-  if (kind == 0) return {Vector3::Zero(), x, x + y, x - y};   // all right angles at one end
-  if (kind == 1) return {Vector3::Zero(), x, y, x - y};       // at both ends
+  if (kind == 0) return {Vector3::Zero(), x, x + y, x - y};  // all right angles at one end
+  if (kind == 1) return {Vector3::Zero(), x, y, x - y};      // at both ends
   if (kind == 2) return {Vector3::Zero(), x, 0.5 * x + y, 0.5 * x - y};
   return {Vector3::Zero(), x * test::uniform(random, 0.5, 2),
           x * test::uniform(random, -1, 2) + y * test::uniform(random, 0.1, 2),
@@ -77,8 +77,8 @@ Poses<N> poses(std::uint64_t seed, double unit) {
     for (int how = 0; how < deformations; ++how)
       for (unsigned pinned = 0; pinned + 1 < (1U << N); ++pinned) {
         const std::array<Vector3, 4> corners = shape(random, kind);
-        const Eigen::Quaterniond turn = kind == 1 ? Eigen::Quaterniond::Identity()
-                                                  : Eigen::Quaterniond::UnitRandom();
+        const Eigen::Quaterniond turn =
+            kind == 1 ? Eigen::Quaterniond::Identity() : Eigen::Quaterniond::UnitRandom();
         const Vector3 shift = test::random_vector(random);
         auto& rest = all.rest.emplace_back();
         auto& now = all.now.emplace_back();
@@ -110,8 +110,8 @@ std::vector<std::array<Vector3, N>> moves(const Poses<N>& poses, Batch batch, Ro
           Vector3Of<Real>::Unit(corner - 1));
   batch.rest_points = rest.data();
   const Points<Real> before = points;
-  const Places<Real> places = road == Road::split ? Places<Real>(before.data(), moved.data())
-                                                  : Places<Real>(points.data());
+  const Places<Real> places =
+      road == Road::split ? Places<Real>(before.data(), moved.data()) : Places<Real>(points.data());
   if (road == Road::oracle)
     project_reference(places, batch, Real(1e-3));
   else
@@ -145,8 +145,9 @@ std::array<Vector3, N> after(const std::array<Vector3, N>& now, const std::array
 
 // `bound`: sizes that a corner may move. `error(c, p)`: |C| of the constraint c at p, or nothing where it is not looked at.
 template <class Real, std::size_t N>
-void check_moves(const Poses<N>& poses, const std::vector<std::array<Vector3, N>>& all, double bound, Road road,
-                 const std::function<std::optional<double>(std::size_t, const std::array<Vector3, N>&)>& error) {
+void check_moves(
+    const Poses<N>& poses, const std::vector<std::array<Vector3, N>>& all, double bound, Road road,
+    const std::function<std::optional<double>(std::size_t, const std::array<Vector3, N>&)>& error) {
   constexpr double epsilon = std::numeric_limits<Real>::epsilon();
   for (std::size_t c = 0; c < poses.size(); ++c) {
     double farthest = 0, momentum_scale = 0, position = 0;
@@ -170,9 +171,11 @@ void check_moves(const Poses<N>& poses, const std::vector<std::array<Vector3, N>
       // Each corner's move is rounded by itself.
       double masses = 0;
       for (const double mass : poses.mass[c]) masses += mass;
-      REQUIRE(momentum.norm() <= 1e2 * epsilon * (momentum_scale + masses * (road == Road::split ? size : position)));
+      REQUIRE(momentum.norm() <=
+              1e2 * epsilon * (momentum_scale + masses * (road == Road::split ? size : position)));
     }
-    const std::optional<double> start = error(c, poses.now[c]), end = error(c, after<N>(poses.now[c], all[c]));
+    const std::optional<double> start = error(c, poses.now[c]),
+                                end = error(c, after<N>(poses.now[c], all[c]));
     if (start && end) {
       CAPTURE(*start, *end);
       CHECK(*end <= *start + 1e2 * epsilon * (1 + position / size));
@@ -214,8 +217,9 @@ TEMPLATE_TEST_CASE("a spring's projection is bounded by the spring", "[constrain
       return std::abs((p[1] - p[0]).norm() / list.rest_length[c] - 1);
     };
     for (const bool compliant : {false, true}) {
-      auto batch = make_distance_batch<TestType>(list, star_order(list.vertices, static_cast<int>(2 * all.size())),
-                                                 static_cast<int>(2 * all.size()));
+      auto batch =
+          make_distance_batch<TestType>(list, star_order(list.vertices, static_cast<int>(2 * all.size())),
+                                        static_cast<int>(2 * all.size()));
       batch.compliance = TestType(1e-6);
       set_stiffness(batch, compliant, batch.b.size());
       check_all_roads<TestType>(all, batch, 1, error);
@@ -230,15 +234,17 @@ TEMPLATE_TEST_CASE("a triangle's projections are bounded", "[constraints]", floa
     list.vertices = vertices_of(all);
     for (const auto& rest : all.rest) {
       Eigen::Matrix2d q;
-      q << rest[1].x() - rest[0].x(), rest[2].x() - rest[0].x(), rest[1].y() - rest[0].y(), rest[2].y() - rest[0].y();
+      q << rest[1].x() - rest[0].x(), rest[2].x() - rest[0].x(), rest[1].y() - rest[0].y(),
+          rest[2].y() - rest[0].y();
       const Eigen::Matrix2d inverse = q.inverse();
       list.inverse_rest.push_back({inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)});
     }
     for (const bool compliant : {false, true})
       for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle})
         for (int term = 0; term < 4; ++term) {
-          auto batch = make_strain_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(3 * all.size())),
-                                                   static_cast<int>(3 * all.size()));
+          auto batch =
+              make_strain_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(3 * all.size())),
+                                          static_cast<int>(3 * all.size()));
           batch.form = form, batch.compliance = TestType(1e-6);
           batch.warp = term == 0, batch.weft = term == 1, batch.shear = term == 2, batch.area = term == 3;
           set_stiffness(batch, compliant, 4 * batch.a.size());
@@ -250,7 +256,8 @@ TEMPLATE_TEST_CASE("a triangle's projections are bounded", "[constraints]", floa
             const auto s = stretch_constraint<double>(p, list.inverse_rest[c], term, StrainForm::normalised);
             return s.defined ? std::optional(std::abs(s.value)) : std::nullopt;
           };
-          check_all_roads<TestType>(all, batch, published_shear ? largest_published_move : largest_move, error);
+          check_all_roads<TestType>(all, batch, published_shear ? largest_published_move : largest_move,
+                                    error);
         }
   }
 }
@@ -266,12 +273,14 @@ TEMPLATE_TEST_CASE("a hinge's projection is bounded", "[constraints]", float, do
           list.rest.push_back({0, 1 / (rest[1] - rest[0]).norm(), 0, 1});
           list.softness.push_back(1);
         }
-        auto batch = make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
-                                                  static_cast<int>(4 * all.size()));
+        auto batch =
+            make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
+                                         static_cast<int>(4 * all.size()));
         batch.compliance = TestType(1e-6);
         set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
-        check_all_roads<TestType>(all, batch, largest_move,
-                                  [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });
+        check_all_roads<TestType>(
+            all, batch, largest_move,
+            [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });
       }
       for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy}) {
         ElementList<QuadraticBend> list;
@@ -281,8 +290,9 @@ TEMPLATE_TEST_CASE("a hinge's projection is bounded", "[constraints]", float, do
           list.rest.push_back({1 / edge, 1 / edge, -1 / edge, -1 / edge, 0, edge});
           list.softness.push_back(1);
         }
-        auto batch = make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
-                                                  static_cast<int>(4 * all.size()));
+        auto batch =
+            make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
+                                         static_cast<int>(4 * all.size()));
         batch.compliance = TestType(1e-6);
         set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
         // Kx, in sizes, is linear in the corners.
@@ -307,12 +317,14 @@ TEMPLATE_TEST_CASE("an arc's projection is bounded", "[constraints]", float, dou
           list.rest.push_back({(rest[1] - rest[0]).norm()});
           list.softness.push_back(1);
         }
-        auto batch = make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(2 * all.size())),
-                                                  static_cast<int>(2 * all.size()));
+        auto batch =
+            make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(2 * all.size())),
+                                         static_cast<int>(2 * all.size()));
         batch.compliance = TestType(1e-6);
         set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
-        check_all_roads<TestType>(all, batch, largest_move,
-                                  [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });
+        check_all_roads<TestType>(
+            all, batch, largest_move,
+            [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });
       }
 }
 

@@ -153,7 +153,8 @@ namespace {
 
 void project_once(std::array<Point<double>, 3>& points, const ConstraintValue<double, 3>& c) {
   const Places<double> places(points.data());
-  project_reference<double>(corners_at(places, offset_of(0), offset_of(1), offset_of(2)), c, 1.0, nullptr, 0.0);
+  project_reference<double>(corners_at(places, offset_of(0), offset_of(1), offset_of(2)), c, 1.0, nullptr,
+                            0.0);
 }
 
 }  // namespace

@@ -350,8 +350,8 @@ TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[con
     const double k = k_of_projection(StiffnessKind::k_per_step, 0.3, n);
     for (int i = 0; i < n; ++i)
       project_reference<double>(corners_at(places, offset_of(0), offset_of(1)),
-                                distance_constraint<double>({points[0].vector(), points[1].vector()}, 1), k, nullptr,
-                                0.0);
+                                distance_constraint<double>({points[0].vector(), points[1].vector()}, 1), k,
+                                nullptr, 0.0);
     // From a violation of 1 to 0.7 of it; rounding of at most 50 multiplications.
     CHECK_THAT((points[1].vector() - points[0].vector()).norm() - 1, Catch::Matchers::WithinAbs(0.7, 1e-14));
   }

@@ -456,7 +456,8 @@ TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1
   std::ranges::nth_element(stiffness, stiffness.begin() + static_cast<std::ptrdiff_t>(stiffness.size() / 2));
   CHECK_THAT(stiffness[stiffness.size() / 2], WithinRel(2 / std::sqrt(3.0) * 3e-5, 0.03));
   // What only the mesh can tell is an error of the config all the same.
-  CHECK_THROWS_AS(single_run(R"({"name": "t", "mesh": {"generator": "tube"}, "pins": {"vertices": ["top_rim"]},
+  CHECK_THROWS_AS(
+      single_run(R"({"name": "t", "mesh": {"generator": "tube"}, "pins": {"vertices": ["top_rim"]},
     "bending": {"model": "lod", "stiffness": "physical", "quartic_coefficient": 1e-9}})"),
-                  ConfigError);
+      ConfigError);
 }

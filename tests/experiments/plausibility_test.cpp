@@ -163,7 +163,7 @@ TEST_CASE("plausible: nothing is much faster than what falls, unless something d
 TEST_CASE("plausible: what nothing moves may jitter by rounding, and by what its start was disturbed",
           "[plausibility]") {
   const Scene scene = scene_of(unpinned + R"(, "effects": [])");
-  Positions velocities = still(scene);  // 6 and 7 are inner vertices, of equal mass
+  Positions velocities = still(scene);                // 6 and 7 are inner vertices, of equal mass
   velocities(6, 0) = 1e-5, velocities(7, 0) = -1e-5;  // ε x / h is 5e-6 m/s
   CHECK_FALSE(after(scene, 1, scene.input.positions, velocities));
   velocities(6, 0) = 1, velocities(7, 0) = -1;

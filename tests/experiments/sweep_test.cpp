@@ -149,7 +149,8 @@ TEST_CASE("sweep: a slip of too many combinations is refused") {
 }
 
 TEST_CASE("override: an axis of its own is replaced, though another one sweeps the whole it lies in") {
-  const std::string sweep = R"("sweep": {"/mesh": [{"cells": 2}, {"generator": "disc"}], "/mesh/cells": [4, 8]})";
+  const std::string sweep =
+      R"("sweep": {"/mesh": [{"cells": 2}, {"generator": "disc"}], "/mesh/cells": [4, 8]})";
   CHECK(experiment(sweep).runs.size() == 4);
   const Experiment one = experiment(sweep, {"/mesh/cells=6"});
   REQUIRE(one.runs.size() == 2);

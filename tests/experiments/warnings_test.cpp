@@ -85,6 +85,9 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK(codes_of(mesh, &stretched) == Codes{"unconverged"});
   CHECK_THAT(message_of("unconverged", mesh, &stretched), ContainsSubstring("mean strain 0.08"));
   CHECK(codes_of(mesh, &short_enough).empty());
+  const Summary at_its_end = {{"mean_strain", 0.02}, {"mean_strain_last", 0.1}}, neck = {{"max_stretch", 1.4}};
+  CHECK(codes_of(mesh, &at_its_end) == Codes{"unconverged"});
+  CHECK(codes_of(mesh, &neck) == Codes{"unconverged"});
   CHECK(codes_of(mesh).empty());  // not known before the run
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})",
                  &stretched)
@@ -123,14 +126,18 @@ TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") 
 }
 
 TEST_CASE("warnings: nothing can move", "[warnings]") {
-  CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 5})") == Codes{"all_pinned"});
+  CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 5})") ==
+        Codes{"all_pinned"});
   CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 0.5})").empty());
 }
 
 TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
   const std::string mesh = R"("mesh": {"cells": 4}, )";
-  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5})") == Codes{"inert_stiffness"});
-  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "physical"})").empty());
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5})") ==
+        Codes{"inert_stiffness"});
+  CHECK(codes_of(mesh +
+                 R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "physical"})")
+            .empty());
   CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
                            "sweep": {"/bending/stiffness": ["k", "physical"]})")
             .empty());
@@ -145,7 +152,8 @@ TEST_CASE("warnings: effects whose rounding hides gravity in single precision", 
   const std::string on_a_plane = R"("mesh": {"cells": 4}, "pins": {"vertices": []},
       "effects": [{"type": "gravity"}, {"type": "plane", "point": [0, 0, -1]}], )";
   const auto solver = [](const char* precision, int substeps) {
-    return std::string(R"("solver": {"precision": ")") + precision + R"(", "substeps": )" + std::to_string(substeps) + "}";
+    return std::string(R"("solver": {"precision": ")") + precision + R"(", "substeps": )" +
+           std::to_string(substeps) + "}";
   };
   CHECK(codes_of(on_a_plane + solver("single", 4096)) == Codes{"single_precision"});
   CHECK(codes_of(on_a_plane + solver("single", 1)).empty());

@@ -39,7 +39,9 @@ struct Strip {
   SimulationInput input;
 
   Strip(int across, int along, int substeps, int iterations)
-      : rest(hanging(across, along)), pins(make_pins(rest, top(rest), 0)), input(test::sheet(rest, pins, "none")) {
+      : rest(hanging(across, along)),
+        pins(make_pins(rest, top(rest), 0)),
+        input(test::sheet(rest, pins, "none")) {
     input.settings = settings(substeps, iterations);
     input.strain_stiffness.form = StrainForm::angle;
   }
@@ -86,18 +88,21 @@ TEMPLATE_TEST_CASE("a sheet without pins falls g t (t + h) / 2 however short the
 
 TEMPLATE_TEST_CASE("a hanging strip keeps its length with 4096 substeps", "[solver]", float, double) {
   Strip strip(2, 8, 4096, 1);
-  const auto simulation = simulation_with<TestType>(strip.input, {"gravity", "viscous_drag"}, strip.rest, strip.pins, 10.0);
+  const auto simulation =
+      simulation_with<TestType>(strip.input, {"gravity", "viscous_drag"}, strip.rest, strip.pins, 10.0);
   for (int i = 0; i < 6; ++i) REQUIRE(simulation->step());
   CHECK_THAT(strip.length(*simulation), Catch::Matchers::WithinAbs(1, 1e-3));
 }
 
-TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 substeps", "[solver]", float, double) {
+TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 substeps", "[solver]", float,
+                   double) {
   // Lumped masses make it ρ g L² / 2Y for any number of cells; 1 / Y = 0.01 m/N. Of two columns of cells, because one is not
   // symmetric.
   Strip strip(2, 8, 256, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
-  const auto simulation = simulation_with<TestType>(strip.input, {"gravity", "viscous_drag"}, strip.rest, strip.pins, 4.0);
+  const auto simulation =
+      simulation_with<TestType>(strip.input, {"gravity", "viscous_drag"}, strip.rest, strip.pins, 4.0);
   for (int i = 0; i < 60; ++i) REQUIRE(simulation->step());
   const double expected = 0.2 * gravity * 0.01 / 2;
   CHECK_THAT(strip.length(*simulation) - 1, Catch::Matchers::WithinRel(expected, 1e-2));

@@ -43,8 +43,8 @@ BENDLAB_INLINE std::array<const int*, N> offsets_at(const std::array<LargeArray<
 
 template <class Real, std::size_t N>
 BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_points(const Point<Real>* points,
-                                                              const std::array<LargeArray<int>, N>& corner,
-                                                              std::size_t lane) {
+                                                             const std::array<LargeArray<int>, N>& corner,
+                                                             std::size_t lane) {
   std::array<PackPoints<Real>, N> packs;
   for (std::size_t i = 0; i < N; ++i) packs[i] = gather(points, &corner[i][lane]);
   return packs;
@@ -72,7 +72,7 @@ BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
 // What ∇C says of a projection.
 template <class Real>
 struct Leverage {
-  Pack<Real> weighted{};   // Σ w|∇C|²
+  Pack<Real> weighted{};  // Σ w|∇C|²
   Pack<Real> largest_w{};
   PackMask<Real> is_more_than_rounding;  // of the corners that can move, see least_lever
 
@@ -137,8 +137,8 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
 // False where the constraints have to be projected carefully, because one has collapsed or a corner moved farther than its
 // constraint is long at rest; nothing is changed then.
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
-BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t lane,
-                                 Real compliance_over_h2) {
+BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
+                                 std::size_t lane, Real compliance_over_h2) {
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   const auto offsets = offsets_at(batch.corner, lane);
   std::array<PackPoints<Real>, Kind::arity> p;
@@ -167,8 +167,9 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
   if constexpr (compliant) {
     multiplier = load(&batch.multiplier[lane]);
     if constexpr (OneSided<Kind>)
-      change = acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha, multiplier)
-                    : zero;
+      change =
+          acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha, multiplier)
+               : zero;
     else
       change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
   } else {
@@ -247,14 +248,15 @@ void with_law(Law chosen, LawList<laws...>, const Action& action) {
 
 // Within a run no two constraints share a vertex, so backwards is as forwards.
 template <class Real, class Kind>
-void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last,
-             Real substep, bool) {
+void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
+             std::size_t last, Real substep, bool) {
   const Real compliance = batch.compliance / (substep * substep);
   detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
     with_split(places, [&]<bool split>(std::bool_constant<split>) {
       batch.kind == StiffnessKind::compliance
           ? detail::project_lanes<Real, Kind, law.value, true, split>(places, batch, first, last, compliance)
-          : detail::project_lanes<Real, Kind, law.value, false, split>(places, batch, first, last, compliance);
+          : detail::project_lanes<Real, Kind, law.value, false, split>(places, batch, first, last,
+                                                                       compliance);
     });
   });
 }

@@ -345,8 +345,8 @@ BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* o
 
 // Writes moved rows back, each point moved on by `change`; none may stand twice.
 template <class Real>
-BENDLAB_INLINE void scatter_moved(const Places<Real>& places, const int* offsets, const MovedRows<Real>& moved,
-                                  const PackVector<Real>& change) {
+BENDLAB_INLINE void scatter_moved(const Places<Real>& places, const int* offsets,
+                                  const MovedRows<Real>& moved, const PackVector<Real>& change) {
   Pack<Real> row[4] = {change.x, change.y, change.z, Pack<Real>{}};
   transpose<Real>(row[0], row[1], row[2], row[3]);
   for (int r = 0; r < 4; ++r) store_rows_by_fours(places.moved, offsets + r, moved.row[r] + row[r]);

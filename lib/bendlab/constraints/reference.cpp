@@ -103,8 +103,7 @@ void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch,
 }
 
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
-                       bool backwards) {
+void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
@@ -184,7 +183,8 @@ void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = [&]<std::size_t... i>(std::index_sequence<i...>) {
       return corners_at<Real>(places, batch.corner[i][lane]...);
-    }(std::make_index_sequence<Kind::arity>{});
+    }
+    (std::make_index_sequence<Kind::arity>{});
     const Real alpha = compliant ? batch.compliance * batch.softness[lane] / (substep * substep) : Real(0);
     const auto rest = rest_of(batch, lane);
     std::array<const Point<Real>*, Kind::arity> at_rest{};

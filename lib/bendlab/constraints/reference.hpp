@@ -27,7 +27,7 @@ struct Corner {
 /// The corners at these offsets.
 template <class Real, class... Offsets>
 std::array<Corner<Real>, 1 + sizeof...(Offsets)> corners_at(const Places<Real>& places, int first,
-                                                        Offsets... others) {
+                                                            Offsets... others) {
   const auto corner = [&](int offset) {
     Point<Real>& moved = point_at(places.moved, offset);
     if (places.base == nullptr) return Corner<Real>{Vector3Of<Real>::Zero(), &moved, moved.w};

@@ -35,9 +35,9 @@ BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
 template <class Real>
 struct State {
   int vertex_count = 0;
-  Points<Real> position;     ///< w holds the inverse mass, 1/kg (0: pinned)
-  Points<Real> previous;     ///< positions at the start of the substep
-  Points<Real> velocity;     ///< m/s
+  Points<Real> position;  ///< w holds the inverse mass, 1/kg (0: pinned)
+  Points<Real> previous;  ///< positions at the start of the substep
+  Points<Real> velocity;  ///< m/s
   /// In single precision under pbd, else empty: what the last digits of positions (between substeps) and velocities do not
   /// hold. Positions and velocities are these sums.
   Points<Real> position_remainder, velocity_remainder;

@@ -14,7 +14,8 @@ BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const Term
                                            std::size_t lane) {
   Corners<Real> at_rest{};
   if (batch.rest_points != nullptr)
-    at_rest.a = gather(batch.rest_points, &batch.a[lane]), at_rest.b = gather(batch.rest_points, &batch.b[lane]),
+    at_rest.a = gather(batch.rest_points, &batch.a[lane]),
+    at_rest.b = gather(batch.rest_points, &batch.b[lane]),
     at_rest.c = gather(batch.rest_points, &batch.c[lane]);
   constexpr StrainForm form_at_rest = TermOf::opens_normalised ? StrainForm::normalised : form;
   const Term<Real, Gradient> rest = of.template term<form_at_rest>(at_rest);
@@ -38,7 +39,7 @@ struct TriangleLanes {
   std::array<Pack<Real>, 4> multipliers{};
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // of all terms so far
   Pack<Real> least_weight;  // of a gradient that is more than rounding, see least_lever
-  Pack<Real> way{};         // of all terms so far: no corner moved farther than the root of this times the largest w
+  Pack<Real> way{};  // of all terms so far: no corner moved farther than the root of this times the largest w
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
@@ -108,8 +109,8 @@ struct TriangleLanes {
 };
 
 template <class Real, bool split>
-BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places, const StrainBatch<Real>& batch,
-                                                     std::size_t lane) {
+BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places,
+                                                     const StrainBatch<Real>& batch, std::size_t lane) {
   const int *const a = &batch.a[lane], *const b = &batch.b[lane], *const c = &batch.c[lane];
   Corners<Real, split> t;
   if constexpr (split) {
@@ -211,8 +212,10 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
     Corners<Real> velocity{gather(velocities, &batch.a[lane]), gather(velocities, &batch.b[lane]),
                            gather(velocities, &batch.c[lane])};
     const RestInverse<Real> q(batch, lane);
-    if (batch.warp != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q00, q.q10), k);
-    if (batch.weft != 0) damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q01, q.q11), k);
+    if (batch.warp != 0)
+      damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q00, q.q10), k);
+    if (batch.weft != 0)
+      damp_term(t, velocity, stretch<Real, StrainForm::normalised, false>(t, q.q01, q.q11), k);
     if (batch.shear != 0) damp_term(t, velocity, shear<Real, StrainForm::normalised, false>(t, q), k);
     scatter(velocities, &batch.a[lane], velocity.a);
     scatter(velocities, &batch.b[lane], velocity.b);

@@ -195,7 +195,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, 
 
 // C = A / A0 - 1, ∇C along e2 × n and n × e1 with the unnormalised normal.
 template <class Real, bool split>
-BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t, const Pack<Real>& inverse_rest) {
+BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
+                                                const Pack<Real>& inverse_rest) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge(), normal = cross(e1, e2);
   const Pack<Real> one = broadcast<Real>(1), squared = dot(normal, normal);
   const auto defined = in_bounds<Real>(squared * inverse_rest * inverse_rest);

@@ -27,8 +27,8 @@ inline constexpr Real open_product = 4;
 /// only free end of a hinge's edge, where both triangles have their right angle at the other end): C / |∇C| is then noise over
 /// noise, and would throw it anywhere.
 template <class Real>
-inline constexpr Real least_lever = Real(64 * 64) * std::numeric_limits<Real>::epsilon() *
-                                    std::numeric_limits<Real>::epsilon();
+inline constexpr Real least_lever =
+    Real(64 * 64) * std::numeric_limits<Real>::epsilon() * std::numeric_limits<Real>::epsilon();
 
 /// No projection moves a corner farther than this many sizes of its constraint (the longest distance between its corners,
 /// at rest or now, whichever is longer). Regular constraints stay below it (a hinge of equilateral triangles that opens by

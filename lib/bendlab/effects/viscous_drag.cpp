@@ -34,8 +34,8 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   for (int v = 0; v < input.rest.vertex_count(); ++v)
     drag_at[input.place_of(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
   return {{"viscous_drag", Stage::damp,
-           [drag_at = std::move(drag_at), lost = std::vector<Real>(), of_substep = Real(0)](
-               PassContext<Real>& context) mutable {
+           [drag_at = std::move(drag_at), lost = std::vector<Real>(),
+            of_substep = Real(0)](PassContext<Real>& context) mutable {
              State<Real>& state = context.state;
              if (std::exchange(of_substep, context.substep) != context.substep) {  // substeps are seldom cut
                lost.resize(drag_at.size());

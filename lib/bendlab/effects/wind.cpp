@@ -160,8 +160,7 @@ class Wind {
       ++context.acted;
     }
     for (std::size_t v = 0; v < impulse_.size(); ++v)
-      if (state.position[v].w > 0)
-        state.accelerate(v, state.position[v].w * impulse_[v]);
+      if (state.position[v].w > 0) state.accelerate(v, state.position[v].w * impulse_[v]);
   }
 
  private:

@@ -57,8 +57,8 @@ std::size_t bytes_of(const ElementBatch<Real, Kind>& batch) {
 template <class Real>
 std::size_t bytes_of(const State<Real>& state) {
   return bytes_of(state.position) + bytes_of(state.previous) + bytes_of(state.velocity) +
-         bytes_of(state.position_remainder) + bytes_of(state.velocity_remainder) +
-         bytes_of(state.mass) + bytes_of(state.contacts);
+         bytes_of(state.position_remainder) + bytes_of(state.velocity_remainder) + bytes_of(state.mass) +
+         bytes_of(state.contacts);
 }
 
 template <class Real>

@@ -57,10 +57,10 @@ struct Placed {
 // Positions at the end of a substep, and velocities: these change by what projections changed, so that nothing is lost of
 // them where nothing projects. Each with what its rounded number lacks. Arrays of x, y, z, w in a row.
 template <class Real>
-void update_numbers(const Real* __restrict base, const Real* __restrict moved, const Real* __restrict predicted,
-                    Real per_substep, Real* __restrict position, Real* __restrict position_remainder,
-                    Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
-                    std::size_t last) {
+void update_numbers(const Real* __restrict base, const Real* __restrict moved,
+                    const Real* __restrict predicted, Real per_substep, Real* __restrict position,
+                    Real* __restrict position_remainder, Real* __restrict velocity,
+                    Real* __restrict velocity_remainder, std::size_t first, std::size_t last) {
   for (std::size_t i = first; i < last; ++i) {
     Real v = velocity[i], x = base[i];
     velocity_remainder[i] =
@@ -309,7 +309,8 @@ class PbdStep final : public TimeStep<Real> {
   // never moves.
   void predict_moves(Real h) {
     std::swap(state_.previous, state_.position);
-    const Real *const remainder = numbers(state_.position_remainder), *const velocity = numbers(state_.velocity);
+    const Real *const remainder = numbers(state_.position_remainder), *const velocity =
+                                                                          numbers(state_.velocity);
     Real *const moved = numbers(moved_), *const predicted = numbers(predicted_);
     for_numbers([&](std::size_t first, std::size_t last) {
 #pragma GCC ivdep
@@ -319,8 +320,8 @@ class PbdStep final : public TimeStep<Real> {
 
   void update_from_moves(Real h) {
     for_numbers([&](std::size_t first, std::size_t last) {
-      update_numbers(numbers(state_.previous), numbers(moved_), numbers(predicted_), 1 / h, numbers(state_.position),
-                     numbers(state_.position_remainder), numbers(state_.velocity),
+      update_numbers(numbers(state_.previous), numbers(moved_), numbers(predicted_), 1 / h,
+                     numbers(state_.position), numbers(state_.position_remainder), numbers(state_.velocity),
                      numbers(state_.velocity_remainder), first, last);
     });
     if (!std::exchange(are_put_, false)) return;
@@ -397,8 +398,9 @@ class PbdStep final : public TimeStep<Real> {
   std::vector<std::size_t> pinned_;  // places; single precision
   Points<Real> put_;                 // where effects put these in this substep
   bool are_put_ = false;
-  Points<Real> moved_, predicted_;  // m, since the start of the substep: now, and before projections; single precision
-  double last_substep_ = 0;     // s, a part of a substep where flight_limit cut it; 0: there was none yet
+  Points<Real> moved_,
+      predicted_;  // m, since the start of the substep: now, and before projections; single precision
+  double last_substep_ = 0;  // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
 
 }  // namespace
