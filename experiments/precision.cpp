@@ -15,6 +15,13 @@ bool RoundingSpeed::single_suffices() const {
   return !matters || !(rounded > most * gained) || gained == 0;
 }
 
+bool RoundingSpeed::whole_suffices() const {
+  // A strip of known membrane stiffness, 1 m long, and cantilevers of 9 cm (three models, 12 and 24 cells) with rounded positions
+  // differ from double precision in elongation and drop by less than 0.0006 where the ratio is below 0.01; at 0.2 by 0.006.
+  constexpr double most = 0.01;
+  return rounded <= most * gained;
+}
+
 RoundingSpeed rounding_speed(const Scene& scene) {
   const SolverSettings& solver = scene.input.settings;
   const double substep = solver.dt / solver.substeps;

@@ -18,6 +18,8 @@ struct RoundingSpeed {
 
   /// Whether single precision resolves gravity.
   bool single_suffices() const;
+  /// Whether it does so without keeping what a substep changes apart.
+  bool whole_suffices() const;
 };
 
 /// Of a scene whose mesh, effects and solver are known.

@@ -316,6 +316,7 @@ Scene build_scene(const RunConfig& config) {
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
   if (solver.text("order") == "pins") order_from_pins(input, rest);
+  input.settings.apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, solver.text("precision"));
   return scene;
 }

@@ -85,7 +85,8 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK(codes_of(mesh, &stretched) == Codes{"unconverged"});
   CHECK_THAT(message_of("unconverged", mesh, &stretched), ContainsSubstring("mean strain 0.08"));
   CHECK(codes_of(mesh, &short_enough).empty());
-  const Summary at_its_end = {{"mean_strain", 0.02}, {"mean_strain_last", 0.1}}, neck = {{"max_stretch", 1.4}};
+  const Summary at_its_end = {{"mean_strain", 0.02}, {"mean_strain_last", 0.1}},
+                neck = {{"max_stretch", 1.4}};
   CHECK(codes_of(mesh, &at_its_end) == Codes{"unconverged"});
   CHECK(codes_of(mesh, &neck) == Codes{"unconverged"});
   CHECK(codes_of(mesh).empty());  // not known before the run
@@ -173,6 +174,22 @@ TEST_CASE("auto takes double where an effect's rounding hides gravity", "[scene]
   CHECK(precision_with(R"(, {"type": "viscous_drag"})", 4096) == Precision::single_precision);
   CHECK(precision_with(R"(, {"type": "tethers"})", 4096) == Precision::double_precision);
   CHECK(precision_with(R"(, {"type": "tethers"})", 1) == Precision::single_precision);
+}
+
+TEST_CASE("single precision keeps a substep's moves apart where rounding is a hundredth of gravity's",
+          "[scene]") {
+  // ε d 60² s² / (9.81 × h s), d = √2 m: 0.0062 with 10 substeps, 0.014 with 15.
+  const auto apart = [](const std::string& effects, int substeps) {
+    return build_scene(experiment_of(R"("mesh": {"cells": 4}, "effects": [)" + effects +
+                                     R"(], "solver": {"substeps": )" + std::to_string(substeps) + "}")
+                           .runs.front())
+        .input.settings.apart;
+  };
+  const std::string gravity = R"({"type": "gravity"})";
+  CHECK_FALSE(apart(gravity, 1));
+  CHECK_FALSE(apart(gravity, 10));
+  CHECK(apart(gravity, 15));
+  CHECK(apart("", 1));
 }
 
 TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[warnings]") {

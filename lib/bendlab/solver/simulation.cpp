@@ -54,8 +54,41 @@ struct Placed {
   }
 };
 
-// Positions at the end of a substep, and velocities: these change by what projections changed, so that nothing is lost of
-// them where nothing projects. Each with what its rounded number lacks. Arrays of x, y, z, w in a row.
+// Positions that a substep predicts, from `x`, and what their last digits do not hold. Arrays of x, y, z, w in a row.
+template <class Real>
+void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, Real h,
+                     Real* __restrict position, Real* __restrict predicted, Real* __restrict remainder,
+                     std::size_t first, std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    Real sum = x[i];
+    remainder[i] = sum_with_remainder<Real>(sum, remainder[i] + h * velocity[i]);
+    position[i] = predicted[i] = sum;
+  }
+}
+
+// What a substep predicts to add to positions.
+template <class Real>
+void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __restrict velocity, Real h,
+                              Real* __restrict moved, Real* __restrict predicted, std::size_t first,
+                              std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
+}
+
+// Velocities at the end of a substep change by what projections changed, so that nothing is lost of them where nothing
+// projects; each with what its rounded number lacks. Arrays of x, y, z, w in a row.
+template <class Real>
+void update_velocities(const Real* __restrict moved, const Real* __restrict predicted, Real per_substep,
+                       Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
+                       std::size_t last) {
+  for (std::size_t i = first; i < last; ++i) {
+    Real v = velocity[i];
+    velocity_remainder[i] =
+        sum_with_remainder<Real>(v, (moved[i] - predicted[i]) * per_substep + velocity_remainder[i]);
+    velocity[i] = v;
+  }
+}
+
+// The same, and positions, of what moved apart from where it was.
 template <class Real>
 void update_numbers(const Real* __restrict base, const Real* __restrict moved,
                     const Real* __restrict predicted, Real per_substep, Real* __restrict position,
@@ -84,8 +117,9 @@ class PbdStep final : public TimeStep<Real> {
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) : Base(input, input.place) {
     if constexpr (keeps_remainders) {
-      moved_.resize(state_.position.size()), predicted_ = moved_;
-      state_.position_remainder = state_.velocity_remainder = moved_;
+      predicted_.resize(state_.position.size());
+      if (on_moves()) moved_ = predicted_;
+      state_.position_remainder = state_.velocity_remainder = predicted_;
       for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
         if (state_.position[v].w == 0) pinned_.push_back(v);
       put_.resize(pinned_.size());
@@ -236,7 +270,7 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
       const std::size_t first = passes.size();
       for (const Stage stage : stages) add_effects(passes, stage);
-      if (keeps_remainders && passes.size() > first) {
+      if (on_moves() && passes.size() > first) {
         passes[first].run = [this, run = std::move(passes[first].run)](PassContext<Real>& c) {
           sum_up_positions();
           run(c);
@@ -305,17 +339,42 @@ class PbdStep final : public TimeStep<Real> {
     are_put_ = true;
   }
 
+  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it was (see
+  // Places); else whole positions.
+  bool on_moves() const { return keeps_remainders && settings_.apart; }
+
   // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's fourth number,
   // never moves.
   void predict_moves(Real h) {
     std::swap(state_.previous, state_.position);
-    const Real *const remainder = numbers(state_.position_remainder), *const velocity =
-                                                                          numbers(state_.velocity);
-    Real *const moved = numbers(moved_), *const predicted = numbers(predicted_);
     for_numbers([&](std::size_t first, std::size_t last) {
-#pragma GCC ivdep
-      for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
+      predict_moves_of_numbers(numbers(state_.position_remainder), numbers(state_.velocity), h,
+                               numbers(moved_), numbers(predicted_), first, last);
     });
+  }
+
+  // Whole positions: what their last digit does not hold waits in the remainder.
+  void predict_positions(Real h) {
+    std::swap(state_.previous, state_.position);
+    for_numbers([&](std::size_t first, std::size_t last) {
+      predict_numbers(numbers(state_.previous), numbers(state_.velocity), h, numbers(state_.position),
+                      numbers(predicted_), numbers(state_.position_remainder), first, last);
+    });
+  }
+
+  void update_from_positions(Real h) {
+    for_numbers([&](std::size_t first, std::size_t last) {
+      update_velocities(numbers(state_.position), numbers(predicted_), 1 / h, numbers(state_.velocity),
+                        numbers(state_.velocity_remainder), first, last);
+    });
+    for (const std::size_t v : pinned_) put_pin(v, state_.position[v], h);
+  }
+
+  // To the last digit, which sums may round otherwise.
+  void put_pin(std::size_t v, const Point<Real>& where, Real h) {
+    const Vector3Of<Real> way = where.vector() - state_.previous[v].vector();
+    state_.position[v] = where, state_.velocity[v].set(way / h);
+    state_.position_remainder[v] = state_.velocity_remainder[v] = {};
   }
 
   void update_from_moves(Real h) {
@@ -325,26 +384,18 @@ class PbdStep final : public TimeStep<Real> {
                      numbers(state_.velocity_remainder), first, last);
     });
     if (!std::exchange(are_put_, false)) return;
-    for (std::size_t i = 0; i < pinned_.size(); ++i) {  // to the last digit, which sums may round otherwise
-      const std::size_t v = pinned_[i];
-      const Vector3Of<Real> way = put_[i].vector() - state_.previous[v].vector();
-      state_.position[v] = put_[i], state_.velocity[v].set(way / h);
-      state_.position_remainder[v] = state_.velocity_remainder[v] = {};
-    }
+    for (std::size_t i = 0; i < pinned_.size(); ++i) put_pin(pinned_[i], put_[i], h);
   }
 
   Places<Real> places() {
     Point<Real>* const positions = state_.position.data();
-    if constexpr (keeps_remainders)
-      return {state_.previous.data(), moved_.data()};
-    else
-      return positions;
+    return on_moves() ? Places<Real>(state_.previous.data(), moved_.data()) : Places<Real>(positions);
   }
 
   void predict(Real h) {
     constraints_.for_each(
         [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
-    if constexpr (keeps_remainders) return predict_moves(h);
+    if constexpr (keeps_remainders) return on_moves() ? predict_moves(h) : predict_positions(h);
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         Point<Real>& p = state_.position[v];
@@ -379,7 +430,7 @@ class PbdStep final : public TimeStep<Real> {
 
   void update(Real h) {
     if constexpr (keeps_remainders) {
-      update_from_moves(h);
+      on_moves() ? update_from_moves(h) : update_from_positions(h);
       return find_divergence();
     }
     for_vertices([&](std::size_t first, std::size_t last) {
@@ -398,8 +449,8 @@ class PbdStep final : public TimeStep<Real> {
   std::vector<std::size_t> pinned_;  // places; single precision
   Points<Real> put_;                 // where effects put these in this substep
   bool are_put_ = false;
-  Points<Real> moved_,
-      predicted_;  // m, since the start of the substep: now, and before projections; single precision
+  // In single precision what projections change, as the substep predicts it, and m since its start if they act on moves.
+  Points<Real> predicted_, moved_;
   double last_substep_ = 0;  // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
 
