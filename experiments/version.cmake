@@ -16,11 +16,11 @@ if(GIT AND EXISTS "${SOURCE}/.git")  # an unpacked archive may lie inside somebo
   endif()
 endif()
 
-# The sources that decide results. Not experiments/cli: how a table is printed does not make a run another one.
+# The sources that decide results: not how they are printed or chosen.
 file(GLOB_RECURSE library LIST_DIRECTORIES false RELATIVE "${SOURCE}"
   "${SOURCE}/lib/bendlab/*.hpp" "${SOURCE}/lib/bendlab/*.cpp" "${SOURCE}/lib/bendlab/*.def")
 file(GLOB runner LIST_DIRECTORIES false RELATIVE "${SOURCE}"
-  "${SOURCE}/experiments/*.hpp" "${SOURCE}/experiments/*.cpp")
+  "${SOURCE}/experiments/config/*.?pp" "${SOURCE}/experiments/scene/*.?pp" "${SOURCE}/experiments/run/*.?pp")
 set(sources ${library} ${runner})
 list(SORT sources)
 set(hashes "")

@@ -13,12 +13,12 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/shape_error.hpp"
-#include "experiments/accuracy.hpp"
 #include "experiments/advise/reasons.hpp"
-#include "experiments/cli/errors.hpp"
-#include "experiments/cli/signals.hpp"
-#include "experiments/machine.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/campaign/errors.hpp"
+#include "experiments/run/accuracy.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/scene/scene.hpp"
+#include "experiments/terminal/signals.hpp"
 
 namespace bendlab {
 namespace {

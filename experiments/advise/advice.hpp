@@ -10,7 +10,7 @@
 
 #include "experiments/advise/question.hpp"
 #include "experiments/advise/search.hpp"
-#include "experiments/cli/campaign.hpp"
+#include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
 

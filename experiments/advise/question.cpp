@@ -10,9 +10,9 @@
 #include <iterator>
 
 #include "bendlab/bending/model.hpp"
-#include "experiments/overrides.hpp"
-#include "experiments/pointers.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/config/overrides.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "experiments/advise/front.hpp"
-#include "experiments/config.hpp"
+#include "experiments/config/config.hpp"
 
 namespace bendlab {
 

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "experiments/bench/families.hpp"
-#include "experiments/cli/errors.hpp"
+#include "experiments/campaign/errors.hpp"
 
 namespace bendlab {
 namespace {

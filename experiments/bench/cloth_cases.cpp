@@ -9,9 +9,9 @@
 
 #include "experiments/bench/families.hpp"
 #include "experiments/bench/roofline.hpp"
-#include "experiments/config.hpp"
-#include "experiments/machine.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {

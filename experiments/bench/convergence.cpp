@@ -10,8 +10,8 @@
 
 #include "bendlab/metrics/stretch.hpp"
 #include "experiments/bench/families.hpp"
-#include "experiments/config.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {

@@ -5,9 +5,9 @@
 #include "bendlab/constraints/pack.hpp"
 #include "experiments/bench/bench.hpp"
 #include "experiments/bench/roofline.hpp"
-#include "experiments/cli/table.hpp"
-#include "experiments/machine.hpp"
-#include "experiments/version.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/run/version.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

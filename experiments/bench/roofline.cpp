@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "bendlab/constraints/pack.hpp"
-#include "experiments/machine.hpp"
+#include "experiments/run/machine.hpp"
 
 namespace bendlab {
 namespace {

@@ -7,9 +7,9 @@
 #include <stdexcept>
 
 #include "experiments/bench/families.hpp"
-#include "experiments/cli/campaign.hpp"
-#include "experiments/config.hpp"
-#include "experiments/run.hpp"
+#include "experiments/campaign/campaign.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/run/run.hpp"
 
 namespace bendlab {
 namespace {

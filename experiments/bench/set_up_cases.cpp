@@ -11,9 +11,9 @@
 #include <stdexcept>
 
 #include "experiments/bench/families.hpp"
-#include "experiments/config.hpp"
-#include "experiments/machine.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {

@@ -12,11 +12,11 @@
 #include "bendlab/io/run_file.hpp"
 #include "experiments/advise/advice.hpp"
 #include "experiments/advise/reasons.hpp"
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
-#include "experiments/cli/signals.hpp"
-#include "experiments/cli/table.hpp"
-#include "experiments/nearest_name.hpp"
+#include "experiments/config/nearest_name.hpp"
+#include "experiments/terminal/signals.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

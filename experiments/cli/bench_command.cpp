@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
 
 namespace bendlab {
 

@@ -9,11 +9,11 @@
 #include <functional>
 
 #include "bendlab/mesh/bad_triangles.hpp"
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
-#include "experiments/nearest_name.hpp"
-#include "experiments/schema.hpp"
-#include "experiments/version.hpp"
+#include "experiments/config/nearest_name.hpp"
+#include "experiments/config/schema.hpp"
+#include "experiments/run/version.hpp"
 
 namespace bendlab {
 namespace {

@@ -9,7 +9,7 @@
 
 #include "bendlab/mesh/quality.hpp"
 #include "experiments/bench/bench.hpp"
-#include "experiments/cli/campaign.hpp"
+#include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
 

@@ -7,8 +7,8 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/cli/table.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/scene/scene.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "experiments/cli/campaign.hpp"
+#include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "experiments/cli/errors.hpp"
+#include "experiments/campaign/errors.hpp"
 
 namespace bendlab {
 namespace {

@@ -6,14 +6,14 @@
 #include <ctime>
 
 #include "bendlab/mesh/files.hpp"
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/cli/mesh_report.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/cli/table.hpp"
-#include "experiments/mesh_report.hpp"
-#include "experiments/plausibility.hpp"
-#include "experiments/warnings.hpp"
+#include "experiments/run/plausibility.hpp"
+#include "experiments/run/warnings.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/campaign.hpp"
+#include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
 
@@ -35,17 +35,5 @@ std::string text_of(const CollectedWarning& warning);
 
 /// Whether every expectation holds in every run that has a summary.
 bool expectations_hold(std::span<const CampaignRun> runs);
-
-/// The run's place on the sweep, "cells 64, model crossover"; its experiment's name where nothing is swept.
-std::string place_text(const CampaignRun& run);
-
-/// The run's experiment and place, "fig5 (cells 64, model crossover)".
-std::string run_text(const CampaignRun& run);
-
-/// Headings for the swept values: last part of each pointer, or all of it where two would be alike.
-std::vector<std::string> axis_headings(const Experiment& experiment);
-
-/// The run's values under axis_headings(), empty where an axis does not apply to it.
-std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfig& config);
 
 }  // namespace bendlab

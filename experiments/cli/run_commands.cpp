@@ -9,12 +9,12 @@
 #include <set>
 #include <system_error>
 
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/cli/signals.hpp"
-#include "experiments/cli/table.hpp"
+#include "experiments/terminal/signals.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

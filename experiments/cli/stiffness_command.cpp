@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/errors.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/cli/table.hpp"
-#include "experiments/strip.hpp"
+#include "experiments/run/strip.hpp"
+#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {

@@ -1,8 +1,8 @@
 // Moving pins against their keyframes.
 #include <numbers>
 
-#include "experiments/config.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
 

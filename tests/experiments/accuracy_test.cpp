@@ -1,5 +1,5 @@
 // Errors of runs against references.
-#include "experiments/accuracy.hpp"
+#include "experiments/run/accuracy.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -11,8 +11,8 @@
 
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/generators.hpp"
-#include "experiments/pose_transfer.hpp"
-#include "experiments/run.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/scene/pose_transfer.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

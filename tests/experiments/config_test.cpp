@@ -1,4 +1,4 @@
-#include "experiments/config.hpp"
+#include "experiments/config/config.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
-#include "experiments/run.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

@@ -1,5 +1,5 @@
 // Covering arrays by brute force, and sweeps that take one instead of every combination.
-#include "experiments/cover.hpp"
+#include "experiments/config/cover.hpp"
 
 #include <fmt/format.h>
 
@@ -11,8 +11,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/config.hpp"
-#include "experiments/schema.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/config/schema.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

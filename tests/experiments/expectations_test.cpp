@@ -1,4 +1,4 @@
-#include "experiments/expectations.hpp"
+#include "experiments/config/expectations.hpp"
 
 #include <cmath>
 #include <string>

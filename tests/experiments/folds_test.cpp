@@ -1,6 +1,6 @@
 // A sheet that starts folded: layers where they should be, as long as at rest, nothing crossed.
 #include "bendlab/mesh/self_intersections.hpp"
-#include "experiments/scene.hpp"
+#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

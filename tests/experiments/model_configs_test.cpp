@@ -3,7 +3,7 @@
 #include <set>
 
 #include "bendlab/bending/model.hpp"
-#include "experiments/config.hpp"
+#include "experiments/config/config.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

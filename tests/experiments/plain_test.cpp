@@ -15,8 +15,8 @@
 
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
-#include "experiments/energy.hpp"
-#include "experiments/run.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/scene/energy.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

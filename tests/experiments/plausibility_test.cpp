@@ -1,10 +1,10 @@
 // Every bound is broken by a scene or a made-up pose that breaks it, and kept by one that must not.
-#include "experiments/plausibility.hpp"
+#include "experiments/run/plausibility.hpp"
 
 #include <cmath>
 
-#include "experiments/recorder.hpp"
-#include "experiments/run.hpp"
+#include "experiments/run/recorder.hpp"
+#include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

@@ -1,11 +1,11 @@
-#include "experiments/schema.hpp"
+#include "experiments/config/schema.hpp"
 
 #include <string>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
-#include "experiments/config.hpp"
-#include "experiments/config_tables.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/config/config_tables.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

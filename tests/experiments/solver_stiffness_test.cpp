@@ -1,5 +1,5 @@
 // What a run's summary and its warning say of the solver's stiffness.
-#include "experiments/solver_stiffness.hpp"
+#include "experiments/run/solver_stiffness.hpp"
 
 #include "tests/catch.hpp"
 

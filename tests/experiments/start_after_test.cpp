@@ -1,9 +1,9 @@
 // A run that starts where another one ends.
-#include "experiments/start_after.hpp"
+#include "experiments/run/start_after.hpp"
 
 #include <numbers>
 
-#include "experiments/run.hpp"
+#include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

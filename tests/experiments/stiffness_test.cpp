@@ -5,7 +5,7 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/generators.hpp"
-#include "experiments/strip.hpp"
+#include "experiments/run/strip.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 

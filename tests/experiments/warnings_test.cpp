@@ -1,5 +1,5 @@
 // Every warning is given where it is due, with its number, and nowhere else.
-#include "experiments/warnings.hpp"
+#include "experiments/run/warnings.hpp"
 
 #include <algorithm>
 #include <set>

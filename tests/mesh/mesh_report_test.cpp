@@ -1,4 +1,4 @@
-#include "experiments/mesh_report.hpp"
+#include "experiments/cli/mesh_report.hpp"
 
 #include <cmath>
 

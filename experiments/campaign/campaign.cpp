@@ -1,0 +1,172 @@
+#include "experiments/campaign/campaign.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <map>
+#include <mutex>
+#include <numeric>
+#include <set>
+#include <thread>
+
+#include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/run_labels.hpp"
+#include "experiments/terminal/progress.hpp"
+#include "experiments/terminal/signals.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A guess at a run's work, good enough to start the long ones first.
+double expected_cost(const RunConfig& config) {
+  const auto number = [&](const char* pointer, double otherwise) {
+    const Json::json_pointer at(pointer);
+    const bool there = config.resolved.contains(at) && config.resolved.at(at).is_number();
+    return there ? config.resolved.at(at).get<double>() : otherwise;
+  };
+  const double cells = number("/mesh/cells", 64);
+  return cells * cells * number("/solver/substeps", 1) * number("/solver/iterations", 1) *
+         number("/duration", 1) / number("/solver/dt", 1);
+}
+
+int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
+  if (wanted > 0) return wanted;
+  std::int64_t threads = 1;
+  for (const CampaignRun& run : runs)
+    threads = std::max(threads, run.config->section("/solver").integer("threads"));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
+}
+
+/// So that the run is not found complete.
+void remove_run_files(const fs::path& folder) {
+  if (!fs::is_directory(folder)) return;
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(".vtkhdf") || name.ends_with(".vtkhdf.part")) files.push_back(entry.path());
+  }
+  for (const fs::path& file : files) fs::remove(file);
+}
+
+/// Runs of two experiments of one name may be the same: they would write the same file. Each run → the one
+/// that is executed for it.
+std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
+  std::map<std::string, std::size_t> first;
+  std::vector<std::size_t> result;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    const RunConfig& config = *runs[i].config;
+    std::string what_names_the_file =
+        fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]), identity_text(config));
+    for (const auto& [pointer, path] : input_files(config))
+      what_names_the_file += fmt::format("\n{}", path.string());
+    result.push_back(first.try_emplace(what_names_the_file, i).first->second);
+  }
+  return result;
+}
+
+void execute(CampaignRun& run, const CampaignOptions& options, const RunControl& control) {
+  try {
+    if (options.force || options.minimal)
+      remove_run_files(run_folder(options.out, *run.experiment, *run.config));
+    run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
+    if (run.outcome->differs) run.exit_code = exit_failed;
+    if (run.outcome->status == RunStatus::implausible && !run.experiment->allows(RunStatus::implausible))
+      run.exit_code = exit_failed;
+    if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
+    if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
+  } catch (...) {
+    const Failure failure = current_failure();
+    run.exit_code = failure.exit_code;
+    run.error = failure.message;
+  }
+}
+
+}  // namespace
+
+std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments) {
+  std::vector<CampaignRun> runs;
+  for (const Experiment& experiment : experiments)
+    for (const RunConfig& config : experiment.runs)
+      runs.push_back({.experiment = &experiment, .config = &config});
+  return runs;
+}
+
+void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
+                  const std::function<void(std::size_t index)>& on_ready) {
+  const std::vector<std::size_t> executed_as = first_of_equals(runs);
+  std::vector<double> costs;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    costs.push_back(executed_as[i] == i ? expected_cost(*runs[i].config) : 0.0);
+  std::vector<std::size_t> order(runs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return costs[a] > costs[b]; });
+
+  Progress progress(costs);
+  std::atomic<std::size_t> next{0};
+  std::mutex mutex;  // guards what follows
+  std::set<std::pair<const Experiment*, std::string>> said;
+  std::vector<bool> over(runs.size(), false);
+  std::size_t ready = 0;
+  std::exception_ptr failure;  // of on_ready
+
+  const auto finish = [&](std::size_t index) {
+    const CampaignRun& run = runs[index];
+    progress.finish(index, run.outcome && !run.outcome->reused);
+    const std::string& text = run.outcome ? run.outcome->message : run.error;
+    const std::lock_guard lock(mutex);
+    // What is the same in many runs, as a note on their mesh, is said of the first.
+    if (!text.empty() && said.emplace(run.experiment, text).second)
+      progress.message(fmt::format("{}: {}", run_text(run), text));
+    over[index] = true;
+    for (; ready < runs.size(); ++ready) {
+      const std::size_t source = executed_as[ready];
+      if (!over[source]) break;
+      if (source != ready) {
+        runs[ready].outcome = runs[source].outcome;
+        runs[ready].exit_code = runs[source].exit_code;
+        runs[ready].error = runs[source].error;
+      }
+      progress.pause([&] { on_ready(ready); });
+    }
+  };
+
+  const auto work = [&] {
+    for (std::size_t place = next++; place < order.size(); place = next++) {
+      const std::size_t index = order[place];
+      if (executed_as[index] != index) continue;
+      const RunControl control{
+          .stop = &stop_flag(),
+          .progress = [&, index](double done_s, double total_s) { progress.update(index, done_s, total_s); },
+          .minimal = options.minimal};
+      if (!stop_flag()) execute(runs[index], options, control);
+      try {
+        finish(index);
+      } catch (...) {  // nobody reads stdout any more: the runs go on, they are kept in their files
+        const std::lock_guard lock(mutex);
+        failure = std::current_exception();
+      }
+    }
+  };
+  {
+    std::vector<std::jthread> workers;
+    for (int job = 1; job < jobs_for(runs, options.jobs); ++job) workers.emplace_back(work);
+    work();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+int campaign_exit_code(const std::vector<CampaignRun>& runs) {
+  if (stop_exit_code() != 0) return stop_exit_code();
+  for (const int code : {exit_io, exit_mesh, exit_config, exit_numerical, exit_usage})
+    if (std::any_of(runs.begin(), runs.end(), [&](const auto& run) { return run.exit_code == code; }))
+      return code;
+  const bool failed =
+      std::any_of(runs.begin(), runs.end(), [](const auto& run) { return run.exit_code != 0; });
+  return failed ? exit_failed : exit_ok;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,45 @@
+// Many runs side by side: the points of one or more experiments, over the cores.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+
+/// One run of a campaign and what became of it.
+struct CampaignRun {
+  const Experiment* experiment = nullptr;
+  const RunConfig* config = nullptr;
+  std::optional<RunOutcome> outcome{};  ///< absent: it failed, or was not started because of a signal
+  int exit_code = 0;
+  std::string error{};  ///< why it failed, empty if it did not
+
+  bool started() const { return outcome.has_value() || !error.empty(); }
+};
+
+struct CampaignOptions {
+  std::filesystem::path out = "results";
+  int jobs = 0;          ///< runs side by side; 0: cores / the threads that a run takes
+  bool force = false;    ///< compute complete runs again
+  bool minimal = false;  ///< without effects that cannot act; implies force
+};
+
+/// Every run of every experiment, in sweep order.
+std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
+
+/// Executes the runs, the ones expected to be long first; a run that fails does not stop the others.
+/// `on_ready` is called with the index of every run in sweep order, by one thread at a time, as soon as it
+/// and those before it are over. A stop signal ends the runs after their current frame and starts no other.
+void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
+                  const std::function<void(std::size_t index)>& on_ready);
+
+/// 0 if every run is complete, else the gravest of their exit codes: signal, I/O, mesh, config, numerical,
+/// other.
+int campaign_exit_code(const std::vector<CampaignRun>& runs);
+
+}  // namespace bendlab

@@ -1,0 +1,36 @@
+#include "experiments/campaign/errors.hpp"
+
+#include <new>
+#include <system_error>
+
+#include "bendlab/mesh/files.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+
+Failure current_failure() {
+  try {
+    throw;
+  } catch (const UsageError& error) {
+    return {exit_usage, error.what()};
+  } catch (const ConfigError& error) {
+    return {exit_config, error.what()};
+  } catch (const ConfigsError& error) {
+    return {exit_config, error.what()};
+  } catch (const MeshError& error) {
+    return {exit_mesh, error.what()};
+  } catch (const MeshFileError& error) {
+    return {error.kind() == MeshFileError::Kind::refused ? exit_mesh : exit_io, error.what()};
+  } catch (const RunFileError& error) {
+    return {exit_io, error.what()};
+  } catch (const std::system_error& error) {
+    return {exit_io, error.what()};
+  } catch (const std::bad_alloc&) {
+    return {exit_failed, "out of memory: try fewer runs side by side (--jobs 1) or a coarser mesh"};
+  } catch (const std::exception& error) {
+    return {exit_failed, error.what()};
+  }
+}
+
+}  // namespace bendlab

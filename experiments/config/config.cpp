@@ -1,0 +1,274 @@
+#include "experiments/config/config.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/expectations.hpp"
+#include "experiments/config/overrides.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/config/resolve.hpp"
+#include "experiments/config/sweep.hpp"
+
+namespace bendlab {
+namespace {
+
+std::string read_file(const std::filesystem::path& file) {
+  const auto fail = [&](std::string_view why) {
+    throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: {}", why)}});
+  };
+  if (std::filesystem::is_directory(file)) fail("it is a folder");
+  std::ifstream stream(file, std::ios::binary);
+  if (!stream) fail(std::strerror(errno));
+  std::string text(std::istreambuf_iterator<char>(stream), {});
+  if (stream.bad()) fail(std::strerror(errno));
+  return text;
+}
+
+// Takes `key` out of the document.
+Json take(Json& document, const std::string& key, Json if_absent) {
+  if (!document.contains(key)) return if_absent;
+  Json value = std::move(document[key]);
+  document.erase(key);
+  return value;
+}
+
+// The settings as they stand, but where an axis fills a gap: its own values are checked with the sweep.
+void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+  ConfigProblems found;
+  resolve(with_first_values(settings, axes), found);
+  const auto is_swept_gap = [&](const ConfigProblem& problem) {
+    return std::ranges::any_of(axes, [&](const Axis& axis) {
+      return lies_within(problem.pointer, axis.first) && value_at(settings, axis.first) == nullptr;
+    });
+  };
+  std::erase_if(found, is_swept_gap);
+  problems.insert(problems.begin(), found.begin(), found.end());
+}
+
+// An expectation that no run can meet checks nothing, which nobody would notice.
+void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
+  for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
+    if (std::ranges::none_of(experiment.runs,
+                             [&](const RunConfig& run) { return matches(experiment.expectations[i], run); }))
+      problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
+}
+
+void set_folder(RunConfig& run, const std::filesystem::path& folder) {
+  run.folder = folder;
+  if (const Json* file = value_at(run.resolved, "/mesh/file"))
+    run.mesh_file = folder / file->get<std::string>();
+}
+
+// This run with settings changed: one run, which has no errors of its own.
+RunConfig with_changes(const RunConfig& config, std::string_view what, std::span<const std::string> changes) {
+  for (const std::string& change : changes)
+    for (const char* section : {"/sweep", "/expect", "/accuracy"})
+      if (lies_within(change.substr(0, change.find('=')), section))
+        throw ConfigError(
+            std::string(what),
+            {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors of "
+                                   "its own; remove \"{}\"",
+                                   what, change)}});
+  Json settings = config.resolved;
+  settings["name"] = "changed";
+  settings["accuracy"] = Json::object();
+  RunConfig changed = parse_experiment(settings.dump(), what, changes).runs.front();
+  set_folder(changed, config.folder);
+  return changed;
+}
+
+// Before anything is computed; the first that is wrong, others most likely are for the same reason.
+void check_runs_before(const std::vector<RunConfig>& runs, std::string_view source_name) {
+  for (const RunConfig& run : runs) try {
+      run_before(run);
+    } catch (const ConfigError& error) {
+      throw ConfigError(std::string(source_name), {{"/initial/after", error.what()}});
+    }
+}
+
+bool same_run(RunConfig one, RunConfig other) {
+  for (RunConfig* run : {&one, &other}) run->resolved.erase("accuracy");
+  return identity_text(one) == identity_text(other);
+}
+
+// A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has no energy)
+// is told by those runs.
+void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
+  for (const Against against : references)
+    for (const bool coarser : {false, true}) {
+      std::optional<std::string> wrong;
+      bool one_is_right = false;
+      for (const RunConfig& run : runs) try {
+          const std::optional<RunConfig> reference = reference_of(run, against, coarser);
+          const bool itself =
+              reference && !run.section("/accuracy").boolean("start_from_end") && same_run(run, *reference);
+          if (itself && !wrong) wrong = "changes nothing: a run differs from itself by 0";
+          one_is_right |= reference && !itself;
+        } catch (const ConfigError& error) {
+          if (!wrong) wrong = error.what();
+        }
+      if (wrong && !one_is_right)
+        throw ConfigError(std::string(source_name), {{reference_pointer(against, coarser), *wrong}});
+    }
+}
+
+// The config's JSON with default effects and overrides in place; ConfigError where it is no JSON object at
+// all.
+Json read_document(std::string_view text, std::string_view source_name,
+                   std::span<const std::string> overrides, ConfigProblems& problems) {
+  std::optional<Json> document = read_strict_json(text, problems);
+  if (document && !document->is_object())
+    problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
+  if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
+  if (!document->contains("effects")) (*document)["effects"] = default_effects();
+  apply_overrides(*document, overrides, problems);
+  return *std::move(document);
+}
+
+Experiment parse(std::string_view text, std::string_view source_name, const std::filesystem::path& source,
+                 std::span<const std::string> overrides) {
+  ConfigProblems reading;
+  Json settings = read_document(text, source_name, overrides, reading);
+  const Json sweep = take(settings, "sweep", Json::object());
+  const Json expect = take(settings, "expect", Json::array());
+  const bool covered = settings.contains("cover");
+  const Json given_cover = take(settings, "cover", Json());
+
+  Experiment experiment;
+  experiment.source = source;
+  ConfigProblems problems;
+  experiment.axes = read_axes(sweep, settings, covered, problems);
+  experiment.expectations = read_expectations(expect, settings, problems);
+  const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
+  if (!cover) check_settings(settings, experiment.axes, problems);
+  problems.insert(problems.begin(), reading.begin(), reading.end());
+  if (problems.empty())
+    experiment.runs = cover ? expand_cover(settings, experiment.axes, *cover, experiment.cover, problems)
+                            : expand_sweep(settings, experiment.axes, problems);
+  // What no combination mends is wrong beside the sweep.
+  if (cover && !problems.empty() && experiment.runs.empty()) {
+    ConfigProblems beside;
+    check_settings(settings, experiment.axes, beside);
+    if (!beside.empty()) problems = std::move(beside);
+  }
+  // With overrides the sweep may be a part of the one that the expectations were written for.
+  if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
+  if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
+
+  experiment.name = settings["name"];
+  experiment.description = settings.value("description", "");
+  if (settings.contains("allow") && settings["allow"].is_array()) experiment.allow = settings["allow"];
+  experiment.settings = std::move(settings);
+  for (RunConfig& run : experiment.runs) set_folder(run, source.parent_path());
+  check_runs_before(experiment.runs, source_name);
+  check_references(experiment.runs, source_name);
+  return experiment;
+}
+
+}  // namespace
+
+bool Experiment::allows(RunStatus status) const {
+  return std::ranges::find(allow, to_string(status)) != allow.end();
+}
+
+ParameterValues RunConfig::section(std::string_view pointer) const {
+  const ConfigSection* found = find_section(pointer);
+  const Json* values = value_at(resolved, std::string(pointer));
+  if (found == nullptr || values == nullptr)
+    throw std::logic_error(fmt::format("a run's config has no section '{}'", pointer));
+  return values_of(*values, found->parameters);
+}
+
+std::string RunConfig::bending_model() const {
+  return section("/bending").text("model");
+}
+
+ParameterValues RunConfig::bending_parameters() const {
+  const BendingModel* model = find_bending_model(bending_model());
+  return model->parameters.empty() ? ParameterValues() : section(fmt::format("/bending/{}", model->name));
+}
+
+std::vector<EffectSettings> RunConfig::effects() const {
+  std::vector<EffectSettings> list;
+  for (const Json& entry : resolved["effects"]) {
+    const std::string type = entry["type"];
+    ParameterValues values = values_of(entry, find_effect(type)->parameters);
+    if (values.has("file")) values.set("file", (folder / values.text("file")).string());
+    list.push_back({type, std::move(values)});
+  }
+  return list;
+}
+
+std::optional<RunConfig> run_before(const RunConfig& config) {
+  const ParameterValues initial = config.section("/initial");
+  if (!initial.has("after")) return std::nullopt;
+  RunConfig without = config;
+  without.resolved["initial"].erase("after");
+  return with_changes(without, "the run before", initial.texts("after"));
+}
+
+std::string_view name_of(Against against) {
+  return against == Against::solver ? "solver" : "physical";
+}
+
+std::string reference_pointer(Against against, bool coarser) {
+  return fmt::format("/accuracy/{}{}", name_of(against), coarser ? "_coarser" : "");
+}
+
+std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser) {
+  const ParameterValues accuracy = config.section("/accuracy");
+  const std::string name(name_of(against));
+  if (!accuracy.has(coarser ? name + "_coarser" : name)) return std::nullopt;
+  std::vector<std::string> changes = accuracy.texts(name);
+  if (coarser) {
+    const std::vector<std::string>& more = accuracy.texts(name + "_coarser");
+    changes.insert(changes.end(), more.begin(), more.end());
+  }
+  RunConfig from = config;
+  if (accuracy.boolean("start_from_end"))
+    for (const char* start : {"after", "velocity", "spin"}) from.resolved["initial"].erase(start);
+  RunConfig reference = with_changes(from, "the reference", changes);
+  if (accuracy.boolean("over_time") && reference.section("/solver").text("method") == "equilibrium")
+    throw ConfigError("the reference",
+                      {{"/solver/method", "equilibrium has no motion that could be compared over time"}});
+  // Where it lies depends on nothing but what it is: runs share it.
+  for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
+    if (const Json* value = value_at(reference.resolved, pointer))
+      reference.point.emplace_back(pointer, *value);
+  return reference;
+}
+
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {
+  std::vector<std::pair<std::string, std::filesystem::path>> files;
+  if (!config.mesh_file.empty()) files.emplace_back("/mesh/file", config.mesh_file);
+  const std::vector<EffectSettings> effects = config.effects();
+  for (std::size_t i = 0; i < effects.size(); ++i)
+    if (effects[i].values.has("file"))
+      files.emplace_back(fmt::format("/effects/{}/file", i), effects[i].values.text("file"));
+  return files;
+}
+
+std::string identity_text(const RunConfig& config) {
+  Json identity = config.resolved;
+  identity["solver"].erase("threads");
+  return identity.dump();
+}
+
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return parse(read_file(file), file.string(), file, overrides);
+}
+
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides) {
+  return parse(text, source_name, {}, overrides);
+}
+
+}  // namespace bendlab

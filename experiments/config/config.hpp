@@ -1,0 +1,108 @@
+// A config: strict JSON read against the tables of settings, defaults filled in, sweeps expanded.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/parameters/parameter.hpp"
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
+struct Expectation {
+  std::string metric;
+  std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
+  std::string why;
+  Json where =
+      Json::object();  ///< {json pointer: value}: only runs whose config has these values; empty: all
+};
+
+/// One effect the scene lists, with its settings.
+struct EffectSettings {
+  std::string type;
+  ParameterValues values;
+};
+
+/// One point of a sweep: every value there, only the chosen model's settings kept.
+struct RunConfig {
+  Json resolved;                 ///< canonical: equal runs have equal text; holds no name and no description
+  std::filesystem::path folder;  ///< the config's: files are relative to it; empty if it came from text
+  std::filesystem::path mesh_file;  ///< /mesh/file as a path from here; empty: the mesh is generated
+  /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
+  /// setting of another bending model, for example).
+  std::vector<std::pair<std::string, Json>> point;
+  /// The id of the run at whose end this one starts (a reference with /accuracy/start_from_end); empty: none.
+  std::string starts_at_end_of{};
+
+  /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …), typed.
+  ParameterValues section(std::string_view pointer) const;
+  std::string bending_model() const;
+  ParameterValues bending_parameters() const;   ///< of the chosen model
+  std::vector<EffectSettings> effects() const;  ///< a `file` as a path from here
+};
+
+/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts from its
+/// rest shape. Throws ConfigError with what is wrong in the changed settings.
+std::optional<RunConfig> run_before(const RunConfig& config);
+
+/// What the errors of a run are measured against: the best solution of its own energies, or the stated cloth.
+enum class Against { solver, physical };
+inline constexpr std::array<Against, 2> references = {Against::solver, Against::physical};
+std::string_view name_of(Against against);  ///< "solver", "physical": as the settings and errors are called
+std::string reference_pointer(Against against, bool coarser);  ///< "/accuracy/solver_coarser": the setting
+
+/// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where `coarser`.
+/// Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.
+std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser = false);
+
+/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects' files.
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
+
+/// The part of a resolved config that decides the result: canonical text without /solver/threads (any number
+/// of threads gives the same bits).
+std::string identity_text(const RunConfig& config);
+
+/// A swept pointer and its values, normalised.
+using Axis = std::pair<std::string, std::vector<Json>>;
+
+/// What a covering array holds of a sweep.
+struct Covered {
+  int strength = 0;  ///< of how many axes every combination of values is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< these combinations
+  std::size_t missing = 0;           ///< of these, how many no run has
+  std::vector<std::string> refused;  ///< why: the values that do not go together, as "/a = 1, /b = 2"
+};
+
+struct Experiment {
+  std::string name, description;
+  std::filesystem::path source;  ///< the config's file, empty if it came from text
+  std::vector<RunConfig>
+      runs;  ///< sweep expanded in order, last axis fastest, or covered; equal points appear once
+  std::vector<Axis> axes;  ///< the sweep
+  Covered cover;
+  std::vector<Expectation> expectations;
+  /// What its runs may come to without a failing exit code: no part of what a run is.
+  std::vector<std::string> allow;
+  Json settings;  ///< as written, with overrides, without `sweep` and `expect`
+
+  bool allows(RunStatus status) const;
+};
+
+/// Reads, checks and expands. `overrides` are "/json/pointer=value" texts (value as JSON, else as plain
+/// text); on a swept pointer an override replaces that axis. Throws ConfigError with every problem found; a
+/// file that cannot be read is one too.
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+/// The same from text; a mesh file is then relative to the working directory.
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides = {});
+
+}  // namespace bendlab

@@ -1,0 +1,134 @@
+#include "experiments/config/expectations.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <ranges>
+
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/nearest_name.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/config/resolve.hpp"
+
+namespace bendlab {
+namespace {
+
+// Problems that one entry of `where` brings to settings that are otherwise right.
+void check_where(const std::string& pointer, const Json& value, const std::string& place,
+                 const Json& settings, const std::vector<std::string>& known, ConfigProblems& problems) {
+  if (std::ranges::find(known, pointer) == known.end()) {
+    problems.push_back({place, unknown_pointer_text(pointer, known)});
+    return;
+  }
+  Json with_value = settings;
+  ConfigProblems found;
+  if (!set_at(with_value, pointer, value)) return;
+  resolve(with_value, found);
+  for (const ConfigProblem& problem : found)
+    if (lies_within(problem.pointer, pointer))
+      problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
+}
+
+Json read_where(const Json& entry, const std::string& pointer, const Json& settings,
+                ConfigProblems& problems) {
+  if (!entry.contains("where")) return Json::object();
+  const Json& where = entry["where"];
+  const std::string place = child_pointer(pointer, "where");
+  if (!where.is_object()) {
+    problems.push_back({place, "expected an object {\"/json/pointer\": value}"});
+    return Json::object();
+  }
+  const std::vector<std::string> known = known_pointers(settings);
+  for (const auto& [key, value] : where.items())
+    check_where(key, value, child_pointer(place, key), settings, known, problems);
+  return where;
+}
+
+Expectation read_expectation(const Json& entry, const std::string& pointer, const Json& settings,
+                             ConfigProblems& problems) {
+  Expectation expectation;
+  if (!entry.is_object()) {
+    problems.push_back({pointer, "expected an object with metric, min and/or max, and why"});
+    return expectation;
+  }
+  constexpr std::array<std::string_view, 1> where = {"where"};
+  const std::size_t before = problems.size();
+  const Json read = read_settings(entry, pointer, expectation_parameters(), where, problems);
+  expectation.where = read_where(entry, pointer, settings, problems);
+  if (problems.size() > before) return expectation;
+  expectation.metric = read["metric"];
+  expectation.why = read["why"];
+  if (read.contains("min")) expectation.minimum = read["min"].get<double>();
+  if (read.contains("max")) expectation.maximum = read["max"].get<double>();
+  if (!expectation.minimum && !expectation.maximum)
+    problems.push_back({pointer, "has no bound: give min, max or both"});
+  if (expectation.minimum && expectation.maximum && *expectation.minimum > *expectation.maximum)
+    problems.push_back({pointer, "can never hold: min is larger than max"});
+  return expectation;
+}
+
+std::string bound_text(const Expectation& expectation) {
+  std::string text;
+  if (expectation.minimum) text += fmt::format("at least {}", *expectation.minimum);
+  if (expectation.minimum && expectation.maximum) text += " and ";
+  if (expectation.maximum) text += fmt::format("at most {}", *expectation.maximum);
+  return text;
+}
+
+ExpectationResult check(const Expectation& expectation, const std::map<std::string, double>& summary) {
+  ExpectationResult result{expectation, std::nullopt, false, ""};
+  const auto found = summary.find(expectation.metric);
+  if (found == summary.end()) {
+    const auto metrics = std::views::keys(summary);
+    result.message = fmt::format(
+        "there is no metric '{}'{} The run has: {}", expectation.metric,
+        nearest_name(expectation.metric, metrics).empty() ? "." : suggestion(expectation.metric, metrics),
+        fmt::join(metrics, ", "));
+    return result;
+  }
+  result.measured = found->second;
+  // Written so that NaN fails.
+  result.holds = (!expectation.minimum || found->second >= *expectation.minimum) &&
+                 (!expectation.maximum || found->second <= *expectation.maximum);
+  result.message = fmt::format("{} = {:.6g}, expected {}: {}", expectation.metric, found->second,
+                               bound_text(expectation), expectation.why);
+  return result;
+}
+
+}  // namespace
+
+std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
+                                           ConfigProblems& problems) {
+  std::vector<Expectation> expectations;
+  if (!expect.is_array()) {
+    problems.push_back({"/expect", "expected a list of objects with metric, min and/or max, and why"});
+    return expectations;
+  }
+  for (std::size_t i = 0; i < expect.size(); ++i)
+    expectations.push_back(read_expectation(expect[i], fmt::format("/expect/{}", i), settings, problems));
+  return expectations;
+}
+
+bool matches(const Expectation& expectation, const RunConfig& config) {
+  // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
+  // defaults.
+  return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
+    if (value_at(config.resolved, entry.key()) == nullptr) return entry.value().is_null();
+    Json changed = config.resolved;
+    changed["name"] = "any";
+    ConfigProblems problems;
+    return set_at(changed, entry.key(), entry.value()) && resolve(changed, problems) == config.resolved &&
+           problems.empty();
+  });
+}
+
+std::vector<ExpectationResult> check_expectations(const Experiment& experiment, const RunConfig& config,
+                                                  const std::map<std::string, double>& summary) {
+  std::vector<ExpectationResult> results;
+  for (const Expectation& expectation : experiment.expectations)
+    if (matches(expectation, config)) results.push_back(check(expectation, summary));
+  return results;
+}
+
+}  // namespace bendlab

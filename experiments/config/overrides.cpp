@@ -1,0 +1,86 @@
+#include "experiments/config/overrides.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "experiments/config/pointers.hpp"
+
+namespace bendlab {
+namespace {
+
+bool is_list_setting(const Json& document, const std::string& pointer) {
+  const Parameter* row = find_parameter(document, pointer);
+  return pointer == "/effects" ||
+         (row != nullptr && (row->type == ParameterType::numbers || row->type == ParameterType::texts));
+}
+
+Json read_override_value(const Json& document, const std::string& pointer, const std::string& text) {
+  ConfigProblems not_json;
+  const std::optional<Json> value = read_strict_json(text, not_json);
+  if (!not_json.empty()) return text;
+  const Parameter* row = find_parameter(document, pointer);
+  const bool is_text = row != nullptr && row->type == ParameterType::text;
+  return is_text && (value->is_number() || value->is_boolean()) ? Json(text) : *value;
+}
+
+// Whether `value`, given for a swept pointer, is a list of values for the axis rather than one value.
+bool is_axis(const Json& value, bool list_setting) {
+  if (!value.is_array()) return false;
+  return !list_setting ||
+         (!value.empty() && std::ranges::all_of(value, [](const Json& entry) { return entry.is_array(); }));
+}
+
+// Sets a value that lies inside the objects of a swept axis. False where one of them has no such place.
+bool set_inside_axis(Json& values, const std::string& rest, const Json& value) {
+  return values.is_array() &&
+         std::ranges::all_of(values, [&](Json& entry) { return set_at(entry, rest, value); });
+}
+
+// Returns what is wrong, or "".
+std::string apply(Json& document, const std::string& pointer, const std::string& text) {
+  const std::vector<std::string> known = known_pointers(document);
+  const auto free_places = {"/name", "/description", "/sweep", "/cover", "/expect"};
+  const bool is_free =
+      std::ranges::any_of(free_places, [&](const char* p) { return lies_within(pointer, p); });
+  Json value = read_override_value(document, pointer, text);
+  if (!is_free && document.contains("sweep") && document["sweep"].is_object()) {
+    // An axis of its own comes first: another one may sweep the whole that the setting lies in.
+    if (const auto axis = document["sweep"].find(pointer); axis != document["sweep"].end()) {
+      *axis = is_axis(value, is_list_setting(document, pointer)) ? value : Json::array({value});
+      return "";
+    }
+    for (auto& [swept, values] : document["sweep"].items())
+      if (lies_within(pointer, swept))
+        return set_inside_axis(values, pointer.substr(swept.size()), value)
+                   ? ""
+                   : fmt::format("not every value that is swept for '{}' has such a place", swept);
+  }
+  if (!is_free && std::ranges::find(known, pointer) == known.end())
+    return unknown_pointer_text(pointer, known);
+  return set_at(document, pointer, std::move(value)) ? "" : "there is no such place in the config";
+}
+
+}  // namespace
+
+void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems) {
+  for (const std::string& override_text : overrides) {
+    const std::size_t equals = override_text.find('=');
+    const std::string pointer = override_text.substr(0, equals);
+    if (equals == std::string::npos || !pointer.starts_with('/')) {
+      problems.push_back(
+          {"", fmt::format("override '{}' is not of the form /json/pointer=value", override_text)});
+      continue;
+    }
+    try {
+      const std::string wrong = apply(document, pointer, override_text.substr(equals + 1));
+      if (!wrong.empty())
+        problems.push_back({pointer, fmt::format("override '{}': {}", override_text, wrong)});
+    } catch (const Json::parse_error&) {  // thrown where a '~' in the pointer is neither ~0 nor ~1
+      problems.push_back(
+          {"", fmt::format("override '{}': the part before '=' is no JSON pointer", override_text)});
+    }
+  }
+}
+
+}  // namespace bendlab

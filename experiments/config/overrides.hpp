@@ -1,0 +1,18 @@
+// `--set /json/pointer=value`: changes to a config before it is checked.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// Applies "/json/pointer=value" texts in order. The value is JSON, else plain text (a number for a text
+/// setting stays text). Missing objects are created. On a swept pointer the axis is replaced by that one
+/// value, or by a list of values (a list of lists where the setting is itself a list); inside a swept object
+/// every value of the axis is changed. The pointer may also be /name, /description or anything in /sweep and
+/// /expect.
+void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems);
+
+}  // namespace bendlab

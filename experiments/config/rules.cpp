@@ -1,0 +1,239 @@
+#include "experiments/config/rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/pointers.hpp"
+
+namespace bendlab {
+namespace {
+
+void check_name(const Json& canonical, ConfigProblems& problems) {
+  if (!canonical.contains("name")) return;
+  const auto& name = canonical["name"].get_ref<const std::string&>();
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  if (!std::ranges::all_of(name, allowed))
+    problems.push_back(
+        {"/name", "may hold letters (a-z, A-Z), digits, '_' and '-' only, because it names a folder; got " +
+                      given_text(canonical["name"])});
+}
+
+// A mesh file has no generator: settings of one beside it are a misunderstanding, and are not part of the
+// result.
+void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
+  if (!mesh.contains("file")) return;
+  for (const std::string_view name : names_of(find_section("/mesh")->parameters)) {
+    if (name == "file" || name == "scale" || name == "offset" || name == "bad_triangles") continue;
+    const std::string pointer = child_pointer("/mesh", name);
+    mesh.erase(std::string(name));
+    if (value_at(given, pointer) != nullptr)
+      problems.push_back({pointer,
+                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset and "
+                          "bad_triangles do): "
+                          "remove one of the two; to vary meshes, sweep or set /mesh as a whole"});
+  }
+}
+
+// A ring of two vertices is no tube; a lattice of one triangle's width has no second row.
+void check_cells(const Json& mesh, ConfigProblems& problems) {
+  if (!mesh.contains("generator")) return;
+  const int least = mesh["generator"] == "tube" ? 3 : mesh["generator"] == "equilateral" ? 2 : 1;
+  if (mesh["cells"].get<int>() < least)
+    problems.push_back({"/mesh/cells", fmt::format("expected at least {} for the generator {}, got {}", least,
+                                                   mesh["generator"].get_ref<const std::string&>(),
+                                                   given_text(mesh["cells"]))});
+}
+
+// The rigidity that springs and arcs give a sheet is known where they lie flat.
+void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
+  const Json &bending = canonical["bending"], &mesh = canonical["mesh"];
+  if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
+  const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
+  const std::string& generator = mesh["generator"].get_ref<const std::string&>();
+  const bool shortens = (model->springs_only && model->name != "none") || model->name == "choi_ko";
+  if (shortens && (generator == "tube" || generator == "sphere"))
+    problems.push_back({"/bending/stiffness",
+                        fmt::format("physical is known for {} on flat rest shapes only, not on a {}: give "
+                                    "k or compliance, or take a model of hinges",
+                                    model->name, generator)});
+}
+
+void check_indices(const Json& pins, ConfigProblems& problems) {
+  const Json& indices = pins["indices"];
+  for (std::size_t i = 0; i < indices.size(); ++i)
+    if (const double index = indices[i];
+        index != std::floor(index) || index > std::numeric_limits<int>::max())
+      problems.push_back(
+          {fmt::format("/pins/indices/{}", i),
+           "expected a whole number (a vertex index, the first is 0), got " + given_text(indices[i])});
+}
+
+void check_warp_direction(const Json& material, ConfigProblems& problems) {
+  if (std::ranges::all_of(material["warp_direction"], [](const Json& x) { return x.get<double>() == 0; }))
+    problems.push_back({"/material/warp_direction", "is the zero vector, which has no direction"});
+}
+
+void keep_chosen_model(Json& bending) {
+  for (const ConfigSection* section : child_sections("/bending"))
+    if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
+}
+
+// What each model can turn into its own softness, and only where it is asked to.
+void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
+  if (bending["stiffness"] != "physical") {
+    for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature", "deflection"})
+      bending.erase(unused);
+    return;
+  }
+  for (const char* unused : {"k", "compliance"}) bending.erase(unused);
+  const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
+  const bool rigidity = bending.contains("flexural_rigidity"),
+             quartic = bending.contains("quartic_coefficient"), curvature = bending.contains("at_curvature");
+  const auto report = [&](const char* key, const char* message) {
+    problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model->name)});
+  };
+  if (model->springs_only) {
+    if (bending["deflection"] != "large")
+      report("deflection", "is a choice for models made of hinges, which {} is not: remove it");
+    bending.erase("deflection");
+  }
+  if (model->name == "none") return;
+  if (!model->springs_only || model->prestressed) {
+    bending.erase("at_curvature");  // their rigidity is the same at any
+    if (quartic)
+      report("quartic_coefficient",
+             "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");
+    else if (!rigidity)
+      report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
+  } else if (quartic && rigidity) {
+    report(
+        "quartic_coefficient",
+        "and flexural_rigidity are both there: the springs of {} have one stiffness, remove one of the two");
+  } else if (!quartic && !(rigidity && curvature)) {
+    report(rigidity ? "at_curvature" : "quartic_coefficient",
+           "is missing: with physical stiffness the springs of {} need quartic_coefficient (in N m³), or "
+           "flexural_rigidity (in N m) together with at_curvature (in 1/m)");
+  }
+}
+
+// Without a reference there is nothing to compare: how is then no part of the result.
+void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
+  for (const char* list : {"solver", "solver_coarser", "physical", "physical_coarser"})
+    if (accuracy.contains(list) && accuracy[list].empty()) accuracy.erase(list);
+  for (const char* base : {"solver", "physical"})
+    if (const std::string coarser = fmt::format("{}_coarser", base);
+        accuracy.contains(coarser) && !accuracy.contains(base))
+      problems.push_back({"/accuracy/" + coarser, fmt::format("needs /accuracy/{}, which it changes", base)});
+  if (accuracy["start_from_end"] == true && accuracy["over_time"] == true)
+    problems.push_back({"/accuracy/start_from_end",
+                        "does not go with over_time: a motion is compared with one that starts as it does"});
+  if (accuracy.contains("solver") || accuracy.contains("physical")) return;
+  for (const char* how : {"over_time", "start_from_end"})
+    if (accuracy[how] == true)
+      problems.push_back(
+          {fmt::format("/accuracy/{}", how),
+           "has nothing to compare with: name a reference in /accuracy/solver or /accuracy/physical"});
+  accuracy = Json::object();
+}
+
+// What a method needs and what it does not use, which is not part of the result.
+class MethodRules {
+ public:
+  MethodRules(Json& canonical, ConfigProblems& problems)
+      : canonical_(canonical),
+        problems_(problems),
+        method_(canonical["solver"]["method"]),
+        model_(*find_bending_model(canonical["bending"]["model"].get<std::string>())) {}
+
+  void settle() {
+    if (method_ != "kang_cho") drop("/solver", {"tangent"});
+    if (method_ == "kang_cho") settle_kang_cho();
+    if (method_ == "equilibrium") settle_equilibrium();
+  }
+
+ private:
+  void report(const std::string& pointer, const std::string& message) {
+    problems_.push_back({pointer, fmt::format("{} (as /solver/method is {})", message, method_)});
+  }
+
+  void drop(const char* section, std::initializer_list<const char*> unused) {
+    for (const char* name : unused) canonical_.at(Json::json_pointer(section)).erase(name);
+  }
+
+  void check_compliance(const std::string& pointer, const char* why) {
+    const Json& section = canonical_.at(Json::json_pointer(pointer));
+    if (section["stiffness"] == "physical") return;
+    if (section["stiffness"] != "compliance")
+      report(pointer + "/stiffness",
+             fmt::format("must be \"compliance\", with {}/compliance above 0: {}", pointer, why));
+    else if (!(section["compliance"].get<double>() > 0))
+      report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
+  }
+
+  void refuse_projection_effects() {
+    for (std::size_t i = 0; i < canonical_["effects"].size(); ++i)
+      if (const std::string type = canonical_["effects"][i]["type"]; find_effect(type)->needs_projection)
+        report(
+            fmt::format("/effects/{}", i),
+            fmt::format("{} works with the projection of constraints, which this method has not: remove it",
+                        type));
+  }
+
+  // The mass-spring step takes springs of a known stiffness.
+  void settle_kang_cho() {
+    constexpr const char* why = "springs have a stiffness of 1 / compliance in N/m";
+    check_compliance("/material/strain", why);
+    if (!model_.springs_only) {
+      std::vector<std::string_view> allowed;
+      for (const BendingModel* each : bending_models())
+        if (each->springs_only) allowed.push_back(each->name);
+      report("/bending/model",
+             fmt::format("{} is not made of springs; these are: {}", model_.name, fmt::join(allowed, ", ")));
+    } else if (model_.name != "none") {
+      check_compliance("/bending", why);
+    }
+    refuse_projection_effects();
+    drop("/solver", {"iterations", "flight_limit", "sweep", "order", "first"});
+    drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
+    drop("/bending", {"k"});
+  }
+
+  void settle_equilibrium() {
+    constexpr const char* why = "k has no energy and so no equilibrium";
+    check_compliance("/material/strain", why);
+    if (model_.name != "none") check_compliance("/bending", why);
+    refuse_projection_effects();
+    drop("/solver", {"substeps", "iterations", "flight_limit", "sweep", "order", "first", "precision"});
+    drop("/bending", {"k"});
+  }
+
+  Json& canonical_;
+  ConfigProblems& problems_;
+  std::string method_;
+  const BendingModel& model_;
+};
+
+}  // namespace
+
+void apply_rules(const Json& given, Json& canonical, ConfigProblems& problems) {
+  check_name(canonical, problems);
+  settle_mesh(given, canonical["mesh"], problems);
+  check_cells(canonical["mesh"], problems);
+  check_indices(canonical["pins"], problems);
+  check_warp_direction(canonical["material"], problems);
+  keep_chosen_model(canonical["bending"]);
+  settle_bending_stiffness(canonical["bending"], problems);
+  check_springs_lie_flat(canonical, problems);
+  MethodRules(canonical, problems).settle();
+  settle_accuracy(canonical["accuracy"], problems);
+}
+
+}  // namespace bendlab

@@ -1,0 +1,241 @@
+#include "experiments/config/sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <stdexcept>
+
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/config/resolve.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::size_t most_points = 10000;  // a slip in a list should be an error, not a full memory
+
+// 16 and 16.0 are the same value of a setting.
+Json normalised(const Json& settings, const std::string& pointer, const Json& value) {
+  const Parameter* row = find_parameter(settings, pointer);
+  if (row == nullptr) return value;
+  ConfigProblems problems;  // reported when the value is checked in its place
+  const std::optional<Value> read = read_value(*row, value, pointer, problems);
+  return read ? json_of(*read) : value;
+}
+
+// What is swept: the list as it stands, or for "all" every choice of the setting.
+Json listed(const Json& settings, const std::string& pointer, const Json& values) {
+  const Parameter* row = values == "all" ? find_parameter(settings, pointer) : nullptr;
+  if (row == nullptr || row->choices.empty()) return values;
+  Json all = Json::array();
+  for (const std::string_view choice : row->choices) all.push_back(choice);
+  return all;
+}
+
+std::string axis_pointer(const std::string& pointer) {
+  return child_pointer("/sweep", pointer);
+}
+
+// Problems of `settings` with one more value in place, said of the place in the sweep.
+void check_value(const Json& settings, const Axis& axis, std::size_t index, const ConfigProblems& known,
+                 ConfigProblems& problems) {
+  const auto& [pointer, values] = axis;
+  const std::string place = child_pointer(axis_pointer(pointer), std::to_string(index));
+  Json with_value = settings;
+  if (!set_at(with_value, pointer, values[index]))
+    return;  // the settings are wrong there, which is a problem already
+  ConfigProblems found;
+  resolve(with_value, found);
+  for (const ConfigProblem& problem : found) {
+    if (lies_within(problem.pointer, pointer))
+      problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
+    else if (std::ranges::find(known, problem) == known.end())
+      problems.push_back({place, fmt::format("with this value {}: {}", problem.pointer, problem.message)});
+  }
+}
+
+void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+  const Json base = with_first_values(settings, axes);
+  ConfigProblems known;
+  resolve(base, known);
+  for (const Axis& axis : axes)
+    for (std::size_t i = 0; i < axis.second.size(); ++i) check_value(base, axis, i, known, problems);
+}
+
+// Whether the run depends on the setting at `pointer`: what contains it is still there after resolving.
+bool depends_on(const Json& resolved, const std::string& pointer) {
+  return value_at(resolved, pointer) != nullptr ||
+         value_at(resolved, pointer.substr(0, pointer.rfind('/'))) != nullptr;
+}
+
+// One value index per axis, counted up like an odometer; false after the last combination.
+bool advance(std::vector<std::size_t>& indices, const std::vector<Axis>& axes) {
+  for (std::size_t a = axes.size(); a-- > 0;) {
+    if (++indices[a] < axes[a].second.size()) return true;
+    indices[a] = 0;
+  }
+  return false;
+}
+
+std::string tuple_text(const std::vector<Axis>& axes, const CoverTuple& tuple) {
+  std::vector<std::string> parts;
+  for (const auto& [axis, value] : tuple)
+    parts.push_back(fmt::format("{} = {}", axes[axis].first, axes[axis].second[value].dump()));
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string point_text(const std::vector<Axis>& axes, const std::vector<std::size_t>& indices) {
+  CoverTuple whole;
+  for (std::size_t a = 0; a < axes.size(); ++a) whole.emplace_back(a, indices[a]);
+  return tuple_text(axes, whole);
+}
+
+// The run at one combination; its problems are those of values that do not go together.
+RunConfig make_run(Json settings, const std::vector<Axis>& axes, const std::vector<std::size_t>& indices,
+                   ConfigProblems& problems) {
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    if (!set_at(settings, axes[a].first, axes[a].second[indices[a]]))
+      problems.push_back(
+          {axis_pointer(axes[a].first), "there is no such place at " + point_text(axes, indices)});
+  RunConfig run;
+  ConfigProblems found;
+  run.resolved = resolve(settings, found);
+  for (const ConfigProblem& problem : found)
+    problems.push_back({problem.pointer, axes.empty() ? problem.message
+                                                      : fmt::format("{} (at {})", problem.message,
+                                                                    point_text(axes, indices))});
+  for (std::size_t a = 0; a < axes.size(); ++a)
+    if (depends_on(run.resolved, axes[a].first))
+      run.point.emplace_back(axes[a].first, axes[a].second[indices[a]]);
+  return run;
+}
+
+}  // namespace
+
+std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covered, ConfigProblems& problems) {
+  std::vector<Axis> axes;
+  if (!sweep.is_object()) {
+    problems.push_back({"/sweep", "expected an object {\"/json/pointer\": [values]}"});
+    return axes;
+  }
+  const std::vector<std::string> known = known_pointers(settings);
+  std::size_t points = 1;
+  for (const auto& [pointer, given] : sweep.items()) {
+    const Json values = listed(settings, pointer, given);
+    const auto contained =
+        std::ranges::find_if(axes, [&](const Axis& a) { return lies_within(a.first, pointer); });
+    if (std::ranges::find(known, pointer) == known.end())
+      problems.push_back({axis_pointer(pointer), "cannot be swept: " + unknown_pointer_text(pointer, known)});
+    else if (!values.is_array() || values.empty())
+      problems.push_back({axis_pointer(pointer),
+                          "expected a list of at least one value, because it is swept, or \"all\" for every "
+                          "choice of a setting that has choices"});
+    else if (contained != axes.end())
+      problems.push_back(
+          {axis_pointer(pointer), fmt::format("would overwrite '{}', which is swept before it: list it "
+                                              "first",
+                                              contained->first)});
+    else {
+      Axis& axis = axes.emplace_back(pointer, std::vector<Json>());
+      for (const Json& value : values) axis.second.push_back(normalised(settings, pointer, value));
+      points = std::min(points * values.size(), most_points + 1);
+    }
+  }
+  if (covered) return axes;
+  if (points > most_points)
+    problems.push_back(
+        {"/sweep",
+         fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
+                     "run a part that has every pair of values, with \"cover\": 2",
+                     most_points)});
+  check_values(settings, axes, problems);
+  return axes;
+}
+
+std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
+  Json given = cover;
+  if (cover.is_number()) given = Json({{"strength", cover}});
+  if (!given.is_object()) {
+    problems.push_back(
+        {"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
+    return std::nullopt;
+  }
+  ConfigProblems found;
+  const ParameterValues values =
+      values_of(read_settings(given, "/cover", cover_parameters(), {}, found), cover_parameters());
+  problems.insert(problems.end(), found.begin(), found.end());
+  if (!found.empty()) return std::nullopt;
+  return Cover{.strength = static_cast<int>(values.integer("strength")),
+               .seed = static_cast<std::uint64_t>(values.integer("seed"))};
+}
+
+Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {
+  Json filled = settings;
+  for (const auto& [pointer, values] : axes)
+    if (value_at(filled, pointer) == nullptr) set_at(filled, pointer, values.front());
+  return filled;
+}
+
+std::vector<RunConfig> expand_sweep(const Json& settings, const std::vector<Axis>& axes,
+                                    ConfigProblems& problems) {
+  std::vector<RunConfig> runs;
+  std::set<std::string> seen;
+  std::vector<std::size_t> indices(axes.size(), 0);
+  do {
+    RunConfig run = make_run(settings, axes, indices, problems);
+    if (!problems.empty()) return runs;
+    if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
+  } while (advance(indices, axes));
+  return runs;
+}
+
+std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis>& axes, const Cover& cover,
+                                    Covered& told, ConfigProblems& problems) {
+  std::vector<std::size_t> sizes;
+  for (const Axis& axis : axes) sizes.push_back(axis.second.size());
+  std::map<CoverTuple, ConfigProblem> why;  // a value → what was wrong with a point that has it
+  std::vector<RunConfig> allowed_runs;
+  const auto allowed = [&](const CoverRow& row) {
+    ConfigProblems found;
+    RunConfig run = make_run(settings, axes, row, found);
+    if (found.empty()) allowed_runs.push_back(std::move(run));
+    for (std::size_t a = 0; a < axes.size() && !found.empty(); ++a) why[{{a, row[a]}}] = found.front();
+    return found.empty();
+  };
+  const CoverRows covering = [&] {
+    try {
+      return covering_rows(sizes, cover, allowed, most_points);
+    } catch (const std::invalid_argument& error) {
+      problems.push_back({"/cover", error.what()});
+      return CoverRows();
+    }
+  }();
+  if (covering.rows.size() > most_points)
+    problems.push_back(
+        {"/cover", fmt::format("needs more than {} runs; choose a smaller strength, or shorten the lists "
+                               "of the sweep",
+                               most_points)});
+  for (const CoverTuple& tuple : covering.impossible)
+    if (tuple.size() == 1) {
+      const auto& [axis, value] = tuple.front();
+      problems.push_back(
+          {child_pointer(axis_pointer(axes[axis].first), std::to_string(value)),
+           fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
+                       why[tuple].pointer, why[tuple].message)});
+    } else {
+      told.refused.push_back(tuple_text(axes, tuple));
+    }
+  told.strength = cover.strength;
+  told.tuples = covering.tuples;
+  told.missing = covering.missing;
+
+  std::vector<RunConfig> runs;
+  std::set<std::string> seen;
+  for (RunConfig& run : allowed_runs)
+    if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
+  return runs;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,614 @@
+#include "experiments/run/plausibility.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "bendlab/constraints/reference.hpp"
+#include "bendlab/io/without_traps.hpp"
+#include "bendlab/mesh/geodesics.hpp"
+#include "bendlab/metrics/motion.hpp"
+#include "bendlab/metrics/stretch.hpp"
+#include "experiments/run/remedies.hpp"
+#include "experiments/scene/energy.hpp"
+
+namespace bendlab {
+namespace {
+
+// ---- The limits. Each is what the scene cannot do, times a margin for what an honest solver leaves.
+
+// A membrane of k, or of no compliance, is one that does not stretch. What iterations leave of that: on 16
+// cells the paper's scene has triangles 1.5 times their length at rest and, where its swing ends, 2.2 times
+// for a moment. Twice is the bound above which the paper's own figure 1 calls a pin wrong.
+constexpr double largest_stretch = 3, largest_lasting_stretch = 2;
+// The mean over all triangles: 0.04 there on 16 cells, and 0.08 at most for a moment.
+constexpr double largest_mean_strain = 0.3, largest_lasting_mean_strain = 0.2;
+constexpr double moment = 0.5;  // s: what passes a lasting limit for longer is no swing's end
+
+// Of a membrane with a compliance: a sudden load stretches twice as far as a resting one, and a corner's
+// triangles carry it unevenly, the first again twice its share.
+constexpr double sudden_and_uneven = 4;
+
+// Along the way from a pin, whose triangles are not all stretched as far as the worst may be.
+constexpr double largest_way_stretch = 1.5;
+
+// A tip that whips is faster than what fell: it has the energy of what hangs on it. A factor of 16 in energy.
+constexpr double whip = 4;
+
+// Of the energy scale. PBD's energy may rise: forward sweeps at small steps leave up to 1 m/s (0.04 of a
+// metre's weight).
+constexpr double largest_energy_gain = 0.25;
+
+// Of g t, v0 and the fastest vertex. Where gravity acts rounding gets nothing on top of it: it may not be
+// lost to rounding.
+constexpr double momentum_share = 0.01;
+// Without gravity: times what rounding adds up to as a random walk. As the page of stability has it.
+constexpr double walks = 8;
+
+// A look copies positions and velocities: 32 to 51 µs for 65² vertices, about 10 ns each; 1000 projections
+// take 2 µs at least. Measured there, of a step: 0.3 % (no bending, 1 iteration), 0.2 % (10), 0.5 %
+// (adaptive, 1 and 10).
+constexpr double projections_per_vertex_and_look = 1000;
+
+constexpr double roundings = 100;            // that a projected sheet at rest jitters by, of its size
+constexpr double strained = 0.01;            // a start pose above it has elastic energy that k does not state
+constexpr double unstrained_bending = 1e-3;  // of an edge: a correction below it is the pose's perturbation
+
+constexpr std::array<std::string_view, 8> bound_names = {"finite", "stretch",  "mean_strain", "reach",
+                                                         "speed",  "momentum", "fall",        "energy"};
+constexpr std::array<std::string_view, 8> bound_units = {"1", "1", "1", "m", "m/s", "m/s", "m", "J"};
+
+Vector3 row(const Positions& rows, Eigen::Index index) {
+  return rows.row(index).transpose();
+}
+
+const Positions& or_zero(const Positions& velocities, const Positions& zero) {
+  return velocities.rows() > 0 ? velocities : zero;
+}
+
+bool moves(const EffectSettings& obstacle) {
+  const auto nonzero = [&](const char* name) {
+    if (!obstacle.values.has(name)) return false;
+    return std::ranges::any_of(obstacle.values.numbers(name), [](double x) { return x != 0; });
+  };
+  return nonzero("velocity") || (obstacle.values.has("spin") && obstacle.values.number("spin") != 0);
+}
+
+bool is_obstacle(std::string_view type) {
+  constexpr std::array<std::string_view, 5> obstacles = {"plane", "sphere", "capsule", "disc",
+                                                         "mesh_obstacle"};
+  return std::ranges::find(obstacles, type) != obstacles.end();
+}
+
+double epsilon_of(const Scene& scene) {
+  return scene.precision == Precision::double_precision ? std::numeric_limits<double>::epsilon()
+                                                        : double{std::numeric_limits<float>::epsilon()};
+}
+
+// Does work on the cloth besides gravity. Wind of air at rest only takes energy.
+bool drives(const EffectSettings& effect) {
+  if (effect.type == "moving_pins") return true;
+  if (effect.type == "wind") return moves(effect) || effect.values.number("gust_amplitude") != 0;
+  return is_obstacle(effect.type) && moves(effect);
+}
+
+bool keeps_momentum(const EffectSettings& effect) {
+  constexpr std::array<std::string_view, 5> keepers = {"gravity", "rigid_damping", "constraint_damping",
+                                                       "strain_limiting", "tethers"};
+  return std::ranges::find(keepers, effect.type) != keepers.end();
+}
+
+// N: what wind can push with, drag and lift of all that is there.
+double wind_force(const Scene& scene) {
+  constexpr double highest_gust = 3.5;  // 2.01 times the amplitude in each of three components
+  double force = 0;
+  const double area = std::accumulate(scene.rest.areas().begin(), scene.rest.areas().end(), 0.0);
+  for (const EffectSettings& effect : scene.effects) {
+    if (effect.type != "wind") continue;
+    const double speed = Vector3(effect.values.numbers("velocity").data()).norm() *
+                         (1 + highest_gust * effect.values.number("gust_amplitude"));
+    force += 0.5 * effect.values.number("air_density") * speed * speed * area *
+             (effect.values.number("drag_coefficient") + effect.values.number("lift_coefficient"));
+  }
+  return force;
+}
+
+// The share of a strain constraint's error that a step removes.
+double share_per_step(const StrainStiffness& strain, double k, const SolverSettings& solver) {
+  const int rounds =
+      strain.kind == StiffnessKind::k ? solver.substeps * solver.projections_per_substep() : solver.substeps;
+  return 1 - std::pow(1 - k, rounds);
+}
+
+template <std::size_t N>
+double correction_length(const SimulationInput& input, const std::array<int, N>& vertices, int vertex,
+                         const ConstraintValue<double, N>& c) {
+  if (!c.defined) return 0;
+  double sum = 0, own = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    const double w = input.is_pinned[v] ? 0 : 1 / input.mass[v];
+    sum += w * c.gradient[i].squaredNorm();
+    if (vertices[i] == vertex) own = w * c.gradient[i].norm();
+  }
+  return sum > 0 ? std::abs(c.value) * own / sum : 0;
+}
+
+template <std::size_t N>
+std::array<Vector3, N> corners(const Positions& positions, const std::array<int, N>& vertices) {
+  std::array<Vector3, N> p;
+  for (std::size_t i = 0; i < N; ++i) p[i] = row(positions, vertices[i]);
+  return p;
+}
+
+// visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where
+// it is -1.
+template <class Visit>
+void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
+                     Visit visit) {
+  const auto each = [&](std::string_view kind, const auto& vertices, const auto& value) {
+    for (const int v : vertices)
+      if (vertex < 0 || v == vertex) visit(kind, correction_length(input, vertices, v, value));
+  };
+  const auto concerns = [&](const auto& vertices) {
+    return vertex < 0 || std::ranges::find(vertices, vertex) != vertices.end();
+  };
+  const auto springs = [&](std::string_view kind, const DistanceConstraints& list) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (concerns(list.vertices[c]))
+        each(kind, list.vertices[c],
+             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]));
+  };
+  const StrainForm form = input.strain_stiffness.form;
+  for (std::size_t c = 0; membrane && c < input.strain.size(); ++c) {
+    const auto& vertices = input.strain.vertices[c];
+    if (!concerns(vertices)) continue;
+    const auto p = corners(positions, vertices);
+    const std::array<double, 4>& q = input.strain.inverse_rest[c];
+    each("strain", vertices, stretch_constraint(p, q, 0, form));
+    each("strain", vertices, stretch_constraint(p, q, 1, form));
+    each("strain", vertices, shear_constraint(p, q, form));
+  }
+  if (membrane) springs("edge", input.edges);
+  springs("distance", input.distance);
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (concerns(list.vertices[c]))
+        each(Kind::name, list.vertices[c],
+             Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
+  });
+}
+
+Json number(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+double number_in(const Json& json, const char* key) {
+  const auto found = json.find(key);
+  return found != json.end() && found->is_number() ? found->get<double>()
+                                                   : std::numeric_limits<double>::quiet_NaN();
+}
+
+}  // namespace
+
+std::string_view name_of(Bound bound) {
+  return bound_names.at(static_cast<std::size_t>(bound));
+}
+
+std::string_view unit_of(Bound bound) {
+  return bound_units.at(static_cast<std::size_t>(bound));
+}
+
+Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex) {
+  Correction worst;
+  if (vertex < 0) return worst;
+  for_corrections(input, positions, vertex, true, [&](std::string_view kind, double length) {
+    if (length > worst.length) worst = {std::string(kind), length};
+  });
+  return worst;
+}
+
+std::string text_of(const BrokenBound& broken) {
+  const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
+  const std::string what = [&] {
+    switch (bound) {
+      case Bound::finite:
+        return fmt::format("vertex {} has no finite position or velocity", vertex);
+      case Bound::stretch:
+        return fmt::format(
+            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, where {:.3g} "
+            "is more than its cloth can be",
+            vertex, measured, limit);
+      case Bound::mean_strain:
+        return fmt::format("the mean strain is {:.3g}, where {:.3g} is more than its cloth can have",
+                           measured, limit);
+      case Bound::reach:
+        return fmt::format(
+            "vertex {} is {:.3g} m away from its nearest pin, and the cloth between is {:.3g} "
+            "m long where it is stretched",
+            vertex, measured, limit);
+      case Bound::speed:
+        return fmt::format("vertex {} is at {:.3g} m/s, and falling as deep as it can it would have {:.3g}",
+                           vertex, measured, limit);
+      case Bound::momentum:
+        return fmt::format("the centre of mass is {:.3g} m/s from v0 + g t, where {:.3g} would be rounding",
+                           measured, limit);
+      case Bound::fall:
+        return fmt::format(
+            "the centre of mass is {:.3g} m from v0 t + g t²/2, where {:.3g} would be rounding", measured,
+            limit);
+      case Bound::energy:
+        return fmt::format(
+            "kinetic energy and that of weight are {:.3g} J above those at the start, of which "
+            "{:.3g} would be the solver's",
+            measured, limit);
+    }
+    return std::string();
+  }();
+  const std::string cause = correction.kind.empty()
+                                ? ""
+                                : fmt::format(
+                                      "; there the constraint of kind {} asks for the largest correction, "
+                                      "{:.3g} m",
+                                      correction.kind, correction.length);
+  return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause,
+                     advice.empty() ? "" : ". Measured to help: ", advice);
+}
+
+Json to_json(const BrokenBound& broken) {
+  return {
+      {"bound", name_of(broken.bound)},
+      {"measured", number(broken.measured)},
+      {"limit", number(broken.limit)},
+      {"unit", unit_of(broken.bound)},
+      {"time", number(broken.time)},
+      {"vertex", broken.vertex},
+      {"constraint", {{"kind", broken.correction.kind}, {"correction", number(broken.correction.length)}}},
+      {"advice", broken.advice}};
+}
+
+std::optional<BrokenBound> broken_bound_of(const Json& json) try {
+  const auto name = std::ranges::find(bound_names, json.at("bound").get<std::string>());
+  if (name == bound_names.end()) return std::nullopt;
+  return BrokenBound{.bound = static_cast<Bound>(name - bound_names.begin()),
+                     .measured = number_in(json, "measured"),
+                     .limit = number_in(json, "limit"),
+                     .time = number_in(json, "time"),
+                     .vertex = json.at("vertex").get<int>(),
+                     .correction = {json.at("constraint").at("kind").get<std::string>(),
+                                    number_in(json.at("constraint"), "correction")},
+                     .advice = json.at("advice").get<std::string>()};
+} catch (const Json::exception&) {
+  return std::nullopt;
+}
+
+Plausibility::Plausibility(const Scene& scene)
+    : scene_(scene),
+      gravity_(gravity_of(scene.effects)),
+      mass_(std::accumulate(scene.input.mass.begin(), scene.input.mass.end(), 0.0)) {
+  const WithoutTraps traps_are_off;
+  find_what_drives();
+  find_start();
+  find_stretch_limits();
+  find_reach();
+  if (std::ranges::any_of(scene.effects, [](const auto& each) { return each.type == "moving_pins"; }))
+    find_pin_pairs();
+}
+
+void Plausibility::find_what_drives() {
+  driven_ = std::ranges::any_of(scene_.effects, drives);
+  free_ = scene_.pins.all.empty() && scene_.input.settings.method == Method::pbd &&
+          std::ranges::all_of(scene_.effects, keeps_momentum);
+}
+
+// Kinetic energy, and of elastic energy what compliances state. k states none: of a strained start it is then
+// not known.
+void Plausibility::find_start() {
+  const SimulationInput& input = scene_.input;
+  const Positions zero = Positions::Zero(input.positions.rows(), 3);
+  const Positions& velocities = or_zero(input.velocities, zero);
+  const Motion motion = motion_of(input.mass, input.positions, velocities);
+  const double elastic = elastic_energy(input, input.positions);
+  speed_at_start_ = std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());
+  velocity_at_start_ = motion.linear_momentum / mass_;
+  centre_at_start_ = Vector3::Zero();
+  for (std::size_t v = 0; v < input.mass.size(); ++v)
+    centre_at_start_ += input.mass[v] / mass_ * row(input.positions, static_cast<Eigen::Index>(v));
+  energy_at_start_ = motion.kinetic_energy + elastic;
+
+  StretchMeter meter(scene_.rest, scene_.pins);
+  double largest = 0;
+  for (const PrincipalStretches& s : meter.measure(input.positions))
+    largest = std::max({largest, s.largest - 1, 1 - s.smallest});
+  // What a pose is strained, be it by rounding, k may take back within a substep.
+  const double size = scene_.rest.size(),
+               back = size * (std::min(largest, strained) + roundings * epsilon_of(scene_));
+  snap_ = back * input.settings.substeps / input.settings.dt;
+  energy_scale_ = energy_at_start_ + mass_ * (gravity_.norm() * size + 0.5 * snap_ * snap_);
+  const bool membrane_told =
+      input.strain_stiffness.kind == StiffnessKind::compliance && input.strain_stiffness.compliance > 0;
+  const bool bending_told =
+      input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0;
+  double largest_correction = 0;
+  if (!bending_told)
+    for_corrections(input, input.positions, -1, false, [&](std::string_view, double length) {
+      largest_correction = std::max(largest_correction, length);
+    });
+  // A membrane of springs along edges (kang_cho) has an energy that elastic_energy() does not sum up.
+  energy_known_ = (largest <= strained || (membrane_told && input.edges.size() == 0)) &&
+                  largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();
+}
+
+// A membrane's compliance α is 1 over its stiffness in N/m: a load W on a width w strains it by α W / w, an
+// impact at the speed v by v over the membrane's wave speed, v √(α ρ); and all the energy E there is, by √(2
+// α E / A) in the mean over the area A.
+void Plausibility::find_stretch_limits() {
+  const SimulationInput& input = scene_.input;
+  const StrainStiffness& strain = input.strain_stiffness;
+  const double area = std::accumulate(scene_.rest.areas().begin(), scene_.rest.areas().end(), 0.0);
+  double softer = 0, softer_mean = 0, share = 1, shear_share = 1;
+  if (strain.kind == StiffnessKind::compliance || input.edges.size() > 0) {
+    const double load = mass_ * gravity_.norm() + wind_force(scene_);
+    const double energy = energy_scale_ + wind_force(scene_) * scene_.rest.size();
+    const double speed = std::sqrt(2 * energy / mass_);
+    softer = sudden_and_uneven * (strain.compliance * load / scene_.rest.mean_edge_length() +
+                                  speed * std::sqrt(strain.compliance * mass_ / area));
+    softer_mean = std::sqrt(2 * strain.compliance * energy / area);
+  } else {
+    share = share_per_step(strain, std::min(strain.warp, strain.weft), input.settings);
+    shear_share = share_per_step(strain, strain.shear, input.settings);
+  }
+  if (!(share > 0)) return;  // warp or weft is free to stretch
+  // Sheared flat, a triangle whose warp and weft keep their lengths is √2 times as long and has no width.
+  const double sheared = shear_share < 0.5 ? std::sqrt(2.0) : 1;
+  const auto above_one = [&](double limit) { return sheared * (1 + (limit - 1) / share + softer); };
+  stretch_ = above_one(largest_stretch), lasting_stretch_ = above_one(largest_lasting_stretch);
+  if (shear_share >= 0.5) {
+    mean_strain_ = largest_mean_strain / share + softer_mean;
+    lasting_mean_strain_ = largest_lasting_mean_strain / share + softer_mean;
+  }
+  // What the start pose is stretched, the run may be: it need not come back.
+  const StretchMeter meter(scene_.rest, scene_.pins);
+  const StretchSummary start = meter.summarise(meter.measure(input.positions));
+  const auto also_start = [](double& limit, double at_start) {
+    constexpr double swing = 1.5;  // what springs back may go beyond where it came from
+    if (std::isfinite(at_start) && at_start > 1) limit = std::max(limit, swing * at_start);
+  };
+  also_start(stretch_, start.max_stretch), also_start(lasting_stretch_, start.max_stretch);
+  if (start.mean_strain > strained) {
+    constexpr double swing = 1.5;
+    mean_strain_ = std::max(mean_strain_, swing * start.mean_strain);
+    lasting_mean_strain_ = std::max(lasting_mean_strain_, swing * start.mean_strain);
+  }
+}
+
+// From each vertex's nearest pin: the way along the cloth, stretched, and the pin's own triangles as far as
+// these may be.
+void Plausibility::find_reach() {
+  if (scene_.pins.all.empty() || !std::isfinite(stretch_)) return;
+  const Positions& start = scene_.input.positions;
+  const GeodesicDistances way = geodesic_distances(scene_.rest, scene_.pins.all);
+  const double stretched = std::max(largest_way_stretch, lasting_stretch_ / largest_lasting_stretch),
+               at_pin = stretch_ * scene_.rest.mean_edge_length();
+  pin_ = way.source;
+  reach_.assign(pin_.size(), none);
+  for (std::size_t v = 0; v < pin_.size(); ++v) {
+    if (pin_[v] < 0) continue;
+    const auto vertex = static_cast<Eigen::Index>(v);
+    const double at_start = (row(start, vertex) - row(start, pin_[v])).norm();
+    reach_[v] = std::max(stretched * way.distance[v], at_start) + at_pin;
+    const double height = -row(start, vertex).dot(scene_.down), pin = -row(start, pin_[v]).dot(scene_.down);
+    fall_ = std::max(fall_, height - (pin - way.distance[v]));
+  }
+}
+
+// Between a sample of the pins, each as far from the others as can be.
+void Plausibility::find_pin_pairs() {
+  constexpr std::size_t most = 12;
+  const std::vector<int>& pins = scene_.pins.all;
+  if (pins.size() < 2) return;
+  std::vector<double> nearest(pins.size(), none);
+  std::size_t next = 0;
+  std::vector<int> sample;
+  while (sample.size() < std::min(most, pins.size())) {
+    const int from = pins[next];
+    const GeodesicDistances way = geodesic_distances(scene_.rest, std::array{from});
+    for (const int other : sample)
+      if (const double distance = way.distance[static_cast<std::size_t>(other)];
+          distance > 0 && std::isfinite(distance))
+        pin_pairs_.push_back({from, other, distance});
+    sample.push_back(from);
+    for (std::size_t p = 0; p < pins.size(); ++p)
+      nearest[p] = std::min(nearest[p], way.distance[static_cast<std::size_t>(pins[p])]);
+    next = static_cast<std::size_t>(std::ranges::max_element(nearest) - nearest.begin());
+    if (!(nearest[next] > 0)) break;
+  }
+}
+
+// How far pins that were moved apart stretch the cloth between them; at least 1.
+double Plausibility::needed_stretch(const Positions& positions) const {
+  double needed = 1;
+  for (const PinPair& pair : pin_pairs_)
+    needed = std::max(needed, (row(positions, pair.a) - row(positions, pair.b)).norm() / pair.distance);
+  return needed;
+}
+
+void Plausibility::keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
+                        const Positions& positions) const {
+  found.time = time;
+  if (found.bound != Bound::finite)
+    found.correction = worst_correction(scene_.input, positions, found.vertex);
+  kept = std::move(found);
+}
+
+void Plausibility::look(const Simulation& simulation, bool always) {
+  if (broken_) return;
+  const std::uint64_t projections = simulation.projections();
+  const double due = projections_per_vertex_and_look * scene_.rest.vertex_count();
+  if (!always && static_cast<double>(projections - projections_looked_at_) < due) return;
+  projections_looked_at_ = projections;
+  look(simulation.time(), simulation.positions(), simulation.velocities());
+}
+
+void Plausibility::look(double time, const Positions& positions, const Positions& velocities) {
+  if (broken_) return;
+  const WithoutTraps traps_are_off;
+  std::optional<BrokenBound> found = look_at_numbers(positions, velocities);
+  if (!found) found = look_at_reach(positions);
+  const bool has_motion = scene_.input.settings.method != Method::equilibrium;
+  if (!found && has_motion) found = look_at_momentum(time, positions, velocities);
+  if (!found && has_motion) found = look_at_speed(positions, velocities);
+  if (!found && has_motion) found = look_at_energy(positions, velocities);
+  if (found) keep(broken_, *std::move(found), time, positions);
+}
+
+std::optional<BrokenBound> Plausibility::look_at_numbers(const Positions& positions,
+                                                         const Positions& velocities) const {
+  const double sum = positions.sum() + velocities.sum();
+  if (sum - sum == 0) return std::nullopt;
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+    if (!positions.row(v).allFinite() || !velocities.row(v).allFinite())
+      return BrokenBound{.bound = Bound::finite,
+                         .measured = std::numeric_limits<double>::quiet_NaN(),
+                         .vertex = static_cast<int>(v)};
+  return std::nullopt;
+}
+
+std::optional<BrokenBound> Plausibility::look_at_reach(const Positions& positions) const {
+  if (reach_.empty()) return std::nullopt;
+  const double needed = needed_stretch(positions);
+  double worst = 1;
+  std::optional<BrokenBound> found;
+  for (std::size_t v = 0; v < reach_.size(); ++v) {
+    if (pin_[v] < 0) continue;
+    const double limit = needed * reach_[v];
+    const double square =
+        (positions.row(static_cast<Eigen::Index>(v)) - positions.row(pin_[v])).squaredNorm();
+    if (!(square > worst * worst * limit * limit)) continue;
+    worst = std::sqrt(square) / limit;
+    found = BrokenBound{
+        .bound = Bound::reach, .measured = std::sqrt(square), .limit = limit, .vertex = static_cast<int>(v)};
+  }
+  return found;
+}
+
+std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& positions,
+                                                       const Positions& velocities) const {
+  if (driven_ || !energy_known_) return std::nullopt;
+  Eigen::Index fastest = 0;
+  const double square = velocities.rowwise().squaredNorm().maxCoeff(&fastest);
+  // Cloth that no pin holds falls on; a piece of it without a pin does, too.
+  double fall = scene_.rest.size() + fall_;
+  const double highest = -(scene_.input.positions * scene_.down).minCoeff();
+  fall += std::max(0.0, highest - -row(positions, fastest).dot(scene_.down));
+  const double of_energy = 2 * energy_at_start_ / mass_;
+  const double limit = whip * std::sqrt(speed_at_start_ * speed_at_start_ + snap_ * snap_ + of_energy +
+                                        2 * gravity_.norm() * fall);
+  if (!(square > limit * limit)) return std::nullopt;
+  return BrokenBound{.bound = Bound::speed,
+                     .measured = std::sqrt(square),
+                     .limit = limit,
+                     .vertex = static_cast<int>(fastest)};
+}
+
+// Elastic energy counts at the start only: what iterations leave of a stiff membrane's strain would be far
+// more than there is.
+std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positions,
+                                                        const Positions& velocities) const {
+  if (driven_ || !energy_known_) return std::nullopt;
+  const SimulationInput& input = scene_.input;
+  double energy = 0;
+  for (std::size_t v = 0; v < input.mass.size(); ++v) {
+    const auto vertex = static_cast<Eigen::Index>(v);
+    energy += input.mass[v] * (0.5 * velocities.row(vertex).squaredNorm() -
+                               (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
+  }
+  const double gain = energy - energy_at_start_, limit = largest_energy_gain * energy_scale_;
+  if (!(gain > limit)) return std::nullopt;
+  Eigen::Index fastest = 0;
+  velocities.rowwise().squaredNorm().maxCoeff(&fastest);
+  return BrokenBound{
+      .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
+}
+
+// One rounding of a coordinate at the distance d is a speed of ε d / h; projections add them up as a random
+// walk does (each has at most four points), which the mean over the vertices makes small.
+std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
+                                                          const Positions& velocities) const {
+  if (!free_ || !(time > 0)) return std::nullopt;
+  const SimulationInput& input = scene_.input;
+  Vector3 velocity = Vector3::Zero(), centre = Vector3::Zero();
+  for (std::size_t v = 0; v < input.mass.size(); ++v) {
+    velocity += input.mass[v] / mass_ * row(velocities, static_cast<Eigen::Index>(v));
+    centre += input.mass[v] / mass_ * row(positions, static_cast<Eigen::Index>(v));
+  }
+  const double farthest =
+      std::sqrt((positions.rowwise() - input.origin.transpose()).rowwise().squaredNorm().maxCoeff());
+  const SolverSettings& solver = input.settings;
+  const double substeps = time / solver.dt * solver.substeps, vertices = scene_.rest.vertex_count();
+  const double constraints =
+      static_cast<double>(input.strain.size() + input.distance.size() + element_count(input.elements));
+  const double walk = std::sqrt(4 * constraints * substeps * solver.projections_per_substep()) / vertices;
+  const double rounding = epsilon_of(scene_) * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);
+  const double fallen = gravity_.norm() * time;
+  const double fastest = std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());
+  const double moving = fallen + velocity_at_start_.norm();
+  const double allowed = fallen > 0 ? 0 : walks * rounding;
+  const double speed_limit = momentum_share * (moving + std::max(fastest, speed_at_start_)) + allowed;
+  const double off = (velocity - velocity_at_start_ - time * gravity_).norm();
+  if (off > speed_limit)
+    return BrokenBound{.bound = Bound::momentum, .measured = off, .limit = speed_limit, .vertex = -1};
+  // Where steps are discrete, v grows before x moves: by g t h / 2 farther, h at most dt.
+  const double way_limit = speed_limit * time + 0.5 * fallen * solver.dt;
+  const double way_off =
+      (centre - centre_at_start_ - time * velocity_at_start_ - 0.5 * time * time * gravity_).norm();
+  if (way_off > way_limit)
+    return BrokenBound{.bound = Bound::fall, .measured = way_off, .limit = way_limit, .vertex = -1};
+  return std::nullopt;
+}
+
+bool Plausibility::Lasting::too_long(double time, bool above) {
+  if (!above) {
+    since.reset();
+    return false;
+  }
+  if (!since) since = time;
+  return time - *since >= moment;
+}
+
+void Plausibility::look_at_stretch(double time, double mean_strain, const std::vector<float>& stretches,
+                                   const Positions& positions) {
+  if (broken_stretch_ || stretches.empty()) return;
+  const WithoutTraps traps_are_off;
+  const auto largest = std::ranges::max_element(stretches);
+  const double needed = needed_stretch(positions), stretch = static_cast<double>(*largest);
+  const auto limit_passed = [&](double value, double limit, double lasting, Lasting& lasts) {
+    const bool too_long = lasts.too_long(time, value > lasting);
+    return value > limit ? limit : too_long ? lasting : none;
+  };
+  const auto triangle = static_cast<Eigen::Index>(largest - stretches.begin());
+  const int vertex = scene_.rest.triangles()(triangle, 0);
+  const double limit = limit_passed(stretch, needed * stretch_, needed * lasting_stretch_, stretch_lasts_);
+  if (std::isfinite(limit))
+    return keep(broken_stretch_,
+                {.bound = Bound::stretch, .measured = stretch, .limit = limit, .vertex = vertex}, time,
+                positions);
+  const double mean_limit = limit_passed(mean_strain, mean_strain_ + needed - 1,
+                                         lasting_mean_strain_ + needed - 1, mean_strain_lasts_);
+  if (std::isfinite(mean_limit))
+    keep(broken_stretch_,
+         {.bound = Bound::mean_strain, .measured = mean_strain, .limit = mean_limit, .vertex = vertex}, time,
+         positions);
+}
+
+std::optional<BrokenBound> Plausibility::broken() const {
+  std::optional<BrokenBound> first = broken_;
+  if (broken_stretch_ && (!first || broken_stretch_->time < first->time)) first = broken_stretch_;
+  if (first) first->advice = remedies_for(first->bound, scene_);
+  return first;
+}
+
+}  // namespace bendlab

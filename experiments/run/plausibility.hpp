@@ -1,0 +1,131 @@
+// Whether a run can be: looked at beside it, against bounds that its scene cannot break whatever the settings
+// of the solver are. `complete` says that a run went to its end; this says whether its end can be believed.
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/config/strict_json.hpp"
+#include "experiments/scene/scene.hpp"
+
+namespace bendlab {
+
+/// What a run may not do. plausibility.cpp says of each when it is looked at, and why its limit is what it
+/// is.
+enum class Bound {
+  finite,       ///< a coordinate or a velocity is not a number
+  stretch,      ///< the most stretched triangle, times its rest length
+  mean_strain,  ///< mean over triangles, as the metric of that name
+  reach,        ///< distance of a vertex from its nearest pin, m
+  speed,        ///< of a vertex, m/s
+  momentum,     ///< velocity of the centre of mass, m/s away from v0 + g t; of a cloth that nothing holds
+  fall,         ///< way of the centre of mass, m away from v0 t + g t²/2; of such a cloth
+  energy,       ///< kinetic energy and that of weight, J above what there was at the start
+};
+std::string_view name_of(Bound bound);  ///< as in the enum
+std::string_view unit_of(Bound bound);
+
+/// The constraint that wants to move a vertex farthest in one projection at k = 1.
+struct Correction {
+  std::string
+      kind;  ///< "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
+  double length = 0;  ///< m
+};
+
+/// At `positions` (#V by 3, m); `vertex` may be -1.
+Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex);
+
+/// The first bound that a run broke.
+struct BrokenBound {
+  Bound bound = Bound::finite;
+  double measured = 0, limit = 0;  ///< in unit_of(bound)
+  double time = 0;                 ///< s, when it was seen
+  int vertex = -1;                 ///< where; -1: of the cloth as a whole
+  Correction correction{};         ///< at that vertex, in the pose in which it was seen
+  std::string advice{};            ///< what was measured to help; empty where nothing was
+};
+
+/// "at t = 0.5 s vertex 12 is 170 m from its pin, where the cloth reaches 0.5 m; …", with the advice.
+std::string text_of(const BrokenBound& broken);
+/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not
+/// finite are null.
+Json to_json(const BrokenBound& broken);
+/// Back from to_json(); nothing where it is not that.
+std::optional<BrokenBound> broken_bound_of(const Json& json);
+
+class Plausibility {
+ public:
+  /// The limits that follow from the scene, which must outlive this.
+  explicit Plausibility(const Scene& scene);
+
+  /// To be called after every step: looks at positions and velocities, where they have to be copied for that
+  /// only after so many projections that a look costs less than 1 % of them. `always`: now, as at every
+  /// recorded frame.
+  void look(const Simulation& simulation, bool always);
+
+  /// The same on values (#V by 3, m and m/s) at a time in s.
+  void look(double time, const Positions& positions, const Positions& velocities);
+
+  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T, the
+  /// larger principal one of every triangle.
+  void look_at_stretch(double time, double mean_strain, const std::vector<float>& stretches,
+                       const Positions& positions);
+
+  /// The bound that was broken first, with advice. Not while a look may be under way.
+  std::optional<BrokenBound> broken() const;
+
+ private:
+  // Since when a value has been above the limit that it may pass for a moment only.
+  struct Lasting {
+    std::optional<double> since;  // s
+    bool too_long(double time, bool above);
+  };
+  struct PinPair {
+    int a, b;
+    double distance;  // m, along the cloth
+  };
+
+  void find_stretch_limits();
+  void find_reach();
+  void find_pin_pairs();
+  void find_what_drives();
+  void find_start();
+  double needed_stretch(const Positions& positions) const;
+  std::optional<BrokenBound> look_at_numbers(const Positions& positions, const Positions& velocities) const;
+  std::optional<BrokenBound> look_at_reach(const Positions& positions) const;
+  std::optional<BrokenBound> look_at_speed(const Positions& positions, const Positions& velocities) const;
+  std::optional<BrokenBound> look_at_energy(const Positions& positions, const Positions& velocities) const;
+  std::optional<BrokenBound> look_at_momentum(double time, const Positions& positions,
+                                              const Positions& velocities) const;
+  void keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
+            const Positions& positions) const;
+
+  const Scene& scene_;
+  Vector3 gravity_ = Vector3::Zero();  // m/s²
+  double mass_ = 0;                    // kg
+  bool driven_ = false;                // wind, moving pins or obstacles do work on the cloth
+  bool free_ = false;                  // nothing but gravity changes its momentum
+  bool energy_known_ = false;          // of the start
+
+  static constexpr double none = std::numeric_limits<double>::infinity();
+  double stretch_ = none, lasting_stretch_ = none;          // limits
+  double mean_strain_ = none, lasting_mean_strain_ = none;  // limits
+  std::vector<PinPair> pin_pairs_;                          // of moving pins
+  std::vector<int> pin_;                                    // #V, the nearest; -1: none
+  std::vector<double> reach_;                               // #V, m
+  double fall_ = 0;             // m, how deep a vertex can fall before its pin holds it
+  double speed_at_start_ = 0;   // m/s, the fastest
+  double snap_ = 0;             // m/s, at which a barely strained start may come back
+  double energy_at_start_ = 0;  // J, kinetic and, where it is known, elastic
+  double energy_scale_ = 0;     // J
+  Vector3 velocity_at_start_, centre_at_start_;
+
+  std::uint64_t projections_looked_at_ = 0;
+  std::optional<BrokenBound> broken_, broken_stretch_;
+  Lasting stretch_lasts_, mean_strain_lasts_;
+};
+
+}  // namespace bendlab

@@ -1,0 +1,58 @@
+// One run: a point of a sweep, from its config to its file. Knows no command line and prints nothing.
+#pragma once
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/run/plausibility.hpp"
+#include "experiments/run/start_after.hpp"
+#include "experiments/run/warnings.hpp"
+#include "experiments/scene/scene.hpp"
+
+namespace bendlab {
+
+/// How a run is watched and stopped.
+struct RunControl {
+  const std::atomic<bool>* stop = nullptr;  ///< set: the run finishes the current frame, keeps it and returns
+  /// Called after every recorded frame: simulated seconds done, simulated seconds in all.
+  std::function<void(double done_s, double total_s)> progress;
+  bool minimal = false;  ///< leave out effects that provably cannot act, and check that the bits are the same
+};
+
+struct RunOutcome {
+  std::string id;
+  RunStatus status = RunStatus::complete;
+  bool differs = false;  ///< `minimal` changed a bit: an effect that could not act did
+  bool reused = false;   ///< the file was there and complete; nothing was computed
+  std::filesystem::path file;
+  std::optional<BrokenBound> broken{};  ///< why it is implausible; also of a run that diverged after that
+  std::vector<Warning> warnings{};
+  std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
+  double wall_s = 0, cpu_s = 0;
+  double step_cpu_s = 0;  ///< of the steps alone, without set-up and recording
+  std::map<std::string, double> summary;
+  std::vector<PassTime> passes;
+};
+
+/// Hash (16 hex digits) of the resolved config, the bytes of the mesh file it names, and the version of the
+/// code; and of the same of the runs that it starts after or is compared with.
+std::string run_id(const RunConfig& config);
+
+/// `<out>/<experiment>/<readable place on the sweep>-<id>`
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config);
+
+/// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts there, and makes
+/// the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their time is not the run's. Throws
+/// MeshError and RunFileError; a run that diverges is an outcome.
+RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
+                       const std::filesystem::path& out, const RunControl& control = {},
+                       const StartingPose* start = nullptr);
+
+}  // namespace bendlab

@@ -1,0 +1,95 @@
+#include "experiments/run/run_header.hpp"
+
+#include <fmt/format.h>
+#include <xxhash.h>
+
+#include <cmath>
+#include <memory>
+
+#include "bendlab/constraints/pack.hpp"
+#include "bendlab/solver/colouring.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/run/version.hpp"
+
+namespace bendlab {
+namespace {
+
+// Vertices and rest values of a list in the order the solver projects them (padded lanes left out). Hashed
+// one by one: a copy of millions of springs would be the largest thing in memory.
+template <class List, class RestOf>
+ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
+                           RestOf rest_of) {
+  ConstraintRecord record{.kind = kind, .count = list.size()};
+  const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), &XXH3_freeState);
+  XXH3_64bits_reset(hash.get());
+  for (const int constraint : order.constraint_of_lane) {
+    if (constraint < 0) continue;
+    const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
+    const double rest = rest_of(static_cast<std::size_t>(constraint));
+    record.vertices_per_constraint = static_cast<int>(vertices.size());
+    XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
+    XXH3_64bits_update(hash.get(), &rest, sizeof(rest));
+    if (!in_full) continue;
+    record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
+    record.rest.push_back(rest);
+  }
+  record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
+  return record;
+}
+
+}  // namespace
+
+RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
+                    const Scene& scene, const Simulation& simulation, const Recorder& recorder) {
+  const BuildInfo& build = build_info();
+  const RestMesh& rest = scene.rest;
+  const bool in_full = config.section("/output").boolean("constraints");
+  RunHeader header;
+  header.id = id;
+  header.name = experiment.name;
+  header.rest_positions.assign(rest.positions().data(), rest.positions().data() + rest.positions().size());
+  header.triangles.assign(rest.triangles().data(), rest.triangles().data() + rest.triangles().size());
+  header.pinned.assign(scene.pins.is_pinned.begin(), scene.pins.is_pinned.end());
+  header.pin_seeds = scene.pins.seeds;
+  header.metrics = recorder.metrics();
+  header.cell_fields = recorder.cell_fields();
+  header.constraints = {record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
+                                  [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+                                    const InverseRest& q = scene.input.strain.inverse_rest[c];
+                                    return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
+                                  }),
+                        record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
+                                  [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
+  if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
+    header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
+                                           [&](std::size_t c) { return edges.rest_length[c]; }));
+  for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    if (list.size() > 0)  // of the rest values, the first
+      header.constraints.push_back(record_of(std::string(Kind::name), list,
+                                             simulation.element_order(Kind::name), in_full,
+                                             [&](std::size_t c) { return list.rest[c][0]; }));
+  });
+  std::string ordering_hash;
+  for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;
+  header.provenance = {{"version", std::string(build.version)},
+                       {"git_commit", std::string(build.git_commit)},
+                       {"git_dirty", build.git_dirty ? "yes" : "no"},
+                       {"source_hash", std::string(build.source_hash)},
+                       {"compiler", std::string(build.compiler)},
+                       {"compiler_flags", std::string(build.flags)},
+                       {"build_type", std::string(build.build_type)},
+                       {"vector_bits", std::to_string(8 * pack_bytes)},
+                       {"processor", processor_name()},
+                       {"host", host_name()},
+                       {"threads", std::to_string(scene.input.settings.threads)},
+                       {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
+                       {"ordering_hash", ordering_hash},
+                       {"started", utc_now()}};
+  if (!scene.mesh_notes.empty())
+    header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
+  header.config = config.resolved.dump(2);
+  header.double_positions = scene.precision == Precision::double_precision;
+  return header;
+}
+
+}  // namespace bendlab

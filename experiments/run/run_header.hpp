@@ -1,0 +1,16 @@
+// What a run's file says before the first frame: mesh, pins, constraints with their hashes, provenance.
+#pragma once
+
+#include <string>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/solver/simulation.hpp"
+#include "experiments/run/recorder.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+
+RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
+                    const Scene& scene, const Simulation& simulation, const Recorder& recorder);
+
+}  // namespace bendlab

@@ -1,0 +1,140 @@
+#include "experiments/run/stability.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+
+#include "bendlab/metrics/motion.hpp"
+#include "experiments/scene/energy.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr double recovered = 0.01;        // of the size
+constexpr double energy_rounding = 1e-6;  // of the scale: what float leaves of the difference of two sums
+constexpr double spin_rounding = 1e-6;    // of mass, size and speed: what float leaves of a sum that is zero
+constexpr double shut = 170;              // degrees
+constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
+
+bool nothing_acts_but_gravity(const Scene& scene) {
+  constexpr std::array<std::string_view, 3> allowed = {"gravity", "rigid_damping", "constraint_damping"};
+  return scene.pins.all.empty() && std::ranges::all_of(scene.effects, [&](const EffectSettings& effect) {
+           return std::ranges::find(allowed, effect.type) != allowed.end();
+         });
+}
+
+double farthest_from(const Eigen::RowVector3d& centre, const Positions& positions) {
+  return std::sqrt((positions.rowwise() - centre).rowwise().squaredNorm().maxCoeff());
+}
+
+// Fold angle in degrees, 0 where the two triangles lie flat; NaN where one has no normal.
+double fold(const Hinge& hinge, const Positions& positions) {
+  const auto at = [&](int v) -> Vector3 { return positions.row(v).transpose(); };
+  const Vector3 a = at(hinge.edge[0]), b = at(hinge.edge[1]);
+  const Vector3 n0 = (b - a).cross(at(hinge.opposite[0]) - a), n1 = (at(hinge.opposite[1]) - a).cross(b - a);
+  return std::atan2(n0.cross(n1).norm(), n0.dot(n1)) * 180 / std::numbers::pi;
+}
+
+}  // namespace
+
+StabilityMeter::StabilityMeter(const Scene& scene, double duration)
+    : scene_(scene),
+      alignment_(scene.rest),
+      free_(nothing_acts_but_gravity(scene)),
+      gravity_(gravity_of(scene.effects)),
+      half_time_(0.5 * duration),
+      mass_(std::accumulate(scene.input.mass.begin(), scene.input.mass.end(), 0.0)),
+      size_(scene.rest.size()) {}
+
+void StabilityMeter::look_at_energy(const Positions& positions, const Positions& velocities) {
+  const double before = energy_;
+  energy_ = motion_of(scene_.input.mass, positions, velocities).kinetic_energy +
+            potential_energy(scene_, positions);
+  if (looks_ == 0) {
+    first_energy_ = highest_energy_ = energy_;
+    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // as energy_scale() has it
+  } else if (energy_ > before + energy_rounding * energy_scale_) {
+    ++rises_;
+  }
+  highest_energy_ = std::max(highest_energy_, energy_);
+}
+
+void StabilityMeter::look_at_shape() {
+  next_alignment_ = time_ + 1 / alignments_per_second - 1e-9;
+  distance_ = alignment_.distance(now_) / size_;
+  least_distance_ = looks_ == 0 ? distance_ : std::min(least_distance_, distance_);
+  if (!(distance_ < recovered))
+    recovered_at_.reset();
+  else if (!recovered_at_)
+    recovered_at_ = time_;
+}
+
+void StabilityMeter::look(const Simulation& simulation) {
+  now_ = simulation.positions();
+  const Positions velocities = simulation.velocities();
+  time_ = simulation.time();
+  last_reach_ = farthest_from(now_.colwise().mean(), now_) / size_;
+  if (looks_ == 0) first_reach_ = last_reach_;
+  reach_ = std::max(reach_, last_reach_);
+  farthest_ = std::max(farthest_, farthest_from(scene_.input.origin.transpose(), now_));
+  if (time_ >= next_alignment_) look_at_shape();
+  if (time_ <= half_time_) half_way_ = now_;
+  if (free_) {
+    const Motion motion = motion_of(scene_.input.mass, now_, velocities);
+    const Vector3 velocity = motion.linear_momentum / mass_ - time_ * gravity_;
+    spin_ = motion.angular_momentum.norm();
+    if (looks_ == 0) {
+      first_velocity_ = velocity, first_spin_ = spin_;
+      first_spin_scale_ = mass_ * size_ * std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());
+    }
+    momentum_drift_ = std::max(momentum_drift_, (velocity - first_velocity_).norm());
+  }
+  look_at_energy(now_, velocities);
+  ++looks_;
+}
+
+double StabilityMeter::shut_hinges() const {
+  const std::vector<Hinge>& hinges = scene_.rest.hinges();
+  const auto count = std::ranges::count_if(hinges, [&](const Hinge& hinge) {
+    return fold(hinge, now_) > shut && !(fold(hinge, scene_.rest.positions()) > shut);
+  });
+  return hinges.empty() ? 0 : static_cast<double>(count) / static_cast<double>(hinges.size());
+}
+
+std::map<std::string, double> StabilityMeter::summary() {
+  look_at_shape();
+  std::map<std::string, double> summary = {
+      {"steps", static_cast<double>(looks_ - 1)},
+      {"reach", reach_},
+      {"reach_start", first_reach_},
+      {"reach_end", last_reach_},
+      {"rest_distance", distance_},
+      {"least_rest_distance", least_distance_},
+      {"creep", std::sqrt((now_ - half_way_).rowwise().squaredNorm().mean()) / size_},
+      {"shut_hinges", shut_hinges()},
+  };
+  if (recovered_at_) summary["recovered_at"] = *recovered_at_;
+  if (free_) {
+    const bool in_double = scene_.precision == Precision::double_precision;
+    const double epsilon =
+        in_double ? std::numeric_limits<double>::epsilon() : double{std::numeric_limits<float>::epsilon()};
+    const SolverSettings& solver = scene_.input.settings;
+    summary["momentum_drift"] = momentum_drift_;
+    summary["rounding_speed"] = epsilon * farthest_ * solver.substeps / solver.dt;
+    if (first_spin_ > spin_rounding * first_spin_scale_) summary["spin_kept"] = spin_ / first_spin_;
+  }
+  if (energy_scale_ > 0) {
+    summary["energy_scale"] = energy_scale_;
+    summary["energy_gain"] = (highest_energy_ - first_energy_) / energy_scale_;
+    summary["energy_rises"] = static_cast<double>(rises_) / static_cast<double>(std::max(looks_ - 1, 1L));
+  }
+  std::map<std::string, double> named;
+  for (const auto& [name, value] : summary) named["stability_" + name] = value;
+  return named;
+}
+
+}  // namespace bendlab

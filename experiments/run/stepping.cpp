@@ -1,0 +1,130 @@
+#include "experiments/run/stepping.hpp"
+
+#include <fmt/format.h>
+
+#include "bendlab/io/without_traps.hpp"
+#include "experiments/run/machine.hpp"
+#include "experiments/run/remedies.hpp"
+#include "experiments/run/start_after.hpp"
+
+namespace bendlab {
+namespace {
+
+// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without strain
+// constraints.
+std::string worst_triangle_text(const Divergence& divergence, const Triangles& triangles) {
+  const auto& [a, b, c] = divergence.triangle;
+  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
+    if (triangles(t, 0) == a && triangles(t, 1) == b && triangles(t, 2) == c)
+      return fmt::format("; triangle {} ({}, {}, {}), the most stretched, is {:.3g} times as long as at rest",
+                         t, a, b, c, divergence.stretch);
+  return "";
+}
+
+std::string divergence_message(const Divergence& divergence, const Scene& scene) {
+  const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
+  const std::string remedies = remedies_for_divergence(scene);
+  return fmt::format(
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
+      "kept{}{}",
+      divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
+      divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
+      remedies.empty() ? "" : ". Measured to help: ", remedies);
+}
+
+// Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
+class Calm {
+ public:
+  explicit Calm(double speed) : speed_(speed) {}
+
+  // Whether no look in the last half second found a vertex faster than `speed`.
+  bool settled(const Simulation& simulation) {
+    constexpr double looks_per_second = 60, calm_s = 0.5, rounding = 1e-9;
+    if (speed_ == 0 || simulation.time() < next_look_ - rounding) return false;
+    next_look_ = simulation.time() + 1 / looks_per_second;
+    if (!(simulation.velocities().rowwise().squaredNorm().maxCoeff() <= speed_ * speed_))
+      since_ = simulation.time();
+    return simulation.time() - since_ >= calm_s - rounding;
+  }
+  double since() const { return since_; }  // s
+
+ private:
+  double speed_, next_look_ = 0, since_ = 0;
+};
+
+// CPU time of this thread and its helpers in the steps.
+class StepClock {
+ public:
+  explicit StepClock(Simulation& simulation) : simulation_(simulation) {}
+
+  bool step() {
+    const double before = thread_cpu_s();
+    const bool whole = simulation_.step();
+    seconds_ += thread_cpu_s() - before;
+    return whole;
+  }
+  double seconds() const { return seconds_ + simulation_.helper_seconds(); }
+
+ private:
+  Simulation& simulation_;
+  double seconds_ = 0;
+};
+
+std::string stop_message(double time, double duration) {
+  return fmt::format(
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs what is "
+      "not "
+      "complete",
+      time, duration);
+}
+
+}  // namespace
+
+void Watchers::look(const Simulation& simulation, bool always) const {
+  if (stability) stability->look(simulation);
+  if (plausibility) plausibility->look(simulation, always);
+}
+
+Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
+                     FrameWriter& writer, const Watchers& watchers, const RunConfig& config,
+                     const RunControl& control) {
+  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
+  const double frame_interval = 1 / config.section("/output").number("frames_per_second");
+  constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
+  const std::int64_t steps = step_count(config);
+  writer.push(recorder.capture(simulation));
+  watchers.look(simulation, true);
+  double next_frame = frame_interval;
+  Calm calm(config.section("").number("settled_speed"));
+  StepClock clock(simulation);
+  SolverStiffnessMeter solver_stiffness(duration);
+  const auto ended = [&](RunStatus status, std::string message, std::optional<double> settled_at = {}) {
+    return Stepping{status, std::move(message), clock.seconds(), settled_at, solver_stiffness.sum()};
+  };
+  for (std::int64_t step = 1; step <= steps; ++step) {
+    if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
+    const double time = simulation.time();
+    const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
+    // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
+    const bool balanced = simulation.settled(),
+               settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
+    solver_stiffness.look(simulation, step == steps || stop || settled);
+    const bool recorded = !(time < next_frame - rounding * dt && step < steps && !stop && !settled);
+    watchers.look(simulation, recorded);
+    if (!recorded) continue;
+    while (next_frame <= time + rounding * dt) next_frame += frame_interval;
+    writer.push(recorder.capture(simulation));
+    if (control.progress) control.progress(time, duration);
+    if (settled) return ended(RunStatus::complete, "", balanced ? time : calm.since());
+    if (stop && step < steps) return ended(RunStatus::interrupted, stop_message(time, duration));
+  }
+  const std::optional<double> unbalanced = simulation.unbalanced();
+  return ended(RunStatus::complete,
+               unbalanced
+                   ? fmt::format("no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; "
+                                 "a longer /duration allows more steps",
+                                 steps, *unbalanced)
+                   : "");
+}
+
+}  // namespace bendlab

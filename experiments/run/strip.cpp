@@ -1,0 +1,97 @@
+#include "experiments/run/strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+
+namespace bendlab {
+namespace {
+
+Vector3 gravity_of(const RunConfig& config) {
+  Vector3 sum = Vector3::Zero();
+  for (const EffectSettings& effect : config.effects())
+    if (effect.type == "gravity") {
+      const std::vector<double>& a = effect.values.numbers("acceleration");
+      sum += Vector3(a[0], a[1], a[2]);
+    }
+  return sum;
+}
+
+// How far the constraints that join free vertices to the clamp extend along the strip; see StripSettings.
+class Reach {
+ public:
+  Reach(const Pins& pins, std::span<const double> along)
+      : pins_(pins), along_(along), of_vertex_(along.size(), 0) {}
+
+  template <class Constraints>
+  void add(const Constraints& constraints) {
+    for (const auto& vertices : constraints.vertices) {
+      const auto pinned = [&](int v) { return pins_.pinned(v); };
+      if (std::ranges::none_of(vertices, pinned)) continue;
+      const auto s = [&](int v) { return along_[static_cast<std::size_t>(v)]; };
+      const auto [low, high] = std::ranges::minmax(vertices, {}, s);
+      for (const int v : vertices)
+        if (double& longest = of_vertex_[static_cast<std::size_t>(v)]; !pinned(v))
+          longest = std::max(longest, s(high) - s(low));
+    }
+  }
+
+  double median() {
+    std::erase(of_vertex_, 0);
+    if (of_vertex_.empty()) return 0;
+    const auto middle = of_vertex_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.size() / 2);
+    std::ranges::nth_element(of_vertex_, middle);
+    return *middle;
+  }
+
+ private:
+  const Pins& pins_;
+  std::span<const double> along_;
+  std::vector<double> of_vertex_;  // m
+};
+
+double reach_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
+                std::span<const double> along) {
+  const ParameterValues parameters = config.bending_parameters();
+  const BendingConstraints bending =
+      find_bending_model(config.bending_model())->build({rest, pins, parameters});
+  Reach reach(pins, along);
+  reach.add(bending.distance);
+  for_each_kind(bending.elements, [&](const auto& list) { reach.add(list); });
+  return reach.median();
+}
+
+}  // namespace
+
+RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
+                  const StripSettings& settings) {
+  const StripLoad load{config.section("/material").number("density"), gravity_of(config)};
+  RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
+  const double reach = reach_of(config, rest, pins, strip.meter.along());
+  const double largest = std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
+  const bool wide = config.section("/solver").text("precision") == "double";
+  const bool calibrated = config.section("/bending").text("stiffness") == "physical";
+  strip.options = {.clamp_offset = settings.clamp_offset.value_or(calibrated ? 0 : reach / 4),
+                   .exclude = settings.exclude.value_or(reach),
+                   .rounding = largest * (wide ? 0x1p-53 : 0x1p-24)};
+  return strip;
+}
+
+std::map<std::string, double> stiffness_summary(const StripStiffness& stiffness) {
+  std::map<std::string, double> summary = {
+      {"stiffness_height_over_width", stiffness.height_over_width},
+      {"stiffness_gamma", stiffness.gamma},
+      {"stiffness_flexural_rigidity", stiffness.flexural_rigidity},
+      {"stiffness_bending_length", stiffness.bending_length},
+      {"stiffness_quartic", stiffness.quartic},
+      {"stiffness_fit_exponent", stiffness.fit.exponent},
+      {"stiffness_fit_B", stiffness.fit.rigidity},
+      {"stiffness_fit_C", stiffness.fit.quartic},
+  };
+  std::erase_if(summary, [](const auto& entry) { return !std::isfinite(entry.second); });
+  return summary;
+}
+
+}  // namespace bendlab

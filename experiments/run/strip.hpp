@@ -1,0 +1,36 @@
+// The stiffness of a run whose cloth is a cantilever strip (lib/bendlab/metrics/stiffness.hpp), with what it takes from
+// the run's config.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+
+#include "bendlab/mesh/pins.hpp"
+#include "bendlab/metrics/stiffness.hpp"
+#include "experiments/config/config.hpp"
+
+namespace bendlab {
+
+/// What somebody sets, else it follows from the bending model: its reach is how far, along the strip, its constraints
+/// join a free vertex to others (the median over the vertices that one joins to the clamp): t rows for springs of ring
+/// t, two for hinges.
+struct StripSettings {
+  /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
+  std::optional<double> clamp_offset;
+  std::optional<double> exclude;  ///< m; default: the reach
+};
+
+struct RunStrip {
+  StiffnessMeter meter;
+  StripOptions options;
+};
+
+/// Density and gravity are the config's. Throws std::invalid_argument for what is no cantilever strip.
+RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
+                  const StripSettings& settings = {});
+
+/// `stiffness_…` of a run's summary; what is not a number is left out.
+std::map<std::string, double> stiffness_summary(const StripStiffness& stiffness);
+
+}  // namespace bendlab

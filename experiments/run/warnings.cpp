@@ -1,0 +1,324 @@
+#include "experiments/run/warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "experiments/config/pointers.hpp"
+#include "experiments/run/solver_stiffness.hpp"
+#include "experiments/scene/energy.hpp"
+#include "experiments/scene/precision.hpp"
+
+namespace bendlab {
+namespace {
+
+using Message = std::optional<std::string>;
+
+// ---- unconverged
+
+// Mean strain over the last second. A rigid membrane has none, woven cloth under its own weight less than
+// 0.01; what iterations leave of it makes the sheet longer. A sheet of 24 cells on its centre, no bending: 1
+// substep × 10 iterations leave 0.056, 10 × 1 0.012, 4 × 10 0.006; on two corners, 20 cells, 1 × 10 leave
+// 0.072 and 4 × 10 0.007. The paper's sheet on 16 cells, which hangs as finer ones do, has 0.036.
+constexpr double unconverged_strain = 0.05;
+// Of the most stretched triangle, for necks at pins that the mean does not see: a tube on its rim, 24 cells, green form, 1 × 10
+// has 1.36, and hangs by a tenth of its size too far; 10 × 1 left 1.10.
+constexpr double unconverged_stretch = 1.25;
+
+Message unconverged(const WarningInput& input) {
+  const StrainStiffness& strain = input.scene.input.strain_stiffness;
+  const bool rigid = strain.kind == StiffnessKind::compliance ? strain.compliance == 0
+                                                              : strain.warp == 1 && strain.weft == 1;
+  const auto number = [&](const char* name) {
+    const auto found = input.summary->find(name);
+    return found == input.summary->end() ? 0.0 : found->second;
+  };
+  // A run of less than a second may end where it only begins to stretch: medians do not see it.
+  const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
+               most = std::max(number("max_stretch"), number("max_stretch_last"));
+  if (!rigid || input.scene.input.settings.method != Method::pbd ||
+      !(mean > unconverged_strain || most > unconverged_stretch))
+    return std::nullopt;
+  return fmt::format(
+      "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not "
+      "stretch: {} "
+      "substeps × {} iterations leave it unconverged. More /solver/substeps with fewer /solver/iterations "
+      "each "
+      "help: 10 × 1 left 0.012 and 1.1 where 1 × 10 left 0.056 and 1.36",
+      mean, most, input.scene.input.settings.substeps, input.scene.input.settings.iterations);
+}
+
+// ---- inert_seed
+
+bool gives(const Json& settings, const std::string& pointer) {
+  return value_at(settings, pointer) != nullptr;
+}
+
+// Whether somebody chose this seed: wrote it down, or swept it or what it is in.
+bool is_chosen(const WarningInput& input, const std::string& pointer) {
+  if (gives(input.experiment.settings, pointer)) return true;
+  for (const auto& [swept, value] : input.config.point) {
+    if (swept == pointer) return true;
+    if (lies_within(pointer, swept) && gives(value, pointer.substr(swept.size()))) return true;
+  }
+  return false;
+}
+
+Message inert_seed(const WarningInput& input) {
+  const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
+  const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
+             mesh_used = input.config.mesh_file.empty() && mesh.text("generator") == "delaunay";
+  std::string inert;
+  if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
+  if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
+  if (inert.empty()) return std::nullopt;
+  return fmt::format(
+      "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
+      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
+                            : "Give /initial/perturbation a value, 1e-6 for example, or leave it out");
+}
+
+// ---- piece_without_pin
+
+Message piece_without_pin(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  if (input.scene.pins.all.empty()) return std::nullopt;
+  std::vector<char> held(static_cast<std::size_t>(rest.vertex_count()), 0);
+  std::vector<int> stack = input.scene.pins.all;
+  for (const int v : stack) held[static_cast<std::size_t>(v)] = 1;
+  while (!stack.empty()) {
+    const int v = stack.back();
+    stack.pop_back();
+    for (const int neighbour : rest.one_ring()[v])
+      if (char& seen = held[static_cast<std::size_t>(neighbour)]; !seen) seen = 1, stack.push_back(neighbour);
+  }
+  const auto loose = std::ranges::count(held, 0);
+  if (loose == 0) return std::nullopt;
+  const auto first = std::ranges::find(held, 0) - held.begin();
+  return fmt::format(
+      "{} of {} vertices, vertex {} the first, are in pieces of the mesh without a pin, while others have "
+      "some: they fall away. Pin each piece, or unite them ('bendlab mesh' lists pieces)",
+      loose, rest.vertex_count(), first);
+}
+
+// ---- all_pinned
+
+Message all_pinned(const WarningInput& input) {
+  const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
+  if (input.scene.pins.all.size() != vertices) return std::nullopt;
+  return fmt::format(
+      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: "
+      "on a "
+      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or "
+      "/pins/distance pins "
+      "fewer",
+      vertices);
+}
+
+// ---- inert_stiffness
+
+// What a physical stiffness is told in, without saying that there is one.
+Message inert_stiffness(const WarningInput& input) {
+  if (input.config.section("/bending").text("stiffness") == "physical") return std::nullopt;
+  for (const auto& [swept, values] : input.experiment.axes)  // other runs of the sweep may use it
+    if (lies_within("/bending/stiffness", swept)) return std::nullopt;
+  for (const char* name : {"flexural_rigidity", "quartic_coefficient"}) {
+    const std::string pointer = fmt::format("/bending/{}", name);
+    if (is_chosen(input, pointer))
+      return fmt::format(
+          "{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
+          "/bending/stiffness to physical, or leave it out",
+          pointer, input.config.section("/bending").text("stiffness"));
+  }
+  return std::nullopt;
+}
+
+// ---- units
+
+// Under gravity a length L has a time √(L / g) in which it falls and swings: 0.03 s for 1 cm, 0.8 s for 6 m.
+// Cloth of people lies between; a mesh in mm or cm read as m does not. Weaker gravity than the Earth's is a
+// choice, and says nothing of units.
+constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
+constexpr double weakest_gravity = 9;                       // m/s²
+
+Message units(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  const double g = gravity_of(input.scene.effects).norm();
+  const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
+  // kg/m²: gauze has 0.02, a heavy carpet 4.
+  constexpr double heaviest = 10;
+  if (const double density = input.config.section("/material").number("density"); density > heaviest)
+    return fmt::format(
+        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2", density);
+  if (!(g >= weakest_gravity)) return std::nullopt;
+  const double time = std::sqrt(extent / g);
+  if (time >= shortest_time && time <= longest_time) return std::nullopt;
+  return fmt::format(
+      "the cloth is {:.3g} m long, {} under a gravity of {:.3g} m/s²: is the mesh in other units? "
+      "/mesh/scale makes metres of them (0.001 of millimetres, 0.01 of centimetres)",
+      extent, time > longest_time ? "a hall's curtain or more" : "less than a fingertip", g);
+}
+
+// ---- membrane_courant
+
+// The Courant number of a membrane of the stiffness Y = 1 / compliance (N/m) and the mass ρ per area: how
+// many cells a wave of stretch, at √(Y/ρ), passes in a substep h. Iterations carry it on by a cell or so. A
+// strip of 1 m that hangs by its end, double precision, is longer by what was told (ρ g L²/2Y) times 1 + C²/n
+// with n projections per substep, within a third, whatever Y, cells and h are (20 to 10⁴ N/m, 8 and 16 cells
+// across a width of 0.25 m, 1 to 64 substeps × 1 to 40 iterations):
+//
+//   C²/n                 0.035 0.14  0.22  0.56  0.89  1.4   2.2   3.6   5.6   14    57    360   1420   5690
+//   elongation / told    1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
+constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as told
+
+Message membrane_courant(const WarningInput& input) {
+  const SimulationInput& scene = input.scene.input;
+  const SolverSettings& solver = scene.settings;
+  const double compliance = scene.strain_stiffness.compliance;
+  if (solver.method != Method::pbd || scene.strain_stiffness.kind != StiffnessKind::compliance ||
+      compliance == 0)
+    return std::nullopt;
+  const std::vector<double>& areas = input.scene.rest.areas();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
+  const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area;
+  const double cell =
+      std::sqrt(2 * area / static_cast<double>(areas.size()));  // the legs of a right triangle
+  const double courant = std::sqrt(1 / (compliance * density)) * solver.dt / solver.substeps / cell;
+  const double excess = courant * courant / solver.projections_per_substep();
+  if (!(excess > softened)) return std::nullopt;
+  constexpr double wanted = 0.1;
+  return fmt::format(
+      "a wave of stretch passes {:.2g} cells in a substep (the membrane's Courant number), and {} "
+      "projections "
+      "follow it: the membrane stretches about {:.2g} times as far as told. {} /solver/substeps would "
+      "leave 1.1",
+      courant, solver.projections_per_substep(), 1 + excess,
+      static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))));
+}
+
+// ---- k_overshoot
+
+// Of all models only prestressed pushes a sheet that is otherwise fine out of its shape by its k: springs
+// that are longer by an excess e stretch it. Mean strain of a sheet of 20 cells on two corners, 4 × 10
+// (without bending 0.007):
+//
+//   e              0.02    0.05    0.1     0.2     0.5
+//   k = 0.1        0.016   0.032   0.060   0.117   0.293
+//   k = 0.5        0.028   0.060   0.114   0.227   0.627
+//   k = 1          0.031   0.068   0.129   0.257   0.684
+//
+// dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod at k of 0.01 to 1
+// leave it as it is or less strained, at 4 × 10 and at 1 × 10.
+Message k_overshoot(const WarningInput& input) {
+  if (input.config.bending_model() != "prestressed") return std::nullopt;
+  const ParameterValues bending = input.config.section("/bending");
+  const std::string& stiffness = bending.text("stiffness");
+  if (stiffness != "k" && stiffness != "k_per_step") return std::nullopt;
+  const double k = bending.number("k"), excess = input.config.bending_parameters().number("excess");
+  constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;  // of the excess: the columns of the table
+  const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
+  if (!(strain > unconverged_strain)) return std::nullopt;
+  return fmt::format(
+      "springs of prestressed with an excess of {:.2g} and k = {:.2g} stretch the sheet by about {:.2g} in "
+      "the mean, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: 0.02 left 0.03",
+      excess, k, strain);
+}
+
+// ---- soft_solver
+
+Message soft_solver(const WarningInput& input) {
+  return soft_solver_warning(*input.summary);
+}
+
+// ---- weaker_push
+
+Message weaker_push(const WarningInput& input) {
+  return input.scene.push ? push_warning(*input.scene.push) : std::nullopt;
+}
+
+// ---- single_precision
+
+// A sheet on tethers, or on a plane, in single precision: see precision.cpp.
+Message single_precision(const WarningInput& input) {
+  if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
+  const RoundingSpeed speed = rounding_speed(input.scene);
+  if (speed.single_suffices()) return std::nullopt;
+  return fmt::format(
+      "an effect moves vertices to positions that single precision rounds: each rounding is {:.2g} m/s in a "
+      "substep, and gravity adds {:.2g} m/s. /solver/precision: auto takes double for it",
+      speed.rounded, speed.gained);
+}
+
+constexpr std::array kinds = {
+    WarningKind{"inert_seed", "a seed is set or swept that nothing uses", true, inert_seed},
+    WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
+                piece_without_pin},
+    WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
+    WarningKind{"inert_stiffness", "a physical stiffness is given and not asked for", true, inert_stiffness},
+    WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
+    WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as told", true,
+                membrane_courant},
+    WarningKind{"k_overshoot", "bending springs at that k stretch the sheet", true, k_overshoot},
+    WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
+                single_precision},
+    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false,
+                weaker_push},
+    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told",
+                false, soft_solver},
+    WarningKind{"unconverged", "iterations leave a membrane stretched that does not stretch", false,
+                unconverged},
+};
+
+}  // namespace
+
+std::span<const WarningKind> warning_kinds() {
+  return kinds;
+}
+
+std::vector<Warning> warnings_of(const WarningInput& input) {
+  std::vector<Warning> warnings;
+  for (const WarningKind& kind : kinds) {
+    if (!kind.before && input.summary == nullptr) continue;
+    if (Message message = kind.message(input))
+      warnings.push_back({std::string(kind.code), *std::move(message)});
+  }
+  return warnings;
+}
+
+std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) try {
+  RunConfig bare = config;
+  bare.resolved["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
+  const Scene scene = build_scene(bare);
+  return warnings_of(WarningInput{experiment, config, scene});
+} catch (const std::exception&) {
+  return {};
+}
+
+std::string text_of_what_warns_before(const RunConfig& config) {
+  Json settings = config.resolved;
+  for (const char* unused : {"output", "accuracy", "quality"}) settings.erase(unused);
+  for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
+  return settings.dump();
+}
+
+Json to_json(const std::vector<Warning>& warnings) {
+  Json json = Json::array();
+  for (const Warning& warning : warnings)
+    json.push_back({{"code", warning.code}, {"message", warning.message}});
+  return json;
+}
+
+std::vector<Warning> warnings_of(const Json& json) {
+  std::vector<Warning> warnings;
+  if (!json.is_array()) return warnings;
+  for (const Json& each : json)
+    if (each.is_object() && each.contains("code") && each.contains("message") && each["code"].is_string() &&
+        each["message"].is_string())
+      warnings.push_back({each["code"], each["message"]});
+  return warnings;
+}
+
+}  // namespace bendlab

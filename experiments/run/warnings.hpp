@@ -1,0 +1,54 @@
+// What a colleague would say about a run that is not wrong, but may not be what was meant: each with its
+// number and a remedy. A new warning is a function and a row in warnings.cpp.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/config/config.hpp"
+#include "experiments/scene/scene.hpp"
+
+namespace bendlab {
+
+struct Warning {
+  std::string code;     ///< stable: "unconverged", …
+  std::string message;  ///< with the number, what it means and what helps
+};
+
+/// What a warning may know.
+struct WarningInput {
+  const Experiment& experiment;
+  const RunConfig& config;
+  const Scene& scene;
+  const std::map<std::string, double>* summary = nullptr;  ///< of the run; null before it
+};
+
+struct WarningKind {
+  std::string_view code;
+  std::string_view meaning;  ///< when it is given
+  bool before;               ///< known before the run: looks at neither the summary nor bending constraints
+  std::optional<std::string> (*message)(const WarningInput&);
+};
+
+/// Every kind, in the order in which they are told.
+std::span<const WarningKind> warning_kinds();
+
+/// The warnings of a run; without a summary those that are known before it.
+std::vector<Warning> warnings_of(const WarningInput& input);
+
+/// Those that are known before the run, from a scene that is built without bending constraints. None where
+/// the scene can't be built: the run says why.
+std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config);
+
+/// The settings that those look at, as text: runs that have it in common have the same warnings before.
+std::string text_of_what_warns_before(const RunConfig& config);
+
+/// [{code, message}, …], and back; what is not that is left out.
+Json to_json(const std::vector<Warning>& warnings);
+std::vector<Warning> warnings_of(const Json& json);
+
+}  // namespace bendlab

@@ -1,0 +1,119 @@
+#include "experiments/scene/initial_pose.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+namespace {
+
+// Uniform in [-1, 1], the same on every platform (the standard's distributions are not).
+double uniform(std::mt19937_64& generator) {
+  return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
+}
+
+// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
+Positions folded(const RestMesh& rest, int folds, double gap) {
+  const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
+  const double layer = (width - folds * turn) / (folds + 1);
+  if (layer <= 0)
+    throw ConfigError("initial pose", {{"/initial/fold_gap",
+                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
+                                                    "{:.3g} m wide: fewer folds or a smaller gap",
+                                                    folds, gap, folds * turn, width)}});
+  Positions positions = rest.positions();
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const double along = positions(v, 0) - rest.box_min().x();
+    const int below = std::min(folds, static_cast<int>(along / (layer + turn)));
+    const double within = along - below * (layer + turn);  // its layer, then the turn that follows
+    const double angle = std::max(0.0, within - layer) / (0.5 * gap);
+    const double to_the_right = std::min(within, layer) - 0.5 * layer + 0.5 * gap * std::sin(angle);
+    positions(v, 0) = rest.centre().x() + (below % 2 == 0 ? to_the_right : -to_the_right);
+    positions(v, 2) += below * gap + 0.5 * gap * (1 - std::cos(angle));
+  }
+  return positions;
+}
+
+// Equal columns flat on top of each other: a zigzag along x without thickness, every crease shut.
+Positions creased(const RestMesh& rest, int creases) {
+  const double column = (rest.box_max() - rest.box_min()).x() / (creases + 1);
+  Positions positions = rest.positions();
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const double along = (positions(v, 0) - rest.box_min().x()) / column;
+    const double within = along - 2 * std::floor(0.5 * along);  // there and back takes 2
+    positions(v, 0) = rest.centre().x() + (std::min(within, 2 - within) - 0.5) * column;
+  }
+  return positions;
+}
+
+Positions folded_rest_shape(const ParameterValues& values, const RestMesh& rest) {
+  const auto folds = static_cast<int>(values.integer("folds")),
+             creases = static_cast<int>(values.integer("creases"));
+  if (folds > 0 && creases > 0)
+    throw ConfigError("initial pose", {{"/initial/creases",
+                                        "and /initial/folds fold the same sheet: set one of the two to 0"}});
+  if (folds > 0) return folded(rest, folds, values.number("fold_gap"));
+  return creases > 0 ? creased(rest, creases) : rest.positions();
+}
+
+Positions tilted(const Positions& positions, const Vector3& centre, double degrees) {
+  if (degrees == 0) return positions;
+  const Eigen::Matrix3d rotation =
+      Eigen::AngleAxisd(degrees * std::numbers::pi / 180, Vector3::UnitX()).toRotationMatrix();
+  return ((positions.rowwise() - centre.transpose()) * rotation.transpose()).rowwise() + centre.transpose();
+}
+
+// Stretched about the mean of the pins that the scene names, or the centre. Pinned vertices stay.
+void scale(Positions& positions, const std::vector<double>& factors, const RestMesh& rest, const Pins& pins) {
+  if (std::ranges::all_of(factors, [](double factor) { return factor == 1; })) return;
+  Vector3 about = pins.seeds.empty() ? rest.centre() : Vector3::Zero();
+  for (const int seed : pins.seeds)
+    about += positions.row(seed).transpose() / static_cast<double>(pins.seeds.size());
+  const Vector3 factor(factors.data());
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (!pins.pinned(v)) positions.row(v) = about + factor.cwiseProduct(positions.row(v).transpose() - about);
+}
+
+// A vector with components uniform in [-1, 1].
+Vector3 uniform_vector(std::mt19937_64& generator) {
+  const double x = uniform(generator), y = uniform(generator), z = uniform(generator);
+  return {x, y, z};
+}
+
+}  // namespace
+
+Positions initial_positions(const ParameterValues& values, const RestMesh& rest, const Pins& pins) {
+  Positions positions = tilted(folded_rest_shape(values, rest), rest.centre(), values.number("tilt"));
+  scale(positions, values.numbers("scale"), rest, pins);
+  const double box = values.number("random") * rest.size(),
+               amplitude = values.number("perturbation") * rest.size();
+  if (box == 0 && amplitude == 0) return positions;
+  std::mt19937_64 generator(static_cast<std::uint64_t>(values.integer("seed")));
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const Vector3 random = uniform_vector(generator);
+    if (pins.pinned(v)) continue;
+    if (box > 0)
+      positions.row(v) = rest.centre() + 0.5 * box * random;
+    else
+      positions.row(v) += amplitude * random.transpose();
+  }
+  return positions;
+}
+
+Positions initial_velocities(const ParameterValues& values, const Positions& positions,
+                             const Vector3& centre) {
+  const Vector3 velocity(values.numbers("velocity").data()), spin(values.numbers("spin").data());
+  if (velocity.isZero(0) && spin.isZero(0)) return {};
+  Positions velocities(positions.rows(), 3);
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+    velocities.row(v) = velocity + spin.cross(positions.row(v).transpose() - centre);
+  return velocities;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,354 @@
+#include "experiments/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "bendlab/bending/calibration.hpp"
+#include "bendlab/bending/push_bound.hpp"
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/delaunay.hpp"
+#include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/flaws.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/numbering.hpp"
+#include "bendlab/solver/order_from_pins.hpp"
+#include "experiments/scene/initial_pose.hpp"
+
+namespace bendlab {
+namespace {
+
+TriangleMesh generate(const ParameterValues& mesh) {
+  const double width = mesh.number("width"), height = mesh.number("height");
+  const int cells = static_cast<int>(mesh.integer("cells"));
+  const std::string& generator = mesh.text("generator");
+  const double radius = mesh.number("radius");
+  if (generator == "disc") return disc(radius, cells);
+  if (generator == "sphere") return sphere(radius, cells);
+  if (generator == "tube")
+    return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
+  if (generator == "delaunay")
+    return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
+  if (generator == "equilateral")
+    return equilateral(width, height, cells,
+                       mesh.text("rows") == "parallel" ? Rows::parallel : Rows::perpendicular);
+  const std::string& diagonal = mesh.text("diagonal");
+  const int cells_y = std::max(1, static_cast<int>(std::lround(cells * height / width)));
+  return grid(width, height, cells, cells_y,
+              diagonal == "same"   ? Diagonal::same
+              : diagonal == "both" ? Diagonal::both
+                                   : Diagonal::alternating);
+}
+
+// A generated mesh is sound until it is flawed.
+AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
+  TriangleMesh generated;
+  try {
+    generated = generate(mesh);
+    if (mesh.has("shuffle"))
+      generated = shuffled(generated, static_cast<std::uint64_t>(mesh.integer("shuffle")));
+  } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
+    throw ConfigError("mesh generator", {{"/mesh", error.what()}});
+  }
+  const std::string& flaw = mesh.text("flaw");
+  if (flaw == "none") return {.mesh = std::move(generated)};
+  try {
+    return accept(to_soup(with_flaw(std::move(generated), flaw)), policy);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(fmt::format("mesh with the flaw {}: {}", flaw, error.what()));
+  }
+}
+
+[[noreturn]] void rethrow(const MeshFileError& error) {
+  if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+  throw RunFileError(error.what());
+}
+
+BadTriangles policy_for_bad_triangles(const ParameterValues& mesh) {
+  const auto found = std::ranges::find(bad_triangles_names, mesh.text("bad_triangles"));
+  return static_cast<BadTriangles>(found - bad_triangles_names.begin());
+}
+
+AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
+  try {
+    return read_mesh(file, policy);
+  } catch (const MeshFileError& error) {
+    rethrow(error);
+  }
+}
+
+Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
+             bool renumbered) {
+  const ParameterValues values = config.section("/pins");
+  if (renumbered && !values.numbers("indices").empty())
+    throw MeshError(fmt::format(
+        "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
+        "by name in "
+        "/pins/vertices",
+        config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
+  std::vector<int> seeds;
+  for (const std::string& name : values.texts("vertices")) try {
+      for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
+    } catch (const std::invalid_argument& error) {  // a name that this mesh has no place for
+      throw ConfigError("/pins/vertices", {{"/pins/vertices", error.what()}});
+    }
+  for (const double index : values.numbers("indices")) {
+    if (index >= rest.vertex_count())
+      throw ConfigError("/pins/indices",
+                        {{"/pins/indices", fmt::format("vertex {} is not in the mesh, which has vertices "
+                                                       "0 to {}",
+                                                       index, rest.vertex_count() - 1)}});
+    seeds.push_back(static_cast<int>(index));
+  }
+  return make_pins(rest, std::move(seeds), static_cast<int>(values.integer("ring")),
+                   values.number("distance"));
+}
+
+StiffnessKind stiffness_kind(const std::string& name) {
+  return name == "k"            ? StiffnessKind::k
+         : name == "k_per_step" ? StiffnessKind::k_per_step
+                                : StiffnessKind::compliance;
+}
+
+StrainStiffness strain_stiffness(const ParameterValues& values) {
+  const std::string& form = values.text("form");
+  return {.form = form == "green"   ? StrainForm::green
+                  : form == "angle" ? StrainForm::angle
+                                    : StrainForm::normalised,
+          .kind = stiffness_kind(values.text("stiffness")),
+          .warp = values.number("warp"),
+          .weft = values.number("weft"),
+          .shear = values.number("shear"),
+          .area = values.number("area"),
+          .compliance = values.number("compliance")};
+}
+
+BendingStiffness bending_stiffness(const ParameterValues& values) {
+  const std::string& stiffness = values.text("stiffness");
+  return {.kind = stiffness_kind(stiffness),
+          .k = values.number("k"),
+          .compliance = stiffness == "physical" ? 1 : values.number("compliance")};
+}
+
+Deflection deflection(const std::string& name) {
+  return name == "small" ? Deflection::small : name == "both" ? Deflection::both : Deflection::large;
+}
+
+// The model's constraints, as soft as the config's physical stiffness asks for.
+BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& rest, const Pins& pins) {
+  const ParameterValues parameters = config.bending_parameters(), values = config.section("/bending");
+  BendingConstraints constraints =
+      find_bending_model(config.bending_model())->build({rest, pins, parameters});
+  if (values.text("stiffness") != "physical") return constraints;
+  const auto given = [&](std::string_view name) {
+    return values.has(name) ? std::optional(values.number(name)) : std::nullopt;
+  };
+  try {
+    calibrate(constraints, rest, pins,
+              {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature"),
+               values.has("deflection") ? deflection(values.text("deflection")) : Deflection::large});
+  } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
+    throw ConfigError("physical stiffness", {{"/bending", error.what()}});
+  }
+  return constraints;
+}
+
+SolverSettings solver_settings(const ParameterValues& values) {
+  const std::string& method = values.text("method");
+  return {.method = method == "kang_cho"      ? Method::kang_cho
+                    : method == "equilibrium" ? Method::equilibrium
+                                              : Method::pbd,
+          .tangent = values.text("tangent") == "taut"        ? Tangent::taut
+                     : values.text("tangent") == "isotropic" ? Tangent::isotropic
+                                                             : Tangent::along,
+          .dt = values.number("dt"),
+          .substeps = static_cast<int>(values.integer("substeps")),
+          .iterations = static_cast<int>(values.integer("iterations")),
+          .flight_limit = values.number("flight_limit"),
+          .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
+          .order = values.text("order") == "colour" ? ConstraintOrder::colour : ConstraintOrder::mesh,
+          .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,
+          .threads = static_cast<int>(values.integer("threads"))};
+}
+
+// Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
+std::vector<double> masses_of(const ParameterValues& material, const RestMesh& rest) {
+  const double density = material.number("density"), ratio = material.number("density_ratio");
+  std::vector<double> mass = lumped_masses(rest, density);
+  for (int t = 0; ratio != 1 && t < rest.triangle_count(); ++t) {
+    const auto corner = rest.triangles().row(t);
+    const double x = (rest.position(corner(0)) + rest.position(corner(1)) + rest.position(corner(2))).x() / 3;
+    if (x <= rest.centre().x()) continue;
+    for (const int v : corner)
+      mass[static_cast<std::size_t>(v)] +=
+          (ratio - 1) * density * rest.areas()[static_cast<std::size_t>(t)] / 3;
+  }
+  return mass;
+}
+
+std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
+  if (material.text("coordinates") == "warp") {
+    const std::vector<double>& warp = material.numbers("warp_direction");
+    return inverse_rest_from_warp(mesh, {warp[0], warp[1], warp[2]});
+  }
+  try {
+    return inverse_rest_from_texture(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(error.what());
+  }
+}
+
+int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs) {
+  return static_cast<int>(
+      std::count_if(springs.vertices.begin(), springs.vertices.end(), [&](const auto& pair) {
+        const auto ring = rest.one_ring()[pair[0]];
+        return !std::binary_search(ring.begin(), ring.end(), pair[1]);
+      }));
+}
+
+Vector3 direction_of_gravity(const std::vector<EffectSettings>& effects) {
+  for (const EffectSettings& effect : effects)
+    if (effect.type == "gravity") {
+      const std::vector<double>& a = effect.values.numbers("acceleration");
+      const Vector3 acceleration(a[0], a[1], a[2]);
+      if (acceleration.norm() > 0) return acceleration.normalized();
+    }
+  return -Vector3::UnitZ();
+}
+
+QualityThresholds quality_thresholds(const ParameterValues& values) {
+  return {.needle_ratio = values.number("needle_ratio"),
+          .cap_angle = values.number("cap_angle"),
+          .small_angle = values.number("small_angle")};
+}
+
+// The compiled passes of the effect at that place, under its name. Throws ConfigError for settings that do not go
+// together, or not with this mesh.
+template <class Real>
+std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
+  const EffectSettings& settings = scene.effects[index];
+  const bool contacts_used = std::ranges::any_of(
+      scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
+  std::vector<Pass<Real>> passes;
+  try {
+    passes = find_effect(settings.type)
+                 ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+  } catch (const MeshFileError& error) {
+    rethrow(error);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(settings.type, {{fmt::format("/effects/{}", index), error.what()}});
+  }
+  const std::string name = pass_name(scene.effects, index);
+  for (Pass<Real>& pass : passes) pass.name = name + pass.name.substr(settings.type.size());
+  return passes;
+}
+
+Precision precision_of(const Scene& scene, const std::string& asked) {
+  const bool wide = asked == "double" || scene.input.settings.method == Method::equilibrium ||
+                    (asked == "auto" && !rounding_speed(scene).single_suffices());
+  return wide ? Precision::double_precision : Precision::single_precision;
+}
+
+template <class Real>
+std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
+  std::vector<Pass<Real>> passes;
+  for (std::size_t index = 0; index < scene.effects.size(); ++index)
+    for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
+  return make_simulation<Real>(scene.input, std::move(passes));
+}
+
+}  // namespace
+
+AcceptedMesh rest_mesh_of(const RunConfig& config) {
+  const ParameterValues values = config.section("/mesh");
+  const BadTriangles policy = policy_for_bad_triangles(values);
+  AcceptedMesh accepted =
+      config.mesh_file.empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file, policy);
+  accepted.mesh.positions *= values.number("scale");
+  accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
+  return accepted;
+}
+
+Scene build_scene(const RunConfig& config) {
+  AcceptedMesh accepted = rest_mesh_of(config);
+  Scene scene{.rest = RestMesh(std::move(accepted.mesh)), .mesh_notes = std::move(accepted.notes)};
+  const RestMesh& rest = scene.rest;
+  const ParameterValues material = config.section("/material"), solver = config.section("/solver");
+  scene.pins = pins_of(config, rest, scene.mesh_notes, accepted.renumbered);
+  scene.effects = config.effects();
+  scene.down = direction_of_gravity(scene.effects);
+  scene.thresholds = quality_thresholds(config.section("/quality"));
+
+  SimulationInput& input = scene.input;
+  input.positions = initial_positions(config.section("/initial"), rest, scene.pins);
+  input.velocities = initial_velocities(config.section("/initial"), input.positions, rest.centre());
+  input.rest = rest.positions();
+  input.origin = rest.centre();
+  input.size = rest.size();
+  input.mass = masses_of(material, rest);
+  input.is_pinned = scene.pins.is_pinned;
+  input.place = local_numbering(rest);
+  input.settings = solver_settings(solver);
+  if (input.settings.method == Method::kang_cho)
+    input.edges = edge_springs(rest, scene.pins);
+  else
+    input.strain =
+        strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()),
+                           policy_for_bad_triangles(config.section("/mesh")) == BadTriangles::membrane_off
+                               ? dispensable_triangles(rest)
+                               : std::vector<char>{});
+  input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
+
+  BendingConstraints bending = bending_constraints(config, rest, scene.pins);
+  const SolverSettings& settings = input.settings;
+  if (settings.method == Method::pbd && find_bending_model(config.bending_model())->prestressed &&
+      config.section("/bending").text("stiffness") == "physical") {
+    scene.push = bound_push(bending.distance, rest, input.mass, settings.dt / settings.substeps,
+                            settings.projections_per_substep());
+    if (scene.push) std::ranges::move(facts_of(*scene.push), std::back_inserter(bending.facts));
+  }
+  scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
+  scene.bending_facts = std::move(bending.facts);
+  input.distance = std::move(bending.distance);
+  input.elements = std::move(bending.elements);
+  input.bending_stiffness = bending_stiffness(config.section("/bending"));
+  if (solver.text("order") == "pins") order_from_pins(input, rest);
+  input.settings.apart = !rounding_speed(scene).whole_suffices();
+  scene.precision = precision_of(scene, solver.text("precision"));
+  return scene;
+}
+
+std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t index) {
+  const auto same = [&](const EffectSettings& each) { return each.type == effects[index].type; };
+  if (std::ranges::count_if(effects, same) == 1) return effects[index].type;
+  const auto before = effects.begin() + static_cast<std::ptrdiff_t>(index);
+  return fmt::format("{} {}", effects[index].type, 1 + std::count_if(effects.begin(), before, same));
+}
+
+std::vector<std::size_t> idle_effects(const Scene& scene) {
+  std::vector<std::size_t> idle;
+  for (std::size_t index = 0; index < scene.effects.size(); ++index) {
+    const EffectSettings& settings = scene.effects[index];
+    const Effect& effect = *find_effect(settings.type);
+    if ((effect.idle && effect.idle(settings.values)) || passes_of<double>(scene, index).empty())
+      idle.push_back(index);
+  }
+  return idle;
+}
+
+bool moves_vertices(const Scene& scene) {
+  for (std::size_t index = 0; index < scene.effects.size(); ++index)
+    for (const Pass<float>& pass : passes_of<float>(scene, index))
+      if (pass.stage != Stage::force && pass.stage != Stage::damp) return true;
+  return false;
+}
+
+std::unique_ptr<Simulation> simulation_of(const Scene& scene) {
+  return scene.precision == Precision::double_precision ? simulation_in<double>(scene)
+                                                        : simulation_in<float>(scene);
+}
+
+}  // namespace bendlab

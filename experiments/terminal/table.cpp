@@ -1,0 +1,82 @@
+#include "experiments/terminal/table.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+
+namespace bendlab {
+namespace {
+
+/// Columns on screen: code points of UTF-8, escape sequences left out.
+std::size_t width(std::string_view text) {
+  std::size_t count = 0;
+  bool escape = false;
+  for (const char c : text) {
+    if (c == '\x1b') escape = true;
+    if (!escape && (static_cast<unsigned char>(c) & 0xC0) != 0x80) ++count;
+    if (c == 'm') escape = false;
+  }
+  return count;
+}
+
+bool is_number(const std::string& text) {
+  if (text.empty()) return true;  // a gap fits into a column of either kind
+  char* end = nullptr;
+  std::strtod(text.c_str(), &end);
+  return *end == '\0';
+}
+
+}  // namespace
+
+std::string Table::text() const {
+  std::vector<std::size_t> widths;
+  std::vector<bool> right;
+  for (std::size_t column = 0; column < headings_.size(); ++column) {
+    widths.push_back(width(headings_[column]));
+    right.push_back(
+        std::all_of(rows_.begin(), rows_.end(), [&](const auto& row) { return is_number(row[column]); }));
+    for (const auto& row : rows_) widths[column] = std::max(widths[column], width(row[column]));
+  }
+
+  std::string out;
+  const auto add_line = [&](const std::vector<std::string>& cells) {
+    std::string line;
+    for (std::size_t column = 0; column < cells.size(); ++column) {
+      const std::string gap(widths[column] - width(cells[column]), ' ');
+      if (column > 0) line += "  ";
+      line += right[column] ? gap + cells[column] : cells[column] + gap;
+    }
+    line.erase(line.find_last_not_of(' ') + 1);
+    out += line + '\n';
+  };
+  add_line(headings_);
+  for (const auto& row : rows_) add_line(row);
+  return out;
+}
+
+std::string format_number(double value) {
+  if (std::trunc(value) == value && std::abs(value) < 1e12) return fmt::format("{:.0f}", value);
+  return fmt::format("{:.4g}", value);
+}
+
+std::string format_duration(double seconds) {
+  const long whole = std::lround(seconds);
+  const long hours = whole / 3600, minutes = whole / 60 % 60;
+  if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
+  return fmt::format("{}:{:02}", minutes, whole % 60);
+}
+
+std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool wanted = no_color == nullptr || *no_color == '\0';
+  if (!wanted || isatty(fileno(stream)) == 0) return std::string(text);
+  constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
+  const int code = codes.at(static_cast<std::size_t>(colour));
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
+}
+
+}  // namespace bendlab
