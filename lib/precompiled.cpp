@@ -1,0 +1,1 @@
+// Compiles lib/precompiled.hpp for the rooms.
