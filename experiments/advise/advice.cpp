@@ -15,7 +15,7 @@
 #include "bendlab/metrics/shape_error.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
-#include "experiments/run/accuracy.hpp"
+#include "experiments/measures/trajectory.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/scene/scene.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -45,7 +45,7 @@ double or_endless(double value) {
 
 // Root mean square of the Green strain at the end of a run, or its mean over the frames.
 double strain_in(const std::filesystem::path& file, bool over_time) {
-  const Course end = read_course(file);
+  const Trajectory end = read_trajectory(file);
   if (!over_time) return or_endless(strain_error(end.rest, end.poses.back()));
   const std::size_t frames = read_metric(file, "time").size();
   double sum = 0;

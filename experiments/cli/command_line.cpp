@@ -13,6 +13,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/config/nearest_name.hpp"
 #include "experiments/config/schema.hpp"
+#include "experiments/measures/reference.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
@@ -274,6 +275,9 @@ int dispatch(int argc, char** argv) {
                 models_text, models_json);
   add_reference(app, arguments, "effects", "List the effects: parameters, defaults, sources", effects_text,
                 effects_json);
+  add_reference(app, arguments, "measures",
+                "List the measures: their numbers, units, meanings, what they cost", measures_text,
+                measures_json);
   add_reference(app, arguments, "schema", "Print the reference of the configs", schema_text, schema_json);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();

@@ -9,7 +9,7 @@
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/run/strip.hpp"
+#include "experiments/measures/strip.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {

@@ -35,6 +35,13 @@ constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
 constexpr std::array<std::string_view, 3> orders = {"colour", "mesh", "pins"};
 constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
 constexpr std::array<std::string_view, 3> precisions = {"auto", "single", "double"};
+constexpr std::array measures_on_request = {
+#define BENDLAB_MEASURE(name)
+#define BENDLAB_MEASURE_ON_REQUEST(name) std::string_view(#name),
+#include "experiments/measures/measures.def"
+#undef BENDLAB_MEASURE
+#undef BENDLAB_MEASURE_ON_REQUEST
+};
 constexpr std::array<std::string_view, 3> alignments = {"none", "vertical", "rigid"};
 
 constexpr std::array<std::string_view, 1> allowed = {"implausible"};  // of RunStatus
@@ -343,15 +350,10 @@ constexpr std::array output = {
               .minimum = 0, .above = true},
     Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether the run file lists every constraint (else their counts and hash)"},
-    Parameter{.name = "stiffness", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether the summary says how stiff the cloth, a cantilever strip, is at the end of the run: "
-                         "stiffness_flexural_rigidity and others, see 'bendlab stiffness'"},
-    Parameter{.name = "stability", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether the summary says how stable the run was, looked at after every step: how far it reached, "
-                         "whether momentum and energy stayed, how near the rest shape it came and when (stability_…)"},
-    Parameter{.name = "drape", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether the summary has the drape_coefficient and drape_folds of the cloth at the end of the "
-                         "run: a specimen that hangs over a round table, which is its pinned triangles"},
+    Parameter{.name = "measures", .type = texts, .unit = "", .default_value = Names(),
+              .meaning = "What the summary has besides what every run's has; `bendlab measures` says what each finds out, what "
+                         "its numbers are called and what it costs",
+              .choices = measures_on_request},
 };
 
 constexpr std::array accuracy = {

@@ -1,4 +1,4 @@
-#include "experiments/run/stability.hpp"
+#include "experiments/measures/stability.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <numeric>
 
 #include "bendlab/metrics/motion.hpp"
+#include "experiments/measures/measure.hpp"
 #include "experiments/scene/energy.hpp"
 
 namespace bendlab {
@@ -137,4 +138,67 @@ std::map<std::string, double> StabilityMeter::summary() {
   return named;
 }
 
+namespace {
+
+class Stability final : public Measurement {
+ public:
+  Stability(const Scene& scene, double duration) : meter_(scene, duration) {}
+
+  void step(const Simulation& simulation, const Moment&) override { meter_.look(simulation); }
+  void finish(const RunEnd&, Findings& findings) override { findings.summary.merge(meter_.summary()); }
+
+ private:
+  StabilityMeter meter_;
+};
+
+std::vector<Quantity> quantities() {
+  return {
+      {"stability_steps", "1", "looks after time 0"},
+      {"stability_reach", "1", "farthest that a vertex was from the mean of all, in sizes of the mesh"},
+      {"stability_reach_start", "1", "the same of the first look"},
+      {"stability_reach_end", "1", "the same of the last look"},
+      {"stability_rest_distance", "1",
+       "at the end, root mean square distance from the rest shape after alignment, in sizes"},
+      {"stability_least_rest_distance", "1", "the least of ten looks a second at that"},
+      {"stability_recovered_at", "s",
+       "since when it has been below 0.01, to 0.1 s; absent if it is not at the end"},
+      {"stability_creep", "1",
+       "how far the cloth moved in the second half of the run, root mean square, in sizes"},
+      {"stability_momentum_drift", "m/s",
+       "largest difference of the velocity of the centre of mass from v0 + g t; of a cloth without pins and "
+       "with no "
+       "effect but gravity and damping, which keeps momentum"},
+      {"stability_rounding_speed", "m/s",
+       "beside it: ε d / h, to which one rounding of a coordinate comes at the largest distance d from the "
+       "rest box's "
+       "centre that any vertex had"},
+      {"stability_spin_kept", "1",
+       "angular momentum at the end over that at the start; of such a cloth that spins"},
+      {"stability_energy_scale", "J",
+       "kinetic energy at the start, elastic energy, and weight times size. Elastic energy is that of "
+       "compliances; k has "
+       "none"},
+      {"stability_energy_gain", "1",
+       "by how much the total energy was above its start at most, as a share of energy_scale"},
+      {"stability_energy_rises", "1",
+       "share of the steps in which the total energy rose by more than 10⁻⁶ of that"},
+      {"stability_shut_hinges", "1",
+       "share of the hinges that are folded by more than 170 degrees at the end, and that were not at rest"},
+  };
+}
+
+}  // namespace
+
+namespace measure {
+extern const Measure stability{
+    .name = "stability",
+    .summary =
+        "where the cloth went, whether it kept momentum and energy, and whether it came back to its rest "
+        "shape",
+    .cost = "positions, velocities and energies after every step; ten alignments a second",
+    .gives = quantities,
+    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Stability>(scene, config.section("").number("duration"));
+    }};
+}  // namespace measure
 }  // namespace bendlab

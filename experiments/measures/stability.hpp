@@ -19,24 +19,7 @@ class StabilityMeter {
   /// To be called at time 0 and after every step; a step that diverged is left out.
   void look(const Simulation& simulation);
 
-  /// What was seen, by name, each beginning with `stability_`:
-  ///   steps           looks after time 0
-  ///   reach           farthest that a vertex was from the mean of all, in sizes of the mesh;
-  ///   reach_start, reach_end   the same of the first and the last look
-  ///   rest_distance   at the end, root mean square distance from the rest shape after alignment, in sizes;
-  ///   least_rest_distance of ten looks a second
-  ///   recovered_at    since when it has been below 0.01, to 0.1 s; absent if it is not at the end
-  ///   creep           how far the cloth moved in the second half of the run, root mean square, in sizes
-  ///   momentum_drift  largest difference of the velocity of the centre of mass from v0 + g t, m/s; of a cloth without pins
-  ///                   and with no effect but gravity and damping, which keeps momentum
-  ///   rounding_speed  beside it: ε d / h, to which one rounding of a coordinate comes at the largest distance d from the
-  ///                   rest box's centre that any vertex had
-  ///   spin_kept       angular momentum at the end over that at the start; of such a cloth that spins
-  ///   energy_gain     by how much the total energy was above its start at most, as a share of energy_scale (J): kinetic
-  ///                   energy at the start, elastic energy, and weight times size. Elastic energy is that of compliances;
-  ///                   k has none
-  ///   energy_rises    share of the steps in which the total energy rose by more than 10⁻⁶ of that
-  ///   shut_hinges     share of the hinges that are folded by more than 170 degrees at the end, and that were not at rest
+  /// What was seen, by name, each beginning with `stability_`; stability.cpp has the list.
   std::map<std::string, double> summary();
 
  private:

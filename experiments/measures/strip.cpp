@@ -1,4 +1,4 @@
-#include "experiments/run/strip.hpp"
+#include "experiments/measures/strip.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -77,21 +77,6 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
                    .exclude = settings.exclude.value_or(reach),
                    .rounding = largest * (wide ? 0x1p-53 : 0x1p-24)};
   return strip;
-}
-
-std::map<std::string, double> stiffness_summary(const StripStiffness& stiffness) {
-  std::map<std::string, double> summary = {
-      {"stiffness_height_over_width", stiffness.height_over_width},
-      {"stiffness_gamma", stiffness.gamma},
-      {"stiffness_flexural_rigidity", stiffness.flexural_rigidity},
-      {"stiffness_bending_length", stiffness.bending_length},
-      {"stiffness_quartic", stiffness.quartic},
-      {"stiffness_fit_exponent", stiffness.fit.exponent},
-      {"stiffness_fit_B", stiffness.fit.rigidity},
-      {"stiffness_fit_C", stiffness.fit.quartic},
-  };
-  std::erase_if(summary, [](const auto& entry) { return !std::isfinite(entry.second); });
-  return summary;
 }
 
 }  // namespace bendlab

@@ -2,9 +2,7 @@
 // the run's config.
 #pragma once
 
-#include <map>
 #include <optional>
-#include <string>
 
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/metrics/stiffness.hpp"
@@ -29,8 +27,5 @@ struct RunStrip {
 /// Density and gravity are the config's. Throws std::invalid_argument for what is no cantilever strip.
 RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                   const StripSettings& settings = {});
-
-/// `stiffness_…` of a run's summary; what is not a number is left out.
-std::map<std::string, double> stiffness_summary(const StripStiffness& stiffness);
 
 }  // namespace bendlab

@@ -579,12 +579,14 @@ bool Plausibility::Lasting::too_long(double time, bool above) {
   return time - *since >= moment;
 }
 
-void Plausibility::look_at_stretch(double time, double mean_strain, const std::vector<float>& stretches,
+void Plausibility::look_at_stretch(double time, double mean_strain,
+                                   std::span<const PrincipalStretches> stretches,
                                    const Positions& positions) {
   if (broken_stretch_ || stretches.empty()) return;
   const WithoutTraps traps_are_off;
-  const auto largest = std::ranges::max_element(stretches);
-  const double needed = needed_stretch(positions), stretch = static_cast<double>(*largest);
+  const auto recorded = [](const PrincipalStretches& s) { return static_cast<float>(s.largest); };
+  const auto largest = std::ranges::max_element(stretches, {}, recorded);
+  const double needed = needed_stretch(positions), stretch = static_cast<double>(recorded(*largest));
   const auto limit_passed = [&](double value, double limit, double lasting, Lasting& lasts) {
     const bool too_long = lasts.too_long(time, value > lasting);
     return value > limit ? limit : too_long ? lasting : none;

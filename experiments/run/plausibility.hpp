@@ -4,10 +4,12 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "bendlab/metrics/stretch.hpp"
 #include "experiments/config/strict_json.hpp"
 #include "experiments/scene/scene.hpp"
 
@@ -69,9 +71,8 @@ class Plausibility {
   /// The same on values (#V by 3, m and m/s) at a time in s.
   void look(double time, const Positions& positions, const Positions& velocities);
 
-  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T, the
-  /// larger principal one of every triangle.
-  void look_at_stretch(double time, double mean_strain, const std::vector<float>& stretches,
+  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T.
+  void look_at_stretch(double time, double mean_strain, std::span<const PrincipalStretches> stretches,
                        const Positions& positions);
 
   /// The bound that was broken first, with advice. Not while a look may be under way.

@@ -1,48 +1,54 @@
-// What is measured of every recorded frame, in one list: names, units, meanings and values side by side.
+// The frames of a run, and the measures that look at them.
 #pragma once
 
-#include <map>
-#include <string>
+#include <memory>
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "experiments/measures/measure.hpp"
 #include "experiments/run/plausibility.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 
 class Recorder {
  public:
-  /// `scene` must outlive the recorder.
-  explicit Recorder(const Scene& scene);
+  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError where the scene
+  /// cannot be measured as the config asks.
+  Recorder(const RunConfig& config, const Scene& scene);
 
-  std::vector<Column> metrics() const;      ///< of Frame::metrics
-  std::vector<Column> cell_fields() const;  ///< of Frame::cell_fields
+  const std::vector<Column>& metrics() const { return columns_; }     ///< of Frame::metrics
+  const std::vector<Column>& cell_fields() const { return fields_; }  ///< of Frame::cell_fields
 
-  /// A frame with time, positions and what needs velocities; cheap, on the solver's thread.
+  /// Between steps, at time 0 and after each.
+  void step(const Simulation& simulation, const Moment& moment);
+
+  /// A frame with time, positions and what needs more than these; between steps.
   Frame capture(const Simulation& simulation) const;
 
-  static double kinetic_energy_of(const Frame& frame);  ///< J
+  /// The rest of the frame, which the verdict sees too; on the writer's thread, one frame at a time, in order.
+  void complete(Frame& frame, Plausibility& plausibility);
 
-  /// Shows a completed frame's stretches to the verdict; on the writer's thread too.
-  void show(const Frame& frame, Plausibility& plausibility) const;
+  /// When all frames are complete: what the measures found that make no other runs, or that do.
+  Findings findings(const RunEnd& end, bool of_those_that_make_runs);
 
-  /// The rest of the frame, from its positions; on the writer's thread, one frame at a time, in order.
-  void complete(Frame& frame);
-
-  /// The run's summary from the frames completed so far: last frame, medians over the last simulated second,
-  /// extremes.
-  std::map<std::string, double> summary(const Simulation& simulation) const;
+  FrameHistory history() const { return {columns_, times_, rows_}; }
 
  private:
-  double last_second_median(std::size_t column) const;
+  struct Active {
+    const Measure* measure;
+    std::unique_ptr<Measurement> measurement;
+    std::size_t column, columns, field, fields;  // its place in the frame, and how many it has
+  };
 
-  const Scene& scene_;
+  std::vector<Active> active_;
+  std::vector<Column> columns_, fields_;
   StretchMeter stretch_;
-  double pin_level_ = 0;  // of the highest pin, along `down`
-  std::vector<double> times_;
+  std::vector<double> times_;              // s
   std::vector<std::vector<double>> rows_;  // metrics of the completed frames
 };
+
+/// Numbers that every run's summary has, of the scene and of what the solver did.
+std::map<std::string, double> facts_of(const Scene& scene, const Simulation& simulation);
 
 }  // namespace bendlab

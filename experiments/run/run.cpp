@@ -9,17 +9,14 @@
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 #include "bendlab/io/frame_writer.hpp"
-#include "bendlab/metrics/drape.hpp"
-#include "experiments/run/accuracy.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run_header.hpp"
-#include "experiments/run/stability.hpp"
 #include "experiments/run/stepping.hpp"
-#include "experiments/run/strip.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
@@ -37,41 +34,8 @@ std::string file_bytes(const std::string& pointer, const std::filesystem::path& 
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// The strip whose stiffness the config asks for. Throws ConfigError before the run where it is none.
-std::optional<RunStrip> strip_asked_for(const RunConfig& config, const Scene& scene) {
-  if (!config.section("/output").boolean("stiffness")) return std::nullopt;
-  try {
-    RunStrip strip = strip_of(config, scene.rest, scene.pins);
-    strip.meter.height_over_width(scene.input.positions,
-                                  0);  // throws where the clamp starts out turned or folded
-    return strip;
-  } catch (const std::invalid_argument& error) {
-    throw ConfigError("stiffness", {{"/output/stiffness", error.what()}});
-  }
-}
-
-void check_drape(const RunConfig& config, const Scene& scene) try {
-  if (config.section("/output").boolean("drape"))
-    drape_of(scene.rest, scene.pins, scene.rest.positions(), scene.down);
-} catch (const std::invalid_argument& error) {
-  throw ConfigError("drape", {{"/output/drape", error.what()}});
-}
-
 void add_message(RunOutcome& outcome, const std::string& text) {
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
-}
-
-void add_drape(const Scene& scene, const Simulation& simulation, RunOutcome& outcome) {
-  const Drape drape = drape_of(scene.rest, scene.pins, simulation.positions(), scene.down);
-  outcome.summary["drape_coefficient"] = drape.coefficient;
-  outcome.summary["drape_folds"] = drape.folds;
-}
-
-// Adds the strip's stiffness to the summary, or to the message why there is none (its pins may have moved).
-void add_stiffness(const RunStrip& strip, const Simulation& simulation, RunOutcome& outcome) try {
-  outcome.summary.merge(stiffness_summary(strip.meter.measure(simulation.positions(), strip.options)));
-} catch (const std::invalid_argument& error) {
-  add_message(outcome, fmt::format("no stiffness: {}", error.what()));
 }
 
 // A run that was stopped may yet break a bound, or did: it is run again. One that diverged says both.
@@ -179,14 +143,28 @@ std::string reference_id(const RunConfig& config, Against against, bool coarser)
   return "";
 }
 
-// Adds the run's errors to the summary, or to the message why there are none.
-void add_errors(const Accuracy& accuracy, const Simulation& simulation, const std::filesystem::path& folder,
-                const RunControl& control, RunOutcome& outcome) {
-  const Accuracy::Result result =
-      accuracy.against_references(outcome.id, simulation.positions(), folder, control.stop);
-  outcome.summary.insert(result.summary.begin(), result.summary.end());
-  for (const std::string& message : result.messages) add_message(outcome, message);
-  if (!result.stopped) return;
+// One of several threads that want the same run computes it; the others wait here, and find it done.
+std::mutex& turn_for(const std::filesystem::path& folder) {
+  static std::mutex mutex;
+  static std::map<std::string, std::mutex> of_folder;
+  const std::lock_guard lock(mutex);
+  return of_folder[folder.string()];
+}
+
+// Runs another run that a measure needs below `folder`, or finds it made.
+OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
+                        const std::filesystem::path& folder, const RunControl& control) {
+  Experiment experiment;
+  experiment.name = "references";
+  const std::lock_guard turn(turn_for(run_folder(folder, experiment, config)));
+  const RunOutcome outcome = execute_run(experiment, config, folder, {.stop = control.stop}, start);
+  return {outcome.status, outcome.file, outcome.summary, outcome.message};
+}
+
+void add_findings(Findings findings, RunOutcome& outcome) {
+  outcome.summary.merge(findings.summary);
+  for (const std::string& message : findings.messages) add_message(outcome, message);
+  if (!findings.stopped) return;
   outcome.status = RunStatus::interrupted;
   add_message(outcome,
               "stopped before it was compared with its references; the same command again does it all");
@@ -223,27 +201,16 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (control.minimal) whole = take_idle_effects_out(scene);
   start_after(config, scene, control.stop);
   if (start) start_from(scene, *start, "/accuracy/start_from_end");
-  const std::optional<RunStrip> strip = strip_asked_for(config, scene);
-  check_drape(config, scene);
+  Recorder recorder(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
-  Recorder recorder(scene);
-  std::optional<StabilityMeter> stability;
-  if (config.section("/output").boolean("stability"))
-    stability.emplace(scene, config.section("").number("duration"));
   Plausibility plausibility(scene);
-  Accuracy accuracy(config, scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
   RunOutcome outcome{.id = run_id(config), .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());
-  FrameWriter writer(file, header, [&](Frame& frame) {
-    accuracy.keep(frame, Recorder::kinetic_energy_of(frame));
-    recorder.complete(frame);
-    recorder.show(frame, plausibility);
-  });
-  const Stepping stepping = step_to_end(*simulation, scene, recorder, writer,
-                                        {stability ? &*stability : nullptr, &plausibility}, config, control);
+  FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame, plausibility); });
+  const Stepping stepping = step_to_end(*simulation, scene, recorder, plausibility, writer, config, control);
   outcome.step_cpu_s = stepping.cpu_s;
   writer.drain();
   const double recording_s = writer.cpu_s();
@@ -257,22 +224,21 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     add_message(outcome, comparison.text);
     outcome.differs = comparison.differs;
   }
-  outcome.summary = recorder.summary(*simulation);
-  if (stability) outcome.summary.merge(stability->summary());
+  outcome.summary = facts_of(scene, *simulation);
   if (stepping.settled_at) outcome.summary["settled_at"] = *stepping.settled_at;
-  if (outcome.status != RunStatus::diverged) {
-    outcome.summary.merge(solver_stiffness_summary(stepping.stiffness, scene.input.settings.substeps));
-    if (strip) add_stiffness(*strip, *simulation, outcome);
-    if (config.section("/output").boolean("drape")) add_drape(scene, *simulation, outcome);
-  }
+  const FrameHistory frames = recorder.history();
+  const RunEnd end{outcome.status, outcome.id, *simulation, frames,
+                   [&](const RunConfig& other, const StartingPose* from) {
+                     return make_other_run(other, from, out / experiment.name, control);
+                   }};
+  add_findings(recorder.findings(end, false), outcome);
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())
     outcome.passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
   outcome.passes.push_back({"recording", recording_s, writer.frames()});
   outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
   outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
-  if (accuracy.asked_for() && is_whole(outcome.status))
-    add_errors(accuracy, *simulation, out / experiment.name, control, outcome);
+  add_findings(recorder.findings(end, true), outcome);
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
                    .passes = outcome.passes,

@@ -11,9 +11,9 @@
 #include "bendlab/io/run_file.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/run/plausibility.hpp"
-#include "experiments/run/start_after.hpp"
 #include "experiments/run/warnings.hpp"
 #include "experiments/scene/scene.hpp"
+#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 

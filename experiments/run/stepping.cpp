@@ -5,7 +5,7 @@
 #include "bendlab/io/without_traps.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
-#include "experiments/run/start_after.hpp"
+#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 namespace {
@@ -80,26 +80,24 @@ std::string stop_message(double time, double duration) {
 
 }  // namespace
 
-void Watchers::look(const Simulation& simulation, bool always) const {
-  if (stability) stability->look(simulation);
-  if (plausibility) plausibility->look(simulation, always);
-}
-
-Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
-                     FrameWriter& writer, const Watchers& watchers, const RunConfig& config,
+Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recorder,
+                     Plausibility& plausibility, FrameWriter& writer, const RunConfig& config,
                      const RunControl& control) {
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
   const std::int64_t steps = step_count(config);
   writer.push(recorder.capture(simulation));
-  watchers.look(simulation, true);
+  const auto look = [&](const Moment& moment) {
+    recorder.step(simulation, moment);
+    plausibility.look(simulation, moment.is_recorded);
+  };
+  look({.is_start = true, .is_recorded = true});
   double next_frame = frame_interval;
   Calm calm(config.section("").number("settled_speed"));
   StepClock clock(simulation);
-  SolverStiffnessMeter solver_stiffness(duration);
   const auto ended = [&](RunStatus status, std::string message, std::optional<double> settled_at = {}) {
-    return Stepping{status, std::move(message), clock.seconds(), settled_at, solver_stiffness.sum()};
+    return Stepping{status, std::move(message), clock.seconds(), settled_at};
   };
   for (std::int64_t step = 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
@@ -108,9 +106,9 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder&
     // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
-    solver_stiffness.look(simulation, step == steps || stop || settled);
-    const bool recorded = !(time < next_frame - rounding * dt && step < steps && !stop && !settled);
-    watchers.look(simulation, recorded);
+    const bool last = step == steps || stop || settled;
+    const bool recorded = last || !(time < next_frame - rounding * dt);
+    look({.is_recorded = recorded, .is_last = last});
     if (!recorded) continue;
     while (next_frame <= time + rounding * dt) next_frame += frame_interval;
     writer.push(recorder.capture(simulation));

@@ -9,8 +9,6 @@
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/run/solver_stiffness.hpp"
-#include "experiments/run/stability.hpp"
 
 namespace bendlab {
 
@@ -19,22 +17,12 @@ struct Stepping {
   std::string message;  ///< where it diverged, why it stopped, what is not balanced
   double cpu_s = 0;     ///< of the steps alone
   std::optional<double> settled_at = std::nullopt;  ///< s
-  EffectiveStiffness stiffness{};                   ///< of the last second's looks
 };
 
-/// What looks at the cloth at time 0 and after every step.
-struct Watchers {
-  StabilityMeter* stability = nullptr;  ///< null: it was not asked for
-  Plausibility* plausibility = nullptr;
-
-  /// `always`: the pose is recorded, or the run begins.
-  void look(const Simulation& simulation, bool always) const;
-};
-
-/// Records the first pose and then frames as /output/frames_per_second has it. Throws RunFileError where frames can't be
-/// written.
-Stepping step_to_end(Simulation& simulation, const Scene& scene, const Recorder& recorder,
-                     FrameWriter& writer, const Watchers& watchers, const RunConfig& config,
+/// Records the first pose and then frames as /output/frames_per_second has it; measures and verdict look at every step.
+/// Throws RunFileError where frames can't be written.
+Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recorder,
+                     Plausibility& plausibility, FrameWriter& writer, const RunConfig& config,
                      const RunControl& control);
 
 }  // namespace bendlab

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "experiments/config/pointers.hpp"
-#include "experiments/run/solver_stiffness.hpp"
+#include "experiments/measures/effective_stiffness.hpp"
 #include "experiments/scene/energy.hpp"
 #include "experiments/scene/precision.hpp"
 

@@ -1,4 +1,4 @@
-#include "experiments/run/start_after.hpp"
+#include "experiments/scene/start_after.hpp"
 
 #include <fmt/format.h>
 

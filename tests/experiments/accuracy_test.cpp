@@ -1,5 +1,5 @@
 // Errors of runs against references.
-#include "experiments/run/accuracy.hpp"
+#include "experiments/measures/trajectory.hpp"
 
 #include <cmath>
 #include <filesystem>
@@ -77,8 +77,8 @@ double error(const RunOutcome& outcome, const std::string& name) {
   return outcome.summary.at("error_" + name);
 }
 
-Course course_of(const TriangleMesh& mesh, std::vector<double> times, std::vector<Positions> poses,
-                 std::vector<double> energy = {}) {
+Trajectory trajectory_of(const TriangleMesh& mesh, std::vector<double> times, std::vector<Positions> poses,
+                         std::vector<double> energy = {}) {
   return {RestMesh(mesh), std::move(times), std::move(poses), std::move(energy)};
 }
 
@@ -89,10 +89,10 @@ TEST_CASE("accuracy: errors are shares of the size, of the last frame or over co
   const auto shifted = [&](double by) -> Positions {
     return mesh.positions.rowwise() + Eigen::RowVector3d(0, 0, by);
   };
-  const Course run =
-      course_of(mesh, {0, 0.5, 1, 1.5}, {shifted(0), shifted(1), shifted(2), shifted(3)}, {1, 1, 3, 2});
-  const Course reference = course_of(mesh, {0, 0.5 + 1e-9, 0.75, 1.5},
-                                     {shifted(0), shifted(0.5), shifted(9), shifted(1)}, {5, 4, 0, 5});
+  const Trajectory run =
+      trajectory_of(mesh, {0, 0.5, 1, 1.5}, {shifted(0), shifted(1), shifted(2), shifted(3)}, {1, 1, 3, 2});
+  const Trajectory reference = trajectory_of(
+      mesh, {0, 0.5 + 1e-9, 0.75, 1.5}, {shifted(0), shifted(0.5), shifted(9), shifted(1)}, {5, 4, 0, 5});
 
   const auto last = errors_between(run, reference, {});
   for (const char* name : {"rms", "largest", "hausdorff"})
@@ -109,7 +109,7 @@ TEST_CASE("accuracy: errors are shares of the size, of the last frame or over co
   CHECK_THAT(errors.at("energy_worst"), WithinRel(0.1, 1e-12));
 
   CHECK_THROWS_WITH(
-      errors_between(run, course_of(mesh, {0, 0.3}, {shifted(0), shifted(1)}), {.over_time = true}),
+      errors_between(run, trajectory_of(mesh, {0, 0.3}, {shifted(0), shifted(1)}), {.over_time = true}),
       ContainsSubstring("frames_per_second"));
 }
 
@@ -121,8 +121,8 @@ TEST_CASE("accuracy: a reference on another mesh is taken at the run's vertices"
     q.col(1) = 0.6 * p.col(1), q.col(2) = 0.8 * p.col(1);
     return q;
   };
-  const auto errors = errors_between(course_of(coarse, {0}, {tilted(coarse.positions)}),
-                                     course_of(fine, {0}, {tilted(fine.positions)}), {});
+  const auto errors = errors_between(trajectory_of(coarse, {0}, {tilted(coarse.positions)}),
+                                     trajectory_of(fine, {0}, {tilted(fine.positions)}), {});
   const double rounding = 1e-12;
   CHECK_THAT(errors.at("largest"), WithinAbs(0, rounding));
   CHECK_THAT(errors.at("hausdorff"), WithinAbs(0, rounding));

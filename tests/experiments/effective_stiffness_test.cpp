@@ -1,5 +1,5 @@
 // What a run's summary and its warning say of the solver's stiffness.
-#include "experiments/run/solver_stiffness.hpp"
+#include "experiments/measures/effective_stiffness.hpp"
 
 #include "tests/catch.hpp"
 
@@ -21,11 +21,11 @@ EffectiveStiffness of_share(double share) {
 
 TEST_CASE("a summary has the share, and below a half the substeps that would mend it",
           "[effective stiffness]") {
-  CHECK(solver_stiffness_summary({}, 10).empty());
-  const auto half = solver_stiffness_summary(of_share(0.6), 10);
+  CHECK(effective_stiffness_summary({}, 10).empty());
+  const auto half = effective_stiffness_summary(of_share(0.6), 10);
   CHECK(half.size() == 1);
   CHECK_THAT(half.at("effective_bending_stiffness"), WithinRel(0.6, 1e-12));
-  const auto soft = solver_stiffness_summary(of_share(0.04), 16);
+  const auto soft = effective_stiffness_summary(of_share(0.04), 16);
   CHECK(soft.size() == 2);
   // 1 / share - 1 falls from 24 to 1/9 at least as (16 / N)^1.5: 576, and with one digit 600.
   CHECK(soft.at("substeps_for_90_percent_bending") == 600);
@@ -45,8 +45,8 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
 TEST_CASE("a run that is less than half as stiff as told is warned of, with the numbers",
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
-  CHECK(!soft_solver_warning(solver_stiffness_summary(of_share(0.51), 10)));
-  const auto text = soft_solver_warning(solver_stiffness_summary(of_share(0.04), 16));
+  CHECK(!soft_solver_warning(effective_stiffness_summary(of_share(0.51), 10)));
+  const auto text = soft_solver_warning(effective_stiffness_summary(of_share(0.04), 16));
   REQUIRE(text);
   CHECK_THAT(*text, ContainsSubstring("4 % of the bending stiffness") && ContainsSubstring("600 substeps"));
 }

@@ -47,11 +47,11 @@ std::optional<BrokenBound> falling(const Scene& scene, double time, double share
 std::optional<BrokenBound> stretched(const Scene& scene, double from, double until, double largest,
                                      double mean) {
   Plausibility plausibility(scene);
-  std::vector<float> stretches(static_cast<std::size_t>(scene.rest.triangle_count()), 1.0f);
+  std::vector<PrincipalStretches> stretches(static_cast<std::size_t>(scene.rest.triangle_count()));
   for (int frame = 0; frame <= 60; ++frame) {
     const double time = frame / 30.0;
     const bool now = time >= from - 1e-9 && time <= until + 1e-9;
-    stretches[5] = now ? static_cast<float>(largest) : 1.0f;
+    stretches[5].largest = now ? largest : 1;
     plausibility.look_at_stretch(time, now ? mean : 0, stretches, scene.input.positions);
   }
   return plausibility.broken();
@@ -231,7 +231,8 @@ TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plau
   positions(0, 2) = -40;
   plausibility.look(0.5, positions, still(scene));
   plausibility.look(0.6, 2 * positions, still(scene));
-  std::vector<float> stretches(static_cast<std::size_t>(scene.rest.triangle_count()), 9.0f);
+  const std::vector<PrincipalStretches> stretches(static_cast<std::size_t>(scene.rest.triangle_count()),
+                                                  {.largest = 9});
   plausibility.look_at_stretch(0.4, 8, stretches, positions);
   const auto broken = plausibility.broken();
   REQUIRE(bound_of(broken) == Bound::stretch);

@@ -1,5 +1,5 @@
 // Hard scenes as configs ask for them, and what the runner says of how stable a run was.
-#include "experiments/run/stability.hpp"
+#include "experiments/measures/stability.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>

@@ -1,5 +1,5 @@
 // A run that starts where another one ends.
-#include "experiments/run/start_after.hpp"
+#include "experiments/scene/start_after.hpp"
 
 #include <numbers>
 

@@ -5,7 +5,7 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/generators.hpp"
-#include "experiments/run/strip.hpp"
+#include "experiments/measures/strip.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -24,7 +24,7 @@ constexpr const char* cantilever = R"({"name": "tiny", "duration": 10, "settled_
   "pins": {"vertices": ["left"], "ring": 1},
   "effects": [{"type": "gravity", "acceleration": [0, 0, -9.81]}, {"type": "rigid_damping", "rate": 5}],
   "solver": {"iterations": 400, "sweep": "symmetric"},
-  "output": {"frames_per_second": 10, "stiffness": true},
+  "output": {"frames_per_second": 10, "measures": ["stiffness"]},
   "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 1000}})";
 constexpr double row = 0.021650635;
 
@@ -95,10 +95,12 @@ TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
   CHECK_FALSE(here.out_lines().at(0).at("summary").contains("settled_at"));
   CHECK(here.run("stiffness results/cloth") == 1);
   CHECK_THAT(here.err(), ContainsSubstring("pin one whole side"));
-  CHECK(here.run("run cloth.json --set /output/stiffness=true") == 3);  // said before it is computed
-  CHECK_THAT(here.err(), ContainsSubstring("/output/stiffness") && ContainsSubstring("pin one whole side"));
-  CHECK(here.run("run cloth.json --set /output/stiffness=true --set '/pins/vertices=[\"left\"]' --set "
-                 "/initial/tilt=30") == 3);
+  CHECK(here.run("run cloth.json --set '/output/measures=[\"stiffness\"]'") ==
+        3);  // said before it is computed
+  CHECK_THAT(here.err(), ContainsSubstring("/output/measures") && ContainsSubstring("pin one whole side"));
+  CHECK(here.run(
+            "run cloth.json --set '/output/measures=[\"stiffness\"]' --set '/pins/vertices=[\"left\"]' --set "
+            "/initial/tilt=30") == 3);
   CHECK_THAT(here.err(), ContainsSubstring("moved or turned"));
 }
 

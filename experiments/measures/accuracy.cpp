@@ -1,0 +1,178 @@
+// Errors of a run against the references that /accuracy asks for: other runs, made once and kept.
+#include <fmt/format.h>
+
+#include <new>
+#include <optional>
+
+#include "experiments/measures/measure.hpp"
+#include "experiments/measures/trajectory.hpp"
+#include "experiments/scene/energy.hpp"
+
+namespace bendlab {
+namespace {
+
+// The middle of the places that the scene pins, or of the rest box.
+Vector3 middle_of_pins(const Scene& scene) {
+  if (scene.pins.seeds.empty()) return scene.rest.centre();
+  Vector3 sum = Vector3::Zero();
+  for (const int seed : scene.pins.seeds) sum += scene.input.positions.row(seed).transpose();
+  return sum / static_cast<double>(scene.pins.seeds.size());
+}
+
+// Over time with the energies of its own scene.
+Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
+  if (!over_time) return read_trajectory(file);
+  const Scene scene = build_scene(config);
+  return read_trajectory(file, &scene);
+}
+
+class Accuracy final : public Measurement {
+ public:
+  Accuracy(const RunConfig& config, const Scene& scene)
+      : config_(config),
+        scene_(scene),
+        settings_(config.section("/accuracy")),
+        over_time_(settings_.boolean("over_time")) {}
+
+  void complete(const MeasuredFrame& frame, std::span<double>, std::span<std::vector<float>>) override {
+    if (!over_time_) return;
+    time_.push_back(frame.time());
+    poses_.push_back(frame.positions());
+    kinetic_energy_.push_back(frame.value("kinetic_energy"));
+  }
+
+  void finish(const RunEnd& end, Findings& findings) override {
+    if (!is_whole(end.status)) return;
+    const Positions last = end.simulation.positions();
+    const Trajectory run = trajectory_to(last);
+    for (const Against against : references) {
+      const Comparing how = comparing(against);
+      const std::string prefix = fmt::format("error_{}_", name_of(against));
+      const std::optional<Trajectory> reference =
+          trajectory_of_reference(end, last, against, false, findings);
+      if (!reference) continue;
+      try {
+        for (const auto& [name, value] : errors_between(run, *reference, how))
+          findings.summary[prefix + name] = value;
+        const std::optional<Trajectory> coarser = trajectory_of_reference(end, last, against, true, findings);
+        if (coarser)
+          findings.summary[prefix + "reference_gap"] = errors_between(*coarser, *reference, how).at("rms");
+      } catch (const std::invalid_argument& error) {
+        findings.messages.push_back(fmt::format("/accuracy/{}: {}", name_of(against), error.what()));
+      }
+    }
+  }
+
+ private:
+  Trajectory trajectory_to(const Positions& end) const {
+    if (!over_time_) return {scene_.rest, {0}, {end}, {}};
+    Trajectory trajectory{scene_.rest, time_, poses_, kinetic_energy_};
+    for (std::size_t f = 0; f < poses_.size(); ++f)
+      trajectory.energy[f] += potential_energy(scene_, poses_[f]);
+    return trajectory;
+  }
+
+  Comparing comparing(Against against) const {
+    const std::string& align = settings_.text("align");
+    return {.align = align == "vertical" ? AlignBy::vertical
+                     : align == "rigid"  ? AlignBy::rigid
+                                         : AlignBy::none,
+            .centre = middle_of_pins(scene_),
+            .down = scene_.down,
+            .over_time = over_time_,
+            .inextensible = against == Against::physical,
+            .energy_scale = over_time_ ? energy_scale(scene_) : 0};
+  }
+
+  // Nothing where there is none to compare with; the findings say why.
+  std::optional<Trajectory> trajectory_of_reference(const RunEnd& end, const Positions& last, Against against,
+                                                    bool coarser, Findings& findings) const {
+    const auto tell = [&](std::string_view what) {
+      findings.messages.push_back(
+          fmt::format("/accuracy/{}{}: {}", name_of(against), coarser ? "_coarser" : "", what));
+    };
+    try {
+      std::optional<RunConfig> config = reference_of(config_, against, coarser);
+      if (!config) return std::nullopt;
+      const bool starts_here = settings_.boolean("start_from_end");
+      if (starts_here) config->starts_at_end_of = end.id;
+      const StartingPose start{scene_.rest, last};
+      const OtherRun other = end.other_run(*config, starts_here ? &start : nullptr);
+      findings.stopped |= other.status == RunStatus::interrupted;
+      if (other.status == RunStatus::diverged) tell("the reference " + other.message);
+      if (other.status == RunStatus::implausible) tell("the reference is " + other.message);
+      if (!is_whole(other.status)) return std::nullopt;
+      if (other.summary.contains("unbalanced") && !other.summary.contains("settled_at")) {
+        tell("of the reference, " + other.message);
+        const char* which = coarser ? "coarser_unbalanced" : "unbalanced";
+        findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
+            other.summary.at("unbalanced");
+      }
+      return trajectory_of(*config, other.file, over_time_);
+    } catch (const RunFileError&) {  // of the disk, or the memory: a later try may do better
+      throw;
+    } catch (const std::bad_alloc&) {
+      throw;
+    } catch (const std::exception& error) {
+      tell(error.what());
+      return std::nullopt;
+    }
+  }
+
+  const RunConfig& config_;
+  const Scene& scene_;
+  ParameterValues settings_;
+  bool over_time_;
+  std::vector<double> time_, kinetic_energy_;  // over time, of each recorded frame, as are
+  std::vector<Positions> poses_;
+};
+
+std::vector<Quantity> quantities() {
+  std::vector<Quantity> all;
+  for (const Against against : references) {
+    const std::string prefix = fmt::format("error_{}_", name_of(against));
+    const auto add = [&](const std::string& name, const std::string& meaning) {
+      all.push_back({prefix + name, "1", meaning});
+      all.push_back(
+          {prefix + name + "_worst", "1", "over time: of the worst frame, where the other is the mean"});
+    };
+    add("rms", "root mean square distance of the points from the reference's, by area, in sizes of the mesh");
+    add("largest", "the largest such distance, in sizes");
+    add("hausdorff", "how far the surfaces are from each other, in sizes");
+    add("strain", against == Against::solver
+                      ? "root mean square of the Green strain's difference to the reference's"
+                      : "root mean square of the Green strain itself, as the stated cloth has none");
+    add("energy",
+        "over time: difference of what the total energy gained since the start, as a share of the scene's "
+        "scale; k has no "
+        "elastic energy");
+    all.push_back({prefix + "frames", "1", "over time: how many were compared"});
+    all.push_back(
+        {prefix + "reference_gap", "1",
+         "rms of the coarser reference against the finer: an error that is not much larger is not known"});
+    all.push_back({prefix + "unbalanced", "1",
+                   "of a reference that found no equilibrium: the share of its loads that is left over"});
+    all.push_back({prefix + "coarser_unbalanced", "1", "the same of the coarser reference"});
+  }
+  return all;
+}
+
+}  // namespace
+
+namespace measure {
+extern const Measure accuracy{
+    .name = "accuracy",
+    .summary = "errors against references, which are other runs: of the solver, and against the stated cloth",
+    .cost = "the references, made once for all runs that share them; over time, each pose is kept",
+    .applies =
+        [](const RunConfig& config, const Scene&) {
+          const ParameterValues settings = config.section("/accuracy");
+          return settings.has("solver") || settings.has("physical");
+        },
+    .gives = quantities,
+    .makes_runs = true,
+    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Accuracy>(config, scene);
+    }};
+}  // namespace measure
+}  // namespace bendlab

@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <limits>
+
+#include "bendlab/metrics/motion.hpp"
+#include "experiments/measures/measure.hpp"
+
+namespace bendlab {
+namespace {
+
+// Along `down`: of the highest pin, else of the lowest vertex at the start.
+double highest_level(const Scene& scene) {
+  const Positions& start = scene.input.positions;
+  double highest = std::numeric_limits<double>::infinity();  // along `down`: the smallest
+  for (const int seed : scene.pins.seeds) highest = std::min(highest, start.row(seed).dot(scene.down));
+  return scene.pins.seeds.empty() ? (start * scene.down).maxCoeff() : highest;
+}
+
+class Drop final : public Measurement {
+ public:
+  explicit Drop(const Scene& scene) : down_(scene.down), level_(highest_level(scene)) {}
+
+  void complete(const MeasuredFrame& frame, std::span<double> values,
+                std::span<std::vector<float>>) override {
+    values[0] = drop_below(level_, frame.positions(), down_);
+  }
+
+  void finish(const RunEnd& end, Findings& findings) override {
+    if (end.frames.empty()) return;
+    findings.summary["drop"] = end.frames.last_second_median("drop");
+    findings.summary["drop_last"] = end.frames.last("drop");
+  }
+
+ private:
+  Vector3 down_;
+  double level_;  // m
+};
+
+}  // namespace
+
+namespace measure {
+extern const Measure drop{
+    .name = "drop",
+    .summary = "how far the cloth hangs down",
+    .cost = "next to nothing",
+    .applies = always,
+    .columns = []() -> std::vector<Column> {
+      return {
+          {"drop", "m",
+           "how far the lowest vertex hangs below the highest pin (without pins: below where it started)"}};
+    },
+    .gives = []() -> std::vector<Quantity> {
+      return {{"drop", "m", "median over the last second"}, {"drop_last", "m", "of the last frame"}};
+    },
+    .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Drop>(scene);
+    }};
+}  // namespace measure
+}  // namespace bendlab

@@ -1,0 +1,145 @@
+// Measures: what is found out about a run. Each is one file here and one line in measures.def, and nothing else knows its
+// name. A run has those that every run has, and those that its config asks for; the others cost it nothing.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/metrics/stretch.hpp"
+#include "experiments/scene/scene.hpp"
+#include "experiments/scene/start_after.hpp"
+
+namespace bendlab {
+
+/// A recorded frame. What several measures need is computed once, when the first asks for it.
+class MeasuredFrame {
+ public:
+  /// `values` of `columns`, filled in as the measures come to it. All must outlive this.
+  MeasuredFrame(double time, const Positions& positions, const StretchMeter& meter,
+                std::span<const Column> columns, std::span<const double> values)
+      : time_(time), positions_(positions), meter_(meter), columns_(columns), values_(values) {}
+
+  double time() const { return time_; }                      ///< s
+  const Positions& positions() const { return positions_; }  ///< #V by 3, m
+  const std::vector<PrincipalStretches>& stretches() const;  ///< #T
+  const StretchSummary& stretch() const;
+  /// What a measure that comes earlier in measures.def gave for this frame. Throws std::logic_error for a column that no
+  /// measure of this run has.
+  double value(std::string_view column) const;
+
+ private:
+  double time_;
+  const Positions& positions_;
+  const StretchMeter& meter_;
+  std::span<const Column> columns_;
+  std::span<const double> values_;
+  mutable std::optional<std::vector<PrincipalStretches>> stretches_;
+  mutable std::optional<StretchSummary> stretch_;
+};
+
+/// The values of all recorded frames, for measures that sum them up at the end.
+class FrameHistory {
+ public:
+  FrameHistory(std::span<const Column> columns, std::span<const double> times,
+               std::span<const std::vector<double>> rows)
+      : columns_(columns), times_(times), rows_(rows) {}
+
+  bool empty() const { return rows_.empty(); }
+  /// Of a column, as MeasuredFrame::value() names it.
+  double last(std::string_view column) const;
+  double largest(std::string_view column) const;
+  /// The median over the last simulated second: sheets are chaotic, and one frame misleads.
+  double last_second_median(std::string_view column) const;
+
+ private:
+  std::span<const Column> columns_;
+  std::span<const double> times_;  // s
+  std::span<const std::vector<double>> rows_;
+};
+
+/// Where in a run a step stands.
+struct Moment {
+  bool is_start = false;     ///< time 0, before the first step
+  bool is_recorded = false;  ///< the pose is a frame of the file
+  bool is_last = false;      ///< the run ends here
+};
+
+/// A run that a measure had made: see RunEnd::other_run.
+struct OtherRun {
+  RunStatus status = RunStatus::complete;
+  std::filesystem::path file;
+  std::map<std::string, double> summary;
+  std::string message;
+};
+
+/// A run that is over.
+struct RunEnd {
+  RunStatus status = RunStatus::complete;
+  const std::string& id;
+  const Simulation& simulation;  ///< its last pose; of no use where the run diverged
+  const FrameHistory& frames;
+  /// Makes another run beside this one, or finds it made; `start` may be null.
+  std::function<OtherRun(const RunConfig& config, const StartingPose* start)> other_run;
+};
+
+/// What a measure found.
+struct Findings {
+  std::map<std::string, double> summary;  ///< numbers by name; each is in the measure's table
+  std::vector<std::string> messages;      ///< why a number is missing
+  bool stopped = false;                   ///< a signal came before all was known
+};
+
+/// A measure at work on one run.
+class Measurement {
+ public:
+  virtual ~Measurement() = default;
+  /// At time 0 and after every step, between steps.
+  virtual void step(const Simulation&, const Moment&) {}
+  /// Of each frame, what needs more than positions: between steps, so it should be cheap. `values`: its columns.
+  virtual void capture(const Simulation&, const Positions&, std::span<double> /*values*/) {}
+  /// Of each frame, the rest, in order; beside the steps, on another thread. `fields`: one value per triangle for each of
+  /// its fields.
+  virtual void complete(const MeasuredFrame&, std::span<double> /*values*/,
+                        std::span<std::vector<float>> /*fields*/) {}
+  /// When the run is over and all frames are complete.
+  virtual void finish(const RunEnd&, Findings&) {}
+};
+
+/// A number that a measure gives at the end of a run.
+struct Quantity {
+  std::string name, unit, meaning;
+};
+
+struct Measure {
+  std::string_view name;
+  std::string_view summary;  ///< a line: what it finds out
+  std::string_view cost;     ///< a line: what that takes
+  /// Whether a run has it; null, of those on request: where /output/measures names it.
+  bool (*applies)(const RunConfig&, const Scene&) = nullptr;
+  std::vector<Column> (*columns)() = nullptr;  ///< of every frame: names, units, meanings
+  std::vector<Column> (*fields)() = nullptr;   ///< of every triangle of every frame
+  std::vector<Quantity> (*gives)() = nullptr;  ///< of the run; a number without a meaning there is left out
+  /// It makes other runs, whose time is not this run's.
+  bool makes_runs = false;
+  /// Both outlive the measurement. Throws ConfigError where the scene cannot be measured so.
+  std::unique_ptr<Measurement> (*begin)(const RunConfig&, const Scene&) = nullptr;
+};
+
+/// All, in the order of measures.def.
+std::span<const Measure* const> measures();
+
+/// Whether a run of `config` on `scene` has the measure.
+bool applies(const Measure& measure, const RunConfig& config, const Scene& scene);
+
+/// `applies` of a measure that every run has.
+bool always(const RunConfig&, const Scene&);
+
+}  // namespace bendlab

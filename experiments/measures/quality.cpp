@@ -1,0 +1,111 @@
+#include "bendlab/mesh/quality.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/measures/measure.hpp"
+
+namespace bendlab {
+namespace {
+
+struct Statistic {
+  const char* name;
+  double MeasureSummary::*value;
+};
+constexpr Statistic statistics[] = {{"minimum", &MeasureSummary::minimum},
+                                    {"percentile_1", &MeasureSummary::percentile_1},
+                                    {"median", &MeasureSummary::median},
+                                    {"percentile_99", &MeasureSummary::percentile_99},
+                                    {"maximum", &MeasureSummary::maximum}};
+
+const std::vector<Column> counts = {
+    {"degenerate_triangles", "1", "needles, caps, collinear and non-finite triangles"},
+    {"needles", "1", "longest edge at least needle_ratio times the shortest"},
+    {"caps", "1", "an angle of at least cap_angle"},
+    {"collinear", "1", "three points exactly on a line"},
+    {"small_angles", "1", "an angle below small_angle"}};
+
+// Calls visit(measure of quality, its index, statistic, name) for every column of them.
+template <class Visit>
+void for_quality_columns(Visit visit) {
+  for (std::size_t m = 0; m < quality_measures().size(); ++m)
+    for (const Statistic& statistic : statistics)
+      visit(quality_measures()[m], m, statistic,
+            fmt::format("{}_{}", quality_measures()[m].name, statistic.name));
+}
+
+std::vector<Column> columns() {
+  std::vector<Column> all = counts;
+  for_quality_columns(
+      [&](const QualityMeasure& each, std::size_t, const Statistic& statistic, const std::string& name) {
+        all.push_back({name, std::string(each.unit),
+                       fmt::format("{} over triangles: {}", statistic.name, each.meaning)});
+      });
+  return all;
+}
+
+class Quality final : public Measurement {
+ public:
+  explicit Quality(const Scene& scene) : scene_(scene) {}
+
+  void complete(const MeasuredFrame& frame, std::span<double> values,
+                std::span<std::vector<float>>) override {
+    const MeshQuality quality =
+        measure_quality(frame.positions(), scene_.rest.triangles(), scene_.thresholds);
+    std::size_t next = 0;
+    for (const int count : {quality.degenerate_triangles, quality.needles, quality.caps, quality.collinear,
+                            quality.small_angles})
+      values[next++] = count;
+    for_quality_columns([&](const auto&, std::size_t m, const Statistic& statistic, const std::string&) {
+      values[next++] = quality.measures[m].*statistic.value;
+    });
+  }
+
+  void finish(const RunEnd& end, Findings& findings) override {
+    if (end.frames.empty()) return;
+    findings.summary["degenerate_triangles"] = end.frames.last("degenerate_triangles");
+    findings.summary["degenerate_triangles_median"] = end.frames.last_second_median("degenerate_triangles");
+    findings.summary["degenerate_triangles_worst"] = end.frames.largest("degenerate_triangles");
+    const MeshQuality rest =
+        measure_quality(scene_.rest.positions(), scene_.rest.triangles(), scene_.thresholds);
+    findings.summary["rest_degenerate_triangles"] = rest.degenerate_triangles;
+    for_quality_columns([&](const auto&, std::size_t m, const Statistic& statistic, const std::string& name) {
+      if (const double value = rest.measures[m].*statistic.value; !std::isnan(value))
+        findings.summary["rest_" + name] = value;
+    });
+  }
+
+ private:
+  const Scene& scene_;
+};
+
+}  // namespace
+
+namespace measure {
+extern const Measure quality{
+    .name = "quality",
+    .summary = "mesh quality and degenerate triangles",
+    .cost = "about half of what a frame takes, beside the steps",
+    .applies = always,
+    .columns = columns,
+    .gives =
+        [] {
+          std::vector<Quantity> all = {
+              {"degenerate_triangles", "1", "of the last frame: " + counts[0].meaning},
+              {"degenerate_triangles_median", "1", "over the last second"},
+              {"degenerate_triangles_worst", "1", "of all frames"},
+              {"rest_degenerate_triangles", "1", "of the rest shape"}};
+          for_quality_columns([&](const QualityMeasure& each, std::size_t, const Statistic& statistic,
+                                  const std::string& name) {
+            all.push_back(
+                {"rest_" + name, std::string(each.unit),
+                 fmt::format("of the rest shape, {} over triangles: {}", statistic.name, each.meaning)});
+          });
+          return all;
+        },
+    .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Quality>(scene);
+    }};
+}  // namespace measure
+}  // namespace bendlab

@@ -1,0 +1,14 @@
+// The reference of the measures: `bendlab measures`.
+#pragma once
+
+#include <string>
+
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// Every measure: name, what it finds out, when a run has it, what it costs, its numbers with unit and meaning.
+std::string measures_text();
+Json measures_json();
+
+}  // namespace bendlab

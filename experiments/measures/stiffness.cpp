@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/measures/measure.hpp"
+#include "experiments/measures/strip.hpp"
+
+namespace bendlab {
+namespace {
+
+class Stiffness final : public Measurement {
+ public:
+  explicit Stiffness(RunStrip strip) : strip_(std::move(strip)) {}
+
+  void finish(const RunEnd& end, Findings& findings) override {
+    if (end.status == RunStatus::diverged) return;
+    try {
+      const StripStiffness stiffness = strip_.meter.measure(end.simulation.positions(), strip_.options);
+      for (const auto& [name, value] : stiffness_numbers(stiffness))
+        if (std::isfinite(value)) findings.summary["stiffness_" + name] = value;
+    } catch (const std::invalid_argument& error) {  // its pins may have moved
+      findings.messages.push_back(fmt::format("no stiffness: {}", error.what()));
+    }
+  }
+
+ private:
+  // By name, in the units of `gives`.
+  static std::map<std::string, double> stiffness_numbers(const StripStiffness& stiffness) {
+    return {{"height_over_width", stiffness.height_over_width},
+            {"gamma", stiffness.gamma},
+            {"flexural_rigidity", stiffness.flexural_rigidity},
+            {"bending_length", stiffness.bending_length},
+            {"quartic", stiffness.quartic},
+            {"fit_exponent", stiffness.fit.exponent},
+            {"fit_B", stiffness.fit.rigidity},
+            {"fit_C", stiffness.fit.quartic}};
+  }
+
+  RunStrip strip_;
+};
+
+}  // namespace
+
+namespace measure {
+extern const Measure stiffness{
+    .name = "stiffness",
+    .summary =
+        "how stiff a cantilever strip is, by its free end and by its whole shape (see `bendlab stiffness`)",
+    .cost = "one look, at the end",
+    .gives = []() -> std::vector<Quantity> {
+      return {
+          {"stiffness_height_over_width", "1", "how far the free end hangs down over how far it reaches out"},
+          {"stiffness_gamma", "1", "ρ g L³ / B of the heavy elastica with that end"},
+          {"stiffness_flexural_rigidity", "N m", "B of that elastica (moment m = B κ)"},
+          {"stiffness_bending_length", "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
+          {"stiffness_quartic", "N m³", "C of the strip with that end whose moment is m = C κ³"},
+          {"stiffness_fit_exponent", "1", "p of m ∝ κ^p, fitted to the whole shape"},
+          {"stiffness_fit_B", "N m", "B fitted to the whole shape"},
+          {"stiffness_fit_C", "N m³", "C fitted to the whole shape"}};
+    },
+    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
+      try {
+        RunStrip strip = strip_of(config, scene.rest, scene.pins);
+        strip.meter.height_over_width(scene.input.positions,
+                                      0);  // throws where the clamp starts out turned or folded
+        return std::make_unique<Stiffness>(std::move(strip));
+      } catch (const std::invalid_argument& error) {
+        throw ConfigError("stiffness", {{"/output/measures", error.what()}});
+      }
+    }};
+}  // namespace measure
+}  // namespace bendlab

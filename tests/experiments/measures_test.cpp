@@ -1,0 +1,107 @@
+// What a measure says about itself, against what runs with it have.
+#include <set>
+
+#include "experiments/measures/measure.hpp"
+#include "experiments/measures/reference.hpp"
+#include "experiments/run/run.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace bendlab {
+namespace {
+
+using test::Workplace;
+
+template <class Make>
+void add_names(Make make, std::set<std::string>& names) {
+  if (!make) return;
+  for (const auto& row : make()) {
+    CHECK(names.insert(row.name).second);  // a name has one meaning
+    CHECK_FALSE(row.unit.empty());
+    CHECK_FALSE(row.meaning.empty());
+  }
+}
+
+// Numbers of the scene and the solver, which no measure gives.
+bool is_fact(const std::string& name) {
+  static const std::set<std::string> facts = {"size",
+                                              "vertices",
+                                              "triangles",
+                                              "springs",
+                                              "bending_constraints",
+                                              "springs_beyond_ring_1",
+                                              "pinned_vertices",
+                                              "projections",
+                                              "substeps",
+                                              "memory_bytes",
+                                              "unbalanced",
+                                              "settled_at"};
+  return facts.contains(name) || name.starts_with("model_");
+}
+
+}  // namespace
+
+TEST_CASE("measures: each says what it gives, in which unit, and what it costs", "[measures]") {
+  std::set<std::string> names, of_frames, of_triangles, of_runs;
+  for (const Measure* measure : measures()) {
+    CHECK(names.insert(std::string(measure->name)).second);
+    CAPTURE(measure->name);
+    CHECK_FALSE(measure->summary.empty());
+    CHECK_FALSE(measure->cost.empty());
+    REQUIRE(measure->begin);
+    add_names(measure->columns, of_frames), add_names(measure->fields, of_triangles);
+    add_names(measure->gives, of_runs);
+    CHECK_THAT(measures_text(), Catch::Matchers::ContainsSubstring(std::string(measure->name) + ": "));
+  }
+  CHECK(measures_json().size() == names.size());
+}
+
+TEST_CASE("measures: a run's summary has the numbers of its measures and no others", "[measures]") {
+  std::set<std::string> known;
+  for (const Measure* measure : measures())
+    if (measure->gives)
+      for (const Quantity& quantity : measure->gives()) known.insert(quantity.name);
+  const Workplace here;
+  const auto summary_of = [&](const std::string& more) {
+    const Experiment experiment = parse_experiment(
+        R"({"name": "all", "duration": 0.1, "mesh": {"cells": 4, "width": 0.2}, "pins": {"vertices": ["left"]},
+            "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-4}, )" +
+            more + "}",
+        "test");
+    return execute_run(experiment, experiment.runs.front(), here.folder / "out").summary;
+  };
+  const auto plain = summary_of(R"("effects": [])");
+  const auto all = summary_of(R"("effects": [{"type": "gravity"}],
+      "output": {"measures": ["stability", "stiffness", "drape"]},
+      "accuracy": {"solver": ["/solver/substeps=4"], "over_time": true})");
+  for (const auto& [name, value] : all) {
+    CAPTURE(name, value);
+    CHECK((is_fact(name) || known.contains(name)));
+  }
+  for (const char* name :
+       {"stability_reach", "stiffness_flexural_rigidity", "drape_coefficient", "error_solver_rms",
+        "effective_bending_stiffness", "drop", "mean_strain", "kinetic_energy", "degenerate_triangles"})
+    CHECK(all.contains(name));
+  for (const char* name :
+       {"stability_reach", "stiffness_flexural_rigidity", "drape_coefficient", "error_solver_rms"})
+    CHECK_FALSE(plain.contains(name));
+}
+
+TEST_CASE("measures: one that nobody has is refused with those there are", "[measures]") {
+  CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "output": {"measures": ["motion"]}})", "test"),
+                    Catch::Matchers::ContainsSubstring("/output/measures") &&
+                        Catch::Matchers::ContainsSubstring("stability"));
+}
+
+TEST_CASE("measures: the median is that of the last simulated second", "[measures]") {
+  const std::vector<Column> columns = {{"a", "1", "any"}, {"b", "1", "any"}};
+  const std::vector<double> times = {0, 1, 1.5, 2};
+  const std::vector<std::vector<double>> rows = {{100, 1}, {90, 2}, {3, 8}, {1, 5}};
+  const FrameHistory frames(columns, times, rows);
+  CHECK(frames.last_second_median("a") == 2);  // of 3 and 1: the frame at 1 s is a second before the end
+  CHECK(frames.largest("b") == 8);
+  CHECK(frames.last("b") == 5);
+  CHECK_THROWS_AS(frames.last("c"), std::logic_error);
+}
+
+}  // namespace bendlab
