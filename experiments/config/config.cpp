@@ -67,6 +67,9 @@ void set_folder(RunConfig& run, const std::filesystem::path& folder) {
     run.mesh_file = folder / file->get<std::string>();
 }
 
+Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
+                          const std::filesystem::path& source, std::span<const std::string> overrides);
+
 // This run with settings changed: one run, which has no errors of its own.
 RunConfig with_changes(const RunConfig& config, std::string_view what, std::span<const std::string> changes) {
   for (const std::string& change : changes)
@@ -80,7 +83,10 @@ RunConfig with_changes(const RunConfig& config, std::string_view what, std::span
   Json settings = config.resolved;
   settings["name"] = "changed";
   settings["accuracy"] = Json::object();
-  RunConfig changed = parse_experiment(settings.dump(), what, changes).runs.front();
+  ConfigProblems problems;
+  apply_overrides(settings, changes, problems);
+  RunConfig changed =
+      parse_document(std::move(settings), std::move(problems), what, {}, changes).runs.front();
   set_folder(changed, config.folder);
   return changed;
 }
@@ -133,10 +139,9 @@ Json read_document(std::string_view text, std::string_view source_name,
   return *std::move(document);
 }
 
-Experiment parse(std::string_view text, std::string_view source_name, const std::filesystem::path& source,
-                 std::span<const std::string> overrides) {
-  ConfigProblems reading;
-  Json settings = read_document(text, source_name, overrides, reading);
+// `reading`: what was wrong in the text, or in the overrides that `settings` has.
+Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
+                          const std::filesystem::path& source, std::span<const std::string> overrides) {
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
   const bool covered = settings.contains("cover");
@@ -171,6 +176,13 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
   check_runs_before(experiment.runs, source_name);
   check_references(experiment.runs, source_name);
   return experiment;
+}
+
+Experiment parse(std::string_view text, std::string_view source_name, const std::filesystem::path& source,
+                 std::span<const std::string> overrides) {
+  ConfigProblems problems;
+  Json settings = read_document(text, source_name, overrides, problems);
+  return parse_document(std::move(settings), std::move(problems), source_name, source, overrides);
 }
 
 }  // namespace
