@@ -18,16 +18,19 @@ from html_parts import claim_html, document, escape, mark, section_html
 from load import CONFIGS, at, group, load_experiment, statuses, summary_spread
 from report import rounded, write_objects
 
-FIGURES = [fig_1, fig_structure, fig_5, fig_6, fig_7, fig_ablations, fig_models, fig_scenes]
+PAPER = [fig_1, fig_structure, fig_5, fig_6, fig_7]
+FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
              "mean_strain": 0, "drop": 0}  # summary entry → what is taken off it
 
 
-def main(results, out):
-    """Everything the page needs, from runs below `results` into `out`; returns the sections."""
+def main(results, out, only="everything"):
+    """The page of these figures, from runs below `results` into `out`; returns its sections. Of the first no page is made."""
     out.mkdir(parents=True, exist_ok=True)
-    sections = [figure.main(results, out) for figure in FIGURES]
+    sections = [figure.main(results, out) for figure in FIGURES[only]]
+    if only == "first":
+        return sections
     claims = [claim for section in sections for claim in section.claims]
     write_objects(out / "summary.json", [claim.as_json() for claim in claims])
     write_reference(results, out / "reference.csv")
@@ -93,6 +96,7 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the page")
+    parser.add_argument("--only", choices=FIGURES, default="everything", help="which figures")
     arguments = parser.parse_args()
-    main(arguments.results, arguments.out)
-    print(arguments.out / "index.html")
+    main(arguments.results, arguments.out, arguments.only)
+    print(arguments.out / ("fig_1.png" if arguments.only == "first" else "index.html"), flush=True)

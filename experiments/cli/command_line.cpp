@@ -106,8 +106,10 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   reproduce
       ->add_option(
           "WHAT", a.reproduce.what,
-          "paper: its figures, ablations, every model and the scenes; stiffness: how stiff every model is, "
-          "against theory; stability: what is stable; accuracy: what accuracy costs in time")
+          "everything: the paper, then its ablations, every model and the scenes; paper: its figures alone; "
+          "stiffness: how stiff every model is, against theory; stability: what is stable; accuracy: what "
+          "accuracy "
+          "costs in time; plain: plain scenes, and whether any is wrong without a word")
       ->check(CLI::IsMember(reproducible()))
       ->capture_default_str();
   add_campaign(reproduce, a);

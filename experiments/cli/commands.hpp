@@ -26,7 +26,7 @@ int plan_command(const ConfigArguments& configs, const std::filesystem::path& ou
 int validate_command(const ConfigArguments& configs, bool strict);
 
 struct ReproduceArguments {
-  std::string what = "paper";  ///< one of reproducible()
+  std::string what = "everything";  ///< one of reproducible()
   std::filesystem::path out;   ///< empty: the checkout's results (CampaignOptions::out is not used)
   bool full = false;           ///< with the configs whose names end in _full
   bool quick = false;          ///< without those whose names end in _slow

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spawn.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -115,9 +116,10 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
 }
 
 /// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow` unless it has to
-/// be quick.
+/// be quick. Of a file, itself.
 std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArguments& arguments) {
   std::vector<fs::path> files;
+  if (fs::is_regular_file(folder)) return {folder};
   for (const auto& entry : fs::directory_iterator(folder)) {
     const fs::path& file = entry.path();
     const std::string name = file.stem().string();
@@ -129,19 +131,29 @@ std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArgument
   return files;
 }
 
-/// Something to reproduce: folders of configs, and the script below analysis/ that makes a page of their runs.
-struct Reproducible {
-  std::string_view name;
-  std::array<std::string_view, 4> folders;
-  std::string_view script;
+/// Experiments, and the script that draws them when they are there.
+struct Stage {
+  std::array<std::string_view, 3> configs;  ///< folders or files below configs/
+  std::string_view script;                  ///< below analysis/
+  std::string_view option{};                ///< of the script
 };
 
+/// Something to reproduce: what is drawn first comes first, so that there is something to look at while the rest runs.
+struct Reproducible {
+  std::string_view name, page;  ///< the folder of its page
+  std::array<Stage, 3> stages;
+};
+
+constexpr Stage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
+constexpr Stage whole_paper = {{"paper"}, "page.py", "--only=paper"};
 constexpr std::array reproducibles = {
-    Reproducible{"paper", {"paper", "ablations", "models", "scenes"}, "page.py"},
-    Reproducible{"stiffness", {"stiffness"}, "stiffness_page.py"},
-    Reproducible{"stability", {"stability", "one_pin"}, "stability_page.py"},
-    Reproducible{"accuracy", {"accuracy"}, "accuracy_page.py"},
-    Reproducible{"plain", {"plain"}, "plain_page.py"},
+    Reproducible{
+        "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
+    Reproducible{"paper", "paper", {first_figure, whole_paper}},
+    Reproducible{"stiffness", "stiffness", {Stage{{"stiffness"}, "stiffness_page.py"}}},
+    Reproducible{"stability", "stability", {Stage{{"stability", "one_pin"}, "stability_page.py"}}},
+    Reproducible{"accuracy", "accuracy", {Stage{{"accuracy"}, "accuracy_page.py"}}},
+    Reproducible{"plain", "plain", {Stage{{"plain"}, "plain_page.py"}}},
 };
 
 /// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
@@ -246,29 +258,40 @@ std::vector<std::string> reproducible() {
 
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
   const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
-  const fs::path source = BENDLAB_SOURCE_DIR, script = source / "analysis" / what.script;
+  const fs::path source = BENDLAB_SOURCE_DIR;
   options.out = arguments.out.empty() ? source / "results" : arguments.out;
-  ConfigArguments configs;
-  for (const std::string_view folder : what.folders)
-    if (!folder.empty())
-      std::ranges::copy(configs_in(source / "configs" / folder, arguments),
-                        std::back_inserter(configs.files));
-
-  const int runs_code = run_and_report(load_experiments(configs), options, Report::lines);
-  if (stop_exit_code() != 0) return runs_code;
-
-  const fs::path page = options.out / what.name;
-  fmt::print(stderr, "bendlab: drawing the figures\n");
-  const int page_code = run_program(
-      {BENDLAB_PYTHON, script.string(), "--results", options.out.string(), "--out", page.string()});
-  if (stop_exit_code() != 0) return stop_exit_code();
-  if (page_code != 0) {
-    fmt::print(stderr, "bendlab: {} {} ended with exit code {}\n", BENDLAB_PYTHON, script.string(),
-               page_code);
-    return exit_failed;
+  const fs::path page = options.out / what.page;
+  std::vector<std::vector<Experiment>>
+      experiments;  // of each stage: what is wrong in any is told before the first run
+  for (const Stage& stage : what.stages) {
+    ConfigArguments configs;
+    for (const std::string_view place : stage.configs)
+      if (!place.empty())
+        std::ranges::copy(configs_in(source / "configs" / place, arguments),
+                          std::back_inserter(configs.files));
+    experiments.push_back(load_experiments(configs));
   }
-  fmt::print("\npage: {}\n", (page / "index.html").string());
-  return runs_code;
+
+  int code = exit_ok;
+  for (std::size_t i = 0; i < what.stages.size(); ++i) {
+    const Stage& stage = what.stages[i];
+    if (stage.script.empty()) break;
+    const int runs_code = run_and_report(experiments[i], options, Report::lines);
+    if (stop_exit_code() != 0) return runs_code;
+    code = std::max(code, runs_code);
+    fmt::print(stderr, "bendlab: drawing the figures\n");
+    const fs::path script = source / "analysis" / stage.script;
+    std::vector<std::string> drawing = {BENDLAB_PYTHON,       script.string(), "--results",
+                                        options.out.string(), "--out",         page.string()};
+    if (!stage.option.empty()) drawing.emplace_back(stage.option);
+    const int page_code = run_program(drawing);  // says where what it drew is
+    if (stop_exit_code() != 0) return stop_exit_code();
+    if (page_code != 0) {
+      fmt::print(stderr, "bendlab: {} ended with exit code {}\n", fmt::join(drawing, " "), page_code);
+      return exit_failed;
+    }
+  }
+  return code;
 }
 
 }  // namespace bendlab
