@@ -6,6 +6,7 @@
 #include <array>
 
 #include "bendlab/effects/effect.hpp"
+#include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/scene/scene.hpp"
 #include "experiments/terminal/table.hpp"

@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
