@@ -104,10 +104,6 @@ Vector3 middle_of_pins(const Scene& scene) {
   return sum / static_cast<double>(scene.pins.seeds.size());
 }
 
-Positions as_rows(const std::vector<double>& numbers) {
-  return Eigen::Map<const Positions>(numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3);
-}
-
 // Runs the reference, or finds it made.
 RunOutcome make_reference(const RunConfig& config, const StartingPose* start,
                           const std::filesystem::path& folder, const std::atomic<bool>* stop) {
@@ -147,8 +143,7 @@ std::map<std::string, double> errors_between(const Course& run, const Course& re
 Course read_course(const std::filesystem::path& file, const Scene* scene) {
   const RestRecord rest = read_rest(file);
   TriangleMesh mesh{.positions = as_rows(rest.positions), .triangles = {}, .texture_coordinates = {}};
-  mesh.triangles = Eigen::Map<const Triangles>(rest.triangles.data(),
-                                               static_cast<Eigen::Index>(rest.triangles.size() / 3), 3);
+  mesh.triangles = as_rows(rest.triangles);
   Course course{RestMesh(std::move(mesh)), read_metric(file, "time"), {}, {}};
   if (!scene) {
     course.time = {course.time.back()};

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/constraints/corners.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/geodesics.hpp"
@@ -15,6 +16,7 @@
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/energy.hpp"
 
+#include "experiments/scene/gravity.hpp"
 namespace bendlab {
 namespace {
 
@@ -135,13 +137,6 @@ double correction_length(const SimulationInput& input, const std::array<int, N>&
     if (vertices[i] == vertex) own = w * c.gradient[i].norm();
   }
   return sum > 0 ? std::abs(c.value) * own / sum : 0;
-}
-
-template <std::size_t N>
-std::array<Vector3, N> corners(const Positions& positions, const std::array<int, N>& vertices) {
-  std::array<Vector3, N> p;
-  for (std::size_t i = 0; i < N; ++i) p[i] = row(positions, vertices[i]);
-  return p;
 }
 
 // visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where

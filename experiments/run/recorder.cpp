@@ -71,10 +71,6 @@ double highest_level(const Scene& scene) {
   return scene.pins.seeds.empty() ? (start * scene.down).maxCoeff() : highest;
 }
 
-Eigen::Map<const Positions> as_rows(const std::vector<double>& positions) {
-  return {positions.data(), static_cast<Eigen::Index>(positions.size() / 3), 3};
-}
-
 }  // namespace
 
 Recorder::Recorder(const Scene& scene)

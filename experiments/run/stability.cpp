@@ -10,6 +10,7 @@
 
 #include "bendlab/metrics/motion.hpp"
 #include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {

@@ -7,9 +7,10 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/mesh/connected_parts.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/run/solver_stiffness.hpp"
-#include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/precision.hpp"
 
 namespace bendlab {
@@ -86,18 +87,14 @@ Message inert_seed(const WarningInput& input) {
 Message piece_without_pin(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   if (input.scene.pins.all.empty()) return std::nullopt;
-  std::vector<char> held(static_cast<std::size_t>(rest.vertex_count()), 0);
-  std::vector<int> stack = input.scene.pins.all;
-  for (const int v : stack) held[static_cast<std::size_t>(v)] = 1;
-  while (!stack.empty()) {
-    const int v = stack.back();
-    stack.pop_back();
-    for (const int neighbour : rest.one_ring()[v])
-      if (char& seen = held[static_cast<std::size_t>(neighbour)]; !seen) seen = 1, stack.push_back(neighbour);
+  std::size_t loose = 0;
+  int first = 0;
+  for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
+    if (std::ranges::any_of(part, [&](int v) { return input.scene.pins.pinned(v); })) continue;
+    if (loose == 0) first = part.front();
+    loose += part.size();
   }
-  const auto loose = std::ranges::count(held, 0);
   if (loose == 0) return std::nullopt;
-  const auto first = std::ranges::find(held, 0) - held.begin();
   return fmt::format(
       "{} of {} vertices, vertex {} the first, are in pieces of the mesh without a pin, while others have "
       "some: they fall away. Pin each piece, or unite them ('bendlab mesh' lists pieces)",

@@ -2,7 +2,7 @@
 
 #include <limits>
 
-#include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/scene.hpp"
 
 namespace bendlab {

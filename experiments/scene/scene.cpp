@@ -18,6 +18,7 @@
 #include "bendlab/solver/order_from_pins.hpp"
 #include "experiments/scene/initial_pose.hpp"
 
+#include "experiments/scene/gravity.hpp"
 namespace bendlab {
 namespace {
 
@@ -207,16 +208,6 @@ int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs
         const auto ring = rest.one_ring()[pair[0]];
         return !std::binary_search(ring.begin(), ring.end(), pair[1]);
       }));
-}
-
-Vector3 direction_of_gravity(const std::vector<EffectSettings>& effects) {
-  for (const EffectSettings& effect : effects)
-    if (effect.type == "gravity") {
-      const std::vector<double>& a = effect.values.numbers("acceleration");
-      const Vector3 acceleration(a[0], a[1], a[2]);
-      if (acceleration.norm() > 0) return acceleration.normalized();
-    }
-  return -Vector3::UnitZ();
 }
 
 QualityThresholds quality_thresholds(const ParameterValues& values) {

@@ -1,4 +1,4 @@
-// Every element kind. A new one is added to both lists.
+// Every element kind. A new one is added to the list, and calibrate() has to know how it resists.
 #pragma once
 
 #include <tuple>
@@ -12,10 +12,12 @@
 
 namespace bendlab {
 
-using ElementKinds = std::tuple<HingeAngle, QuadraticBend, ArcSpring>;
-
 namespace detail {
 template <class Real, class Tuple>
+template <class, class... Kinds>
+struct AfterFirst {
+  using Tuple = std::tuple<Kinds...>;
+};
 struct OfKinds;
 template <class Real, class... Kinds>
 struct OfKinds<Real, std::tuple<Kinds...>> {
@@ -31,8 +33,14 @@ struct OfKinds<Real, std::tuple<Kinds...>> {
   }
 };
 }  // namespace detail
+#define BENDLAB_THEN_KIND(Kind) , Kind
+using ListedKinds = AfterFirst<void BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_THEN_KIND)>::Tuple;
+#undef BENDLAB_THEN_KIND
 
 /// A list per kind, and a batch per kind.
+/// All of them, in the order of the list.
+using ElementKinds = detail::ListedKinds;
+
 using ElementLists = detail::OfKinds<double, ElementKinds>::Lists;
 template <class Real>
 using ElementBatches = typename detail::OfKinds<Real, ElementKinds>::Batches;
