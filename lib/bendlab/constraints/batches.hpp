@@ -35,7 +35,8 @@ struct BatchOrder {
 
 /// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice. Where they lie
 /// changes nothing, but that a lane whose dummies lie at one point is looked at as if it had collapsed, which takes time.
-inline constexpr int dummy_points = 4 * max_lanes;
+inline constexpr int dummy_corners = 4;  ///< no constraint has more vertices
+inline constexpr int dummy_points = dummy_corners * max_lanes;
 
 template <class Real>
 struct DistanceBatch {
