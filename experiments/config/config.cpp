@@ -10,6 +10,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/config/overrides.hpp"
@@ -216,7 +217,7 @@ std::optional<RunConfig> run_before(const RunConfig& config) {
 }
 
 std::string_view name_of(Against against) {
-  return against == Against::solver ? "solver" : "physical";
+  return name_in(against_names, against);
 }
 
 std::string reference_pointer(Against against, bool coarser) {

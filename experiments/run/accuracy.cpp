@@ -12,6 +12,7 @@
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/metrics/alignment.hpp"
 #include "bendlab/metrics/shape_error.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/run/start_after.hpp"
 #include "experiments/scene/energy.hpp"
@@ -180,10 +181,7 @@ Course Accuracy::course_to(const Positions& end) const {
 }
 
 Comparing Accuracy::comparing(Against against) const {
-  const std::string& align = settings_.text("align");
-  return {.align = align == "vertical" ? AlignBy::vertical
-                   : align == "rigid"  ? AlignBy::rigid
-                                       : AlignBy::none,
+  return {.align = named<AlignBy>(settings_.text("align"), align_by_names),
           .centre = middle_of_pins(scene_),
           .down = scene_.down,
           .over_time = over_time_,

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
+#include "experiments/config/config.hpp"
 #include "experiments/scene/scene.hpp"
 
 namespace bendlab {
@@ -34,8 +35,6 @@ struct Course {
   std::vector<Positions> poses;  ///< #F
   std::vector<double> energy;    ///< #F, total, J; or empty
 };
-
-enum class AlignBy { none, vertical, rigid };
 
 /// How two courses are compared.
 struct Comparing {

@@ -8,6 +8,7 @@
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/version.hpp"
 
@@ -82,7 +83,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"processor", processor_name()},
                        {"host", host_name()},
                        {"threads", std::to_string(scene.input.settings.threads)},
-                       {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
+                       {"precision", std::string(name_in(precision_names, scene.precision))},
                        {"ordering_hash", ordering_hash},
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())

@@ -15,6 +15,7 @@
 #include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
 #include "experiments/scene/initial_pose.hpp"
 
@@ -25,23 +26,23 @@ namespace {
 TriangleMesh generate(const ParameterValues& mesh) {
   const double width = mesh.number("width"), height = mesh.number("height");
   const int cells = static_cast<int>(mesh.integer("cells"));
-  const std::string& generator = mesh.text("generator");
   const double radius = mesh.number("radius");
-  if (generator == "disc") return disc(radius, cells);
-  if (generator == "sphere") return sphere(radius, cells);
-  if (generator == "tube")
-    return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
-  if (generator == "delaunay")
-    return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
-  if (generator == "equilateral")
-    return equilateral(width, height, cells,
-                       mesh.text("rows") == "parallel" ? Rows::parallel : Rows::perpendicular);
-  const std::string& diagonal = mesh.text("diagonal");
-  const int cells_y = std::max(1, static_cast<int>(std::lround(cells * height / width)));
-  return grid(width, height, cells, cells_y,
-              diagonal == "same"   ? Diagonal::same
-              : diagonal == "both" ? Diagonal::both
-                                   : Diagonal::alternating);
+  switch (named<Generator>(mesh.text("generator"), generator_names)) {
+    case Generator::grid:
+      return grid(width, height, cells, std::max(1, static_cast<int>(std::lround(cells * height / width))),
+                  named<Diagonal>(mesh.text("diagonal"), diagonal_names));
+    case Generator::equilateral:
+      return equilateral(width, height, cells, named<Rows>(mesh.text("rows"), rows_names));
+    case Generator::delaunay:
+      return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
+    case Generator::disc:
+      return disc(radius, cells);
+    case Generator::tube:
+      return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
+    case Generator::sphere:
+      return sphere(radius, cells);
+  }
+  throw std::logic_error("generate: unknown generator");
 }
 
 // A generated mesh is sound until it is flawed.
@@ -69,8 +70,7 @@ AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
 }
 
 BadTriangles policy_for_bad_triangles(const ParameterValues& mesh) {
-  const auto found = std::ranges::find(bad_triangles_names, mesh.text("bad_triangles"));
-  return static_cast<BadTriangles>(found - bad_triangles_names.begin());
+  return named<BadTriangles>(mesh.text("bad_triangles"), bad_triangles_names);
 }
 
 AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
@@ -109,16 +109,11 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
 }
 
 StiffnessKind stiffness_kind(const std::string& name) {
-  return name == "k"            ? StiffnessKind::k
-         : name == "k_per_step" ? StiffnessKind::k_per_step
-                                : StiffnessKind::compliance;
+  return named<StiffnessKind>(name, stiffness_kind_names);
 }
 
 StrainStiffness strain_stiffness(const ParameterValues& values) {
-  const std::string& form = values.text("form");
-  return {.form = form == "green"   ? StrainForm::green
-                  : form == "angle" ? StrainForm::angle
-                                    : StrainForm::normalised,
+  return {.form = named<StrainForm>(values.text("form"), strain_form_names),
           .kind = stiffness_kind(values.text("stiffness")),
           .warp = values.number("warp"),
           .weft = values.number("weft"),
@@ -127,15 +122,13 @@ StrainStiffness strain_stiffness(const ParameterValues& values) {
           .compliance = values.number("compliance")};
 }
 
+// What physical asks for is in the constraints' own softness.
 BendingStiffness bending_stiffness(const ParameterValues& values) {
-  const std::string& stiffness = values.text("stiffness");
-  return {.kind = stiffness_kind(stiffness),
+  if (values.text("stiffness") == "physical")
+    return {.kind = StiffnessKind::compliance, .k = values.number("k"), .compliance = 1};
+  return {.kind = stiffness_kind(values.text("stiffness")),
           .k = values.number("k"),
-          .compliance = stiffness == "physical" ? 1 : values.number("compliance")};
-}
-
-Deflection deflection(const std::string& name) {
-  return name == "small" ? Deflection::small : name == "both" ? Deflection::both : Deflection::large;
+          .compliance = values.number("compliance")};
 }
 
 // The model's constraints, as soft as the config's physical stiffness asks for.
@@ -150,7 +143,8 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
   try {
     calibrate(constraints, rest, pins,
               {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature"),
-               values.has("deflection") ? deflection(values.text("deflection")) : Deflection::large});
+               values.has("deflection") ? named<Deflection>(values.text("deflection"), deflection_names)
+                                        : Deflection::large});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
     throw ConfigError("physical stiffness", {{"/bending", error.what()}});
   }
@@ -191,7 +185,8 @@ std::vector<double> masses_of(const ParameterValues& material, const RestMesh& r
 }
 
 std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
-  if (material.text("coordinates") == "warp") {
+  if (named<MaterialCoordinates>(material.text("coordinates"), material_coordinates_names) ==
+      MaterialCoordinates::warp) {
     const std::vector<double>& warp = material.numbers("warp_direction");
     return inverse_rest_from_warp(mesh, {warp[0], warp[1], warp[2]});
   }

@@ -10,8 +10,10 @@
 // A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bendlab/constraints/large_array.hpp"
@@ -61,6 +63,7 @@ enum class StrainForm {
   /// whatever the angle, where that of the cosine vanishes for parallel warp and weft and a projection overshoots.
   angle,
 };
+inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
 
 template <class Real>
 struct StrainBatch {

@@ -14,6 +14,7 @@
 // The number of committed frames is the length of /metrics/time, which is written last in every frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -21,6 +22,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,8 @@ class RunFileError : public std::runtime_error {
 
 /// `implausible`: computed to its end as a complete run is, and it broke a bound that its scene cannot break.
 enum class RunStatus { running, complete, diverged, interrupted, implausible };
+inline constexpr std::array<std::string_view, 5> run_status_names = {"running", "complete", "diverged",
+                                                                     "interrupted", "implausible"};
 std::string to_string(RunStatus status);
 
 /// Whether the run went to its end: complete or implausible.
