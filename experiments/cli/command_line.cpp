@@ -274,6 +274,8 @@ int dispatch(int argc, char** argv) {
                 models_text, models_json);
   add_reference(app, arguments, "effects", "List the effects: parameters, defaults, sources", effects_text,
                 effects_json);
+  add_reference(app, arguments, "methods", "List the solver methods: parameters, defaults, sources",
+                methods_text, methods_json);
   add_reference(app, arguments, "schema", "Print the reference of the configs", schema_text, schema_json);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();

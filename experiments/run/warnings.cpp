@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "bendlab/mesh/connected_parts.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/run/solver_stiffness.hpp"
 #include "experiments/scene/gravity.hpp"
@@ -40,7 +41,7 @@ Message unconverged(const WarningInput& input) {
   // A run of less than a second may end where it only begins to stretch: medians do not see it.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
-  if (!rigid || input.scene.input.settings.method != Method::pbd ||
+  if (!rigid || !input.scene.input.method->projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return fmt::format(
@@ -175,7 +176,7 @@ Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
-  if (solver.method != Method::pbd || scene.strain_stiffness.kind != StiffnessKind::compliance ||
+  if (!input.scene.input.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
       compliance == 0)
     return std::nullopt;
   const std::vector<double>& areas = input.scene.rest.areas();

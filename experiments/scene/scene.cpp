@@ -16,10 +16,11 @@
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/initial_pose.hpp"
 
-#include "experiments/scene/gravity.hpp"
 namespace bendlab {
 namespace {
 
@@ -151,22 +152,17 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
   return constraints;
 }
 
-SolverSettings solver_settings(const ParameterValues& values) {
-  const std::string& method = values.text("method");
-  return {.method = method == "kang_cho"      ? Method::kang_cho
-                    : method == "equilibrium" ? Method::equilibrium
-                                              : Method::pbd,
-          .tangent = values.text("tangent") == "taut"        ? Tangent::taut
-                     : values.text("tangent") == "isotropic" ? Tangent::isotropic
-                                                             : Tangent::along,
-          .dt = values.number("dt"),
-          .substeps = static_cast<int>(values.integer("substeps")),
-          .iterations = static_cast<int>(values.integer("iterations")),
-          .flight_limit = values.number("flight_limit"),
-          .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
-          .order = values.text("order") == "colour" ? ConstraintOrder::colour : ConstraintOrder::mesh,
-          .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,
-          .threads = static_cast<int>(values.integer("threads"))};
+SolverSettings solver_settings(const ParameterValues& values, const Method& method) {
+  SolverSettings settings{.dt = values.number("dt"),
+                          .substeps = static_cast<int>(values.integer("substeps")),
+                          .iterations = static_cast<int>(values.integer("iterations")),
+                          .sweep = named<Sweep>(values.text("sweep"), sweep_names),
+                          .order = named<ConstraintOrder>(values.text("order"), constraint_order_names),
+                          .first = named<FirstConstraint>(values.text("first"), first_constraint_names),
+                          .threads = static_cast<int>(values.integer("threads"))};
+  for (const Parameter& row : method.parameters)
+    settings.own.set(row.name, values.all().find(row.name)->second);
+  return settings;
 }
 
 // Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
@@ -233,9 +229,9 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
 }
 
 Precision precision_of(const Scene& scene, const std::string& asked) {
-  const bool wide = asked == "double" || scene.input.settings.method == Method::equilibrium ||
-                    (asked == "auto" && !rounding_speed(scene).single_suffices());
-  return wide ? Precision::double_precision : Precision::single_precision;
+  if (scene.input.method->make_float == nullptr) return Precision::double_precision;
+  if (asked != "auto") return named<Precision>(asked, precision_names);
+  return rounding_speed(scene).single_suffices() ? Precision::single_precision : Precision::double_precision;
 }
 
 template <class Real>
@@ -277,8 +273,9 @@ Scene build_scene(const RunConfig& config) {
   input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
   input.place = local_numbering(rest);
-  input.settings = solver_settings(solver);
-  if (input.settings.method == Method::kang_cho)
+  input.method = find_method(solver.text("method"));
+  input.settings = solver_settings(solver, *input.method);
+  if (input.method->membrane == Membrane::edges)
     input.edges = edge_springs(rest, scene.pins);
   else
     input.strain =
@@ -290,7 +287,7 @@ Scene build_scene(const RunConfig& config) {
 
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);
   const SolverSettings& settings = input.settings;
-  if (settings.method == Method::pbd && find_bending_model(config.bending_model())->prestressed &&
+  if (input.method->projects && find_bending_model(config.bending_model())->prestressed &&
       config.section("/bending").text("stiffness") == "physical") {
     scene.push = bound_push(bending.distance, rest, input.mass, settings.dt / settings.substeps,
                             settings.projections_per_substep());
@@ -301,8 +298,8 @@ Scene build_scene(const RunConfig& config) {
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
-  if (solver.text("order") == "pins") order_from_pins(input, rest);
-  input.settings.apart = !rounding_speed(scene).whole_suffices();
+  if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
+  input.moves_apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, solver.text("precision"));
   return scene;
 }
