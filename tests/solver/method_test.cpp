@@ -23,6 +23,33 @@ SimulationInput sheet_for(const Method& method) {
   return input;
 }
 
+template <class Real>
+void check_orders(const SimulationInput& input) {
+  if (input.method->make<Real>() == nullptr) {
+    CHECK_THROWS_AS(make_simulation<Real>(input, {}), std::invalid_argument);
+    return;
+  }
+  const auto simulation = make_simulation<Real>(input, {});
+  const auto constraints_of = [](const BatchOrder& order) {
+    std::multiset<int> all;
+    for (const int constraint : order.constraint_of_lane)
+      if (constraint >= 0) all.insert(constraint);
+    return all;
+  };
+  const auto every = [](std::size_t count) {
+    std::multiset<int> all;
+    for (std::size_t c = 0; c < count; ++c) all.insert(static_cast<int>(c));
+    return all;
+  };
+  CHECK(constraints_of(simulation->strain_order()) == every(input.strain.size()));
+  CHECK(constraints_of(simulation->distance_order()) == every(input.distance.size()));
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    CHECK(constraints_of(simulation->element_order(Kind::name)) == every(list.size()));
+  });
+  CHECK_THROWS_AS(simulation->element_order("no such kind"), std::invalid_argument);
+  REQUIRE(simulation->step());
+}
+
 }  // namespace
 
 TEST_CASE("methods: each says what it is and comes in some precision", "[solver]") {
@@ -39,6 +66,15 @@ TEST_CASE("methods: each says what it is and comes in some precision", "[solver]
   }
   CHECK(names.size() == methods().size());
   CHECK(find_method("no_such_method") == nullptr);
+}
+
+TEST_CASE("methods: each gives every constraint a place in its order and refuses unknown kinds", "[solver]") {
+  for (const Method* method : methods()) {
+    INFO(method->name);
+    const SimulationInput input = sheet_for(*method);
+    check_orders<float>(input);
+    check_orders<double>(input);
+  }
 }
 
 TEST_CASE("methods: each says why its passes are there", "[solver]") {

@@ -55,10 +55,13 @@ struct Column {
 struct ConstraintRecord {
   std::string kind;  ///< "strain", "distance", …
   std::uint64_t count = 0;
-  std::string hash;                 ///< of vertices and rest values in solver order
+  std::string hash;                 ///< of vertices, rest values and softness in solver order
   int vertices_per_constraint = 0;  ///< columns of `vertices`
   std::vector<int> vertices;        ///< #C by vertices_per_constraint, row by row; empty unless recorded
-  std::vector<double> rest;         ///< #C rest values; empty unless recorded
+  std::vector<double> rest;         ///< #C by rest_per_constraint, row by row; empty unless recorded
+  int rest_per_constraint = 1;      ///< columns of `rest`
+  std::vector<double>
+      softness;  ///< #C, times the scene's compliance; empty unless recorded, or where it is 1
 };
 
 /// What is known before the first step.

@@ -143,7 +143,8 @@ class Simulation {
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
-  virtual const BatchOrder& element_order(std::string_view kind) const = 0;  ///< Kind::name
+  /// Of the kind with that Kind::name; throws as kind_place() does.
+  virtual const BatchOrder& element_order(std::string_view kind) const = 0;
   /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has, of a method that
   /// knows. Takes up to about ten sweeps' time.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }

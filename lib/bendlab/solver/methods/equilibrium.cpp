@@ -37,6 +37,7 @@
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -81,8 +82,7 @@ class Equilibrium final : public TimeStep<double> {
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
         last_move_(whole_ ? 0 : size_),
         starting_from_(input.starting_from),
-        distance_order_(list_order(input.distance.size())),
-        no_order_(list_order(0)) {
+        orders_(input) {
     for (std::size_t v = 0; v < input.mass.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
@@ -95,9 +95,9 @@ class Equilibrium final : public TimeStep<double> {
   bool settled() const override { return softness_ == 1 && balanced() && whole_; }
   std::optional<double> unbalanced() const override { return unbalanced_; }
 
-  const BatchOrder& strain_order() const override { return no_order_; }
-  const BatchOrder& distance_order() const override { return distance_order_; }
-  const BatchOrder& element_order(std::string_view) const override { return no_order_; }
+  const BatchOrder& strain_order() const override { return orders_.strain; }
+  const BatchOrder& distance_order() const override { return orders_.distance; }
+  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
 
   std::size_t memory_bytes() const override {
     std::size_t vectors = 0;
@@ -266,7 +266,7 @@ class Equilibrium final : public TimeStep<double> {
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   StartingFrom starting_from_;
-  BatchOrder distance_order_, no_order_;
+  ListOrders orders_;
   Passes plan_;
 };
 

@@ -39,6 +39,7 @@
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/kang_cho_kernel.hpp"
+#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -91,7 +92,7 @@ class KangChoStep final : public TimeStep<Real> {
  public:
   KangChoStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.place),
-        distance_order_(list_order(input.distance.size())),
+        orders_(input),
         spring_count_(input.edges.size() + input.distance.size()),
         across_(across_tangent<Real>(named<Tangent>(own_settings(input).text("tangent"), tangent_names))) {
     check(input, effect_passes);
@@ -99,9 +100,9 @@ class KangChoStep final : public TimeStep<Real> {
     compile_plan(std::move(effect_passes));
   }
 
-  const BatchOrder& strain_order() const override { return constraints_.strain.order; }
-  const BatchOrder& distance_order() const override { return distance_order_; }
-  const BatchOrder& element_order(std::string_view) const override { return constraints_.strain.order; }
+  const BatchOrder& strain_order() const override { return orders_.strain; }
+  const BatchOrder& distance_order() const override { return orders_.distance; }
+  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
   std::size_t memory_bytes() const override {
     return Base::memory_bytes() + bytes_of(springs_.slices) + bytes_of(springs_.other) +
            bytes_of(springs_.rest_length) + bytes_of(springs_.stiffness) + bytes_of(system_.rows) +
@@ -207,7 +208,7 @@ class KangChoStep final : public TimeStep<Real> {
     workers_.for_range(0, springs_.slice_count(), springs_.other.size() >= worthwhile_lanes, task);
   }
 
-  BatchOrder distance_order_;
+  ListOrders orders_;
   std::uint64_t spring_count_;
   AcrossTangent<Real> across_;
   SpringRows<Real> springs_;

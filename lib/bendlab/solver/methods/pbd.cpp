@@ -186,11 +186,11 @@ class PbdStep final : public TimeStep<Real> {
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {
-    const BatchOrder* found = nullptr;
+    std::array<const BatchOrder*, std::tuple_size_v<ElementKinds>> orders{};
     for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
-      if (Kind::name == kind) found = &batch.order;
+      orders[kind_index<Kind>] = &batch.order;
     });
-    return *found;
+    return *orders[kind_place(kind)];
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
