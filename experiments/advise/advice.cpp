@@ -51,7 +51,7 @@ double strain_in(const std::filesystem::path& file, bool over_time) {
   double sum = 0;
   for (std::size_t f = 0; f < frames; ++f) {
     const std::vector<double> numbers = read_positions(file, static_cast<std::int64_t>(f));
-    const Positions pose = Eigen::Map<const Positions>(numbers.data(), end.poses.back().rows(), 3);
+    const Positions pose = as_rows(numbers);
     sum += strain_error(end.rest, pose);
   }
   return or_endless(sum / static_cast<double>(frames));

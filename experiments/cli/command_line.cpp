@@ -280,6 +280,8 @@ int dispatch(int argc, char** argv) {
   add_reference(app, arguments, "measures",
                 "List the measures: their numbers, units, meanings, what they cost", measures_text,
                 measures_json);
+  add_reference(app, arguments, "methods", "List the solver methods: parameters, defaults, sources",
+                methods_text, methods_json);
   add_reference(app, arguments, "schema", "Print the reference of the configs", schema_text, schema_json);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/scene/scene.hpp"
@@ -14,25 +15,10 @@
 namespace bendlab {
 namespace {
 
-struct Reason {
-  std::string_view pass, text;
-};
-
-// Of the passes that no effect brings.
-constexpr std::array reasons = {
-    Reason{"set_up", "mesh, constraints, colouring; once"},
-    Reason{"predict", "x += h v"},
-    Reason{"strain", "/material/strain: keeps the triangles' shapes"},
-    Reason{"update", "v from the change of x; looks for divergence"},
-    Reason{"gradient", "equilibrium: forces that are left over"},
-    Reason{"Hessian", "equilibrium: the stiffness matrix"},
-    Reason{"factorise", "equilibrium: its Cholesky factors, and the step"},
-    Reason{"move", "equilibrium: as far as no triangle stretches"},
-    Reason{"start", "kang_cho takes forces with the springs, not before them"},
-    Reason{"external", "kang_cho takes forces with the springs, not before them"},
-    Reason{"springs", "kang_cho: forces and tangents of edges and bending springs"},
-    Reason{"implicit solve", "kang_cho: two steps of block Jacobi"},
-    Reason{"recording", "/output: metrics and the run file"},
+// Of what is no pass of a step.
+constexpr std::array around_the_steps = {
+    MethodPass{"set_up", "mesh, constraints, colouring; once"},
+    MethodPass{"recording", "/output: metrics and the run file"},
 };
 
 // Whether a pass belongs to the effect of that name: "plane 2", "self_collision: candidates".
@@ -46,8 +32,12 @@ std::string reason_of(const std::string& pass, const RunConfig& config,
     if (belongs(pass, pass_name(effects, index)))
       return fmt::format("/effects/{}: {}", index, find_effect(effects[index].type)->summary);
   if (pass == "bending") return "/bending/model: " + config.bending_model();
-  const auto found = std::ranges::find(reasons, std::string_view(pass), &Reason::pass);
-  return found == reasons.end() ? "" : std::string(found->text);
+  const Method& method = *find_method(config.section("/solver").text("method"));
+  for (const std::span<const MethodPass> passes :
+       {method.passes, std::span<const MethodPass>(around_the_steps)})
+    if (const auto found = std::ranges::find(passes, pass, &MethodPass::name); found != passes.end())
+      return std::string(found->why);
+  return "";
 }
 
 // Effects that changed nothing: without a pass, or with passes that never acted.

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bendlab/bending/levels.hpp"
-#include "bendlab/mesh/rest_mesh.hpp"
+#include "bendlab/mesh/connected_parts.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -17,33 +17,11 @@ struct Topology {
   int edges = 0, boundary_edges = 0, pieces = 0, euler_number = 0;
 };
 
-int count_pieces(const Adjacency& one_ring) {
-  std::vector<char> seen(one_ring.offsets.size() - 1, 0);
-  std::vector<int> open;
-  int pieces = 0;
-  for (std::size_t start = 0; start < seen.size(); ++start) {
-    if (seen[start] != 0) continue;
-    ++pieces;
-    seen[start] = 1;
-    open.push_back(static_cast<int>(start));
-    while (!open.empty()) {
-      const int vertex = open.back();
-      open.pop_back();
-      for (const int neighbour : one_ring[vertex]) {
-        char& mark = seen[static_cast<std::size_t>(neighbour)];
-        if (mark == 0) open.push_back(neighbour);
-        mark = 1;
-      }
-    }
-  }
-  return pieces;
-}
-
 Topology topology_of(const RestMesh& rest) {
   Topology topology;
   topology.edges = static_cast<int>(rest.edges().rows());
   topology.boundary_edges = topology.edges - static_cast<int>(rest.hinges().size());
-  topology.pieces = count_pieces(rest.one_ring());
+  topology.pieces = static_cast<int>(connected_parts(rest.one_ring()).size());
   topology.euler_number = rest.vertex_count() - topology.edges + rest.triangle_count();
   return topology;
 }

@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "bendlab/mesh/files.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
@@ -151,8 +152,7 @@ std::string policies_text(const fs::path& file) try {
 
 int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std::string_view policy,
                  bool json) {
-  const auto chosen =
-      static_cast<BadTriangles>(std::ranges::find(bad_triangles_names, policy) - bad_triangles_names.begin());
+  const auto chosen = named<BadTriangles>(policy, bad_triangles_names);
   AcceptedMesh accepted;
   try {
     accepted = read_mesh(file, chosen);

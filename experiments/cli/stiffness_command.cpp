@@ -67,16 +67,9 @@ RunConfig config_of(const RunRecord& record) {
   return config;
 }
 
-Positions as_positions(const std::vector<double>& values) {
-  return Eigen::Map<const Positions>(values.data(), static_cast<Eigen::Index>(values.size() / 3), 3);
-}
-
 RunStrip strip_of_run(const RunRecord& record, const StripSettings& settings) {
   const RestRecord stored = read_rest(record.file);
-  const RestMesh rest({as_positions(stored.positions),
-                       Eigen::Map<const Triangles>(stored.triangles.data(),
-                                                   static_cast<Eigen::Index>(stored.triangles.size() / 3), 3),
-                       {}});
+  const RestMesh rest({as_rows(stored.positions), as_rows(stored.triangles), {}});
   Pins pins{.seeds = stored.pin_seeds, .all = {}, .is_pinned = {stored.pinned.begin(), stored.pinned.end()}};
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (pins.pinned(v)) pins.all.push_back(v);
@@ -88,7 +81,7 @@ double settling_of(const RunRecord& record, std::int64_t last, const RunStrip& s
   if (last == 0) return std::numeric_limits<double>::quiet_NaN();
   double low = std::numeric_limits<double>::infinity(), high = -low, value = 0;
   for (std::int64_t frame = last - std::max<std::int64_t>(1, last / 10); frame <= last; ++frame) {
-    value = strip.meter.height_over_width(as_positions(read_positions(record.file, frame)),
+    value = strip.meter.height_over_width(as_rows(read_positions(record.file, frame)),
                                           strip.options.clamp_offset);
     low = std::min(low, value);
     high = std::max(high, value);
@@ -126,7 +119,7 @@ int stiffness_command(const std::string& run, const std::filesystem::path& folde
                       const StiffnessArguments& arguments, bool json) {
   const RunRecord record = find_run(run, folder);
   const std::int64_t frame = frame_of(record, arguments.frame);
-  const Positions positions = as_positions(read_positions(record.file, frame));
+  const Positions positions = as_rows(read_positions(record.file, frame));
   const double time = read_metric(record.file, "time").at(static_cast<std::size_t>(frame));
   const RunStrip strip = strip_of_run(record, {arguments.clamp_offset, arguments.exclude});
   const StripStiffness stiffness = strip.meter.measure(positions, strip.options);

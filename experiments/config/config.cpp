@@ -10,6 +10,8 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/config/overrides.hpp"
@@ -228,7 +230,7 @@ std::optional<RunConfig> run_before(const RunConfig& config) {
 }
 
 std::string_view name_of(Against against) {
-  return against == Against::solver ? "solver" : "physical";
+  return name_in(against_names, against);
 }
 
 std::string reference_pointer(Against against, bool coarser) {
@@ -248,9 +250,10 @@ std::optional<RunConfig> reference_of(const RunConfig& config, Against against, 
   if (accuracy.boolean("start_from_end"))
     for (const char* start : {"after", "velocity", "spin"}) from.resolved["initial"].erase(start);
   RunConfig reference = with_changes(from, "the reference", changes);
-  if (accuracy.boolean("over_time") && reference.section("/solver").text("method") == "equilibrium")
+  if (accuracy.boolean("over_time") && !find_method(reference.section("/solver").text("method"))->has_motion)
     throw ConfigError("the reference",
-                      {{"/solver/method", "equilibrium has no motion that could be compared over time"}});
+                      {{"/solver/method", fmt::format("{} has no motion that could be compared over time",
+                                                      reference.section("/solver").text("method"))}});
   // Where it lies depends on nothing but what it is: runs share it.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
     if (const Json* value = value_at(reference.resolved, pointer))

@@ -56,8 +56,14 @@ std::optional<RunConfig> run_before(const RunConfig& config);
 /// What the errors of a run are measured against: the best solution of its own energies, or the stated cloth.
 enum class Against { solver, physical };
 inline constexpr std::array<Against, 2> references = {Against::solver, Against::physical};
-std::string_view name_of(Against against);  ///< "solver", "physical": as the settings and errors are called
+inline constexpr std::array<std::string_view, 2> against_names = {"solver",
+                                                                  "physical"};  ///< settings and errors
+std::string_view name_of(Against against);
 std::string reference_pointer(Against against, bool coarser);  ///< "/accuracy/solver_coarser": the setting
+
+/// How a reference's pose is brought over a run's before they are compared.
+enum class AlignBy { none, vertical, rigid };
+inline constexpr std::array<std::string_view, 3> align_by_names = {"none", "vertical", "rigid"};
 
 /// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where `coarser`.
 /// Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.

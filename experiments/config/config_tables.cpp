@@ -7,11 +7,18 @@
 #include <cmath>
 #include <deque>
 
+#include "bendlab/bending/calibration.hpp"
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/flaws.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/material_coordinates.hpp"
 #include "bendlab/mesh/pins.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/precision.hpp"
+#include "experiments/config/config.hpp"
 
 namespace bendlab {
 namespace {
@@ -19,22 +26,9 @@ namespace {
 using enum ParameterType;
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 6> generators = {"grid", "equilateral", "delaunay",
-                                                        "disc", "tube",        "sphere"};
-constexpr std::array<std::string_view, 3> diagonals = {"same", "alternating", "both"};
-constexpr std::array<std::string_view, 2> row_directions = {"parallel", "perpendicular"};
-constexpr std::array<std::string_view, 2> coordinate_sources = {"warp", "texture"};
-constexpr std::array<std::string_view, 3> strain_forms = {"normalised", "green", "angle"};
-constexpr std::array<std::string_view, 3> deflections = {"large", "small", "both"};
-constexpr std::array<std::string_view, 3> stiffness_kinds = {"k", "k_per_step", "compliance"};
-constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {"k", "k_per_step", "compliance",
-                                                                     "physical"};
-constexpr std::array<std::string_view, 3> methods = {"pbd", "kang_cho", "equilibrium"};
-constexpr std::array<std::string_view, 3> tangents = {"along", "taut", "isotropic"};
-constexpr std::array<std::string_view, 2> sweeps = {"forward", "symmetric"};
-constexpr std::array<std::string_view, 3> orders = {"colour", "mesh", "pins"};
-constexpr std::array<std::string_view, 2> constraint_kinds = {"strain", "bending"};
-constexpr std::array<std::string_view, 3> precisions = {"auto", "single", "double"};
+constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {
+    stiffness_kind_names[0], stiffness_kind_names[1], stiffness_kind_names[2], "physical"};
+constexpr std::array<std::string_view, 3> precisions = {"auto", precision_names[0], precision_names[1]};
 constexpr std::array measures_on_request = {
 #define BENDLAB_MEASURE(name)
 #define BENDLAB_MEASURE_ON_REQUEST(name) std::string_view(#name),
@@ -42,9 +36,8 @@ constexpr std::array measures_on_request = {
 #undef BENDLAB_MEASURE
 #undef BENDLAB_MEASURE_ON_REQUEST
 };
-constexpr std::array<std::string_view, 3> alignments = {"none", "vertical", "rigid"};
 
-constexpr std::array<std::string_view, 1> allowed = {"implausible"};  // of RunStatus
+constexpr std::array<std::string_view, 1> allowed = {name_in(run_status_names, RunStatus::implausible)};
 
 constexpr std::span<const std::string_view> nothing;
 constexpr std::array<std::string_view, 1> default_pins = {"upper_right"};
@@ -91,7 +84,7 @@ const std::array mesh = {
                          "triangles; delaunay: irregular, seeded; disc: concentric rings, as many as cells; "
                          "tube: the side of a cylinder or cone around z, with cells around it; sphere: closed, an octahedron "
                          "whose edges are split into cells, blown up",
-              .choices = generators},
+              .choices = generator_names},
     Parameter{.name = "file", .type = text, .unit = "", .default_value = {},
               .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
                          "config's folder"},
@@ -106,10 +99,10 @@ const std::array mesh = {
               .minimum = 1, .maximum = 4096},
     Parameter{.name = "diagonal", .type = text, .unit = "", .default_value = "same",
               .meaning = "grid: which diagonal splits a square: the same everywhere, alternating, or both",
-              .choices = diagonals},
+              .choices = diagonal_names},
     Parameter{.name = "rows", .type = text, .unit = "", .default_value = "parallel",
               .meaning = "equilateral: direction of the rows of edges against the long side",
-              .choices = row_directions},
+              .choices = rows_names},
     Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
               .meaning = "disc, sphere: its radius; tube: that of its lower end",
               .minimum = 0, .above = true},
@@ -176,7 +169,7 @@ constexpr std::array material = {
     Parameter{.name = "coordinates", .type = text, .unit = "", .default_value = "warp",
               .meaning = "Material coordinates: warp_direction projected into each triangle's plane, or the "
                          "mesh file's texture coordinates",
-              .choices = coordinate_sources},
+              .choices = material_coordinates_names},
     Parameter{.name = "warp_direction", .type = numbers, .unit = "1",
               .default_value = std::span<const double>(default_warp),
               .meaning = "Direction of the warp threads in the rest shape, of any length but zero; 0, 0, 1 runs "
@@ -190,9 +183,9 @@ constexpr std::array strain = {
                          "themselves; angle (ours): stretch as normalised, and of shear the angle that warp and weft "
                          "lack to a right one. The gradient of normalised shear vanishes as they become parallel, so that "
                          "a projection throws a strongly sheared triangle many times its size; the angle's does not",
-              .choices = strain_forms},
+              .choices = strain_form_names},
     Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
-              .meaning = stiffness_meaning, .choices = stiffness_kinds},
+              .meaning = stiffness_meaning, .choices = stiffness_kind_names},
     Parameter{.name = "warp", .type = number, .unit = "1", .default_value = 1.0,
               .meaning = "k of the stretch along the warp",
               .minimum = 0, .maximum = 1},
@@ -245,26 +238,13 @@ const std::array<Parameter, 8>& bending() {
                            "its membrane does not matter; both: between the two, with hinges weighted so that "
                            "they differ as little as the mesh allows. What the mesh then has of it at the other "
                            "is told beside the results",
-                .choices = deflections},
+                .choices = deflection_names},
   };
   return table;
 }
 
-constexpr std::array solver = {
-    Parameter{.name = "method", .type = text, .unit = "", .default_value = "pbd",
-              .meaning = "pbd: position-based dynamics; kang_cho: an approximate implicit step of masses and "
-                         "springs. There the membrane is a spring along every edge, the bending model one of "
-                         "springs, both stiffnesses a compliance above 0, and what only projections need is not "
-                         "used: iterations, sweep, order, first, form, warp, weft, shear, area and k. equilibrium: the static "
-                         "equilibrium of the loads and the energies whose compliances are above 0, by Newton's method; a "
-                         "step of it takes dt, the run ends when the forces balance, and substeps, iterations, sweep, "
-                         "order, first, precision (double) and k are not used",
-              .choices = methods},
-    Parameter{.name = "tangent", .type = text, .unit = "", .default_value = "along",
-              .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as in the "
-                         "source; taut: besides, k (1 - L/l) across a spring stretched from L to l; isotropic: k in "
-                         "every direction",
-              .choices = tangents},
+// What methods share; each reads some of it, see Method::shared.
+constexpr std::array shared_by_methods = {
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
               .minimum = 0, .above = true},
@@ -274,23 +254,17 @@ constexpr std::array solver = {
     Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 10,
               .meaning = "Rounds over all constraints per substep",
               .minimum = 1, .maximum = 100000},
-    Parameter{.name = "flight_limit", .type = number, .unit = "1", .default_value = 0.0,
-              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, at pins for "
-                         "example, before anything is projected; a substep in which they do more is cut into equal parts, at "
-                         "most 1000. 0: none is cut. Of gravity at a pinned row of triangles of height a it is g h² / a: 0.17 "
-                         "for 64 cells a metre and 1/60 s",
-              .minimum = 0},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
               .meaning = "Each iteration visits the constraints forward, or (symmetric) forward and then "
                          "backward, which is quiet at small time steps and projects twice as often",
-              .choices = sweeps},
+              .choices = sweep_names},
     Parameter{.name = "order", .type = text, .unit = "", .default_value = "colour",
               .meaning = "colour: grouped so that no two of a group share a vertex; mesh: as the model "
                          "lists them, one after another; pins: so too, but nearest to a pinned vertex first",
-              .choices = orders},
+              .choices = constraint_order_names},
     Parameter{.name = "first", .type = text, .unit = "", .default_value = "strain",
               .meaning = "Which kind is projected first within an iteration",
-              .choices = constraint_kinds},
+              .choices = first_constraint_names},
     Parameter{.name = "precision", .type = text, .unit = "", .default_value = "auto",
               .meaning = "Floating-point numbers of the solver. auto: single, but double where an effect moves vertices itself "
                          "(an obstacle, tethers, …) and what gravity does in a substep is too small for single precision "
@@ -300,6 +274,30 @@ constexpr std::array solver = {
               .meaning = "Threads of one run; the result has the same bits for any number",
               .minimum = 1, .maximum = 256},
 };
+
+const std::vector<Parameter>& solver() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const Method* method : methods()) all.push_back(method->name);
+    return all;
+  }();
+  static const std::string meaning = [] {
+    std::string text = "How a step moves the cloth.";
+    for (const Method* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
+    return text + " What a method does not read is no part of the run: see `bendlab methods`";
+  }();
+  static const std::vector<Parameter> table = [] {
+    std::vector<Parameter> rows = {
+        Parameter{.name = "method", .type = text, .unit = "", .default_value = default_method().name.data(),
+                  .meaning = meaning, .choices = names}};
+    rows.insert(rows.end(), shared_by_methods.begin(), shared_by_methods.end());
+    for (const Method* method : methods())
+      for (const Parameter& row : method->parameters)
+        if (std::ranges::find(rows, row.name, &Parameter::name) == rows.end()) rows.push_back(row);
+    return rows;
+  }();
+  return table;
+}
 
 constexpr std::array initial = {
     Parameter{.name = "folds", .type = integer, .unit = "1", .default_value = 0,
@@ -378,7 +376,7 @@ constexpr std::array accuracy = {
               .meaning = "How the reference's pose is brought over this run's before they are compared: not at all, by the "
                          "best turn about the vertical through the middle of the pins (the mesh's, without pins), or by the "
                          "best rigid motion",
-              .choices = alignments},
+              .choices = align_by_names},
     Parameter{.name = "over_time", .type = boolean, .unit = "", .default_value = false,
               .meaning = "Whether all recorded frames are compared that both have at the same time, instead of the last "
                          "one of each: the errors are means over these frames, with …_worst beside them, and the energy's"},
@@ -455,7 +453,7 @@ std::vector<ConfigSection> make_sections() {
            pointers.emplace_back(fmt::format("Bending model {}: {}", model->name, model->summary)),
            model->parameters});
   const std::array<ConfigSection, 5> rest = {{
-      {"/solver", "Time stepping and projection", solver},
+      {"/solver", "Time stepping and projection", solver()},
       {"/initial", "The pose at time 0", initial},
       {"/output", "What the run file holds", output},
       {"/accuracy", "Errors of the run, measured against references", accuracy},

@@ -8,6 +8,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/pointers.hpp"
 
@@ -150,25 +151,34 @@ class MethodRules {
   MethodRules(Json& canonical, ConfigProblems& problems)
       : canonical_(canonical),
         problems_(problems),
-        method_(canonical["solver"]["method"]),
+        method_(*find_method(canonical["solver"]["method"].get<std::string>())),
         model_(*find_bending_model(canonical["bending"]["model"].get<std::string>())) {}
 
   void settle() {
-    if (method_ != "kang_cho") drop("/solver", {"tangent"});
-    if (method_ == "kang_cho") settle_kang_cho();
-    if (method_ == "equilibrium") settle_equilibrium();
+    const std::string_view why = method_.needs_compliance;
+    if (!why.empty()) check_compliance("/material/strain", why);
+    if (method_.springs_only && !model_.springs_only)
+      refuse_model();
+    else if (!why.empty() && model_.name != "none")
+      check_compliance("/bending", why);
+    if (!method_.projects) refuse_projection_effects();
+    for (const std::string_view name : names_of(find_section("/solver")->parameters))
+      if (!method_.reads(name)) canonical_["solver"].erase(std::string(name));
+    if (method_.membrane == Membrane::edges)
+      drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
+    if (!why.empty()) drop("/bending", {"k"});
   }
 
  private:
   void report(const std::string& pointer, const std::string& message) {
-    problems_.push_back({pointer, fmt::format("{} (as /solver/method is {})", message, method_)});
+    problems_.push_back({pointer, fmt::format("{} (as /solver/method is {})", message, method_.name)});
   }
 
   void drop(const char* section, std::initializer_list<const char*> unused) {
     for (const char* name : unused) canonical_.at(Json::json_pointer(section)).erase(name);
   }
 
-  void check_compliance(const std::string& pointer, const char* why) {
+  void check_compliance(const std::string& pointer, std::string_view why) {
     const Json& section = canonical_.at(Json::json_pointer(pointer));
     if (section["stiffness"] == "physical") return;
     if (section["stiffness"] != "compliance")
@@ -187,37 +197,17 @@ class MethodRules {
                         type));
   }
 
-  // The mass-spring step takes springs of a known stiffness.
-  void settle_kang_cho() {
-    constexpr const char* why = "springs have a stiffness of 1 / compliance in N/m";
-    check_compliance("/material/strain", why);
-    if (!model_.springs_only) {
-      std::vector<std::string_view> allowed;
-      for (const BendingModel* each : bending_models())
-        if (each->springs_only) allowed.push_back(each->name);
-      report("/bending/model",
-             fmt::format("{} is not made of springs; these are: {}", model_.name, fmt::join(allowed, ", ")));
-    } else if (model_.name != "none") {
-      check_compliance("/bending", why);
-    }
-    refuse_projection_effects();
-    drop("/solver", {"iterations", "flight_limit", "sweep", "order", "first"});
-    drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
-    drop("/bending", {"k"});
-  }
-
-  void settle_equilibrium() {
-    constexpr const char* why = "k has no energy and so no equilibrium";
-    check_compliance("/material/strain", why);
-    if (model_.name != "none") check_compliance("/bending", why);
-    refuse_projection_effects();
-    drop("/solver", {"substeps", "iterations", "flight_limit", "sweep", "order", "first", "precision"});
-    drop("/bending", {"k"});
+  void refuse_model() {
+    std::vector<std::string_view> allowed;
+    for (const BendingModel* each : bending_models())
+      if (each->springs_only) allowed.push_back(each->name);
+    report("/bending/model",
+           fmt::format("{} is not made of springs; these are: {}", model_.name, fmt::join(allowed, ", ")));
   }
 
   Json& canonical_;
   ConfigProblems& problems_;
-  std::string method_;
+  const Method& method_;
   const BendingModel& model_;
 };
 

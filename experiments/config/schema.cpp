@@ -1,11 +1,14 @@
 #include "experiments/config/schema.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/resolve.hpp"
 
@@ -263,6 +266,44 @@ Json models_json() {
     entry["limits"] = model->limits;
     entry["compliance"] = model->compliance;
     entry["parameters"] = rows_json(model->parameters);
+  }
+  return json;
+}
+
+namespace {
+
+// The shared settings of /solver that it reads.
+std::vector<std::string_view> shared_settings(const Method& method) {
+  std::vector<std::string_view> shared;
+  for (const std::string_view name : names_of(find_section("/solver")->parameters))
+    if (method.reads(name) &&
+        std::ranges::find(method.parameters, name, &Parameter::name) == method.parameters.end())
+      shared.push_back(name);
+  return shared;
+}
+
+}  // namespace
+
+std::string methods_text() {
+  std::string text;
+  for (const Method* method : methods())
+    text +=
+        (text.empty() ? "" : "\n") +
+        entry_text(method->name, method->summary, method->source, method->limits, "", method->parameters) +
+        wrapped(fmt::format("Besides, of /solver: {}", fmt::join(shared_settings(*method), ", ")), 2);
+  return text;
+}
+
+Json methods_json() {
+  Json json = Json::array();
+  for (const Method* method : methods()) {
+    Json& entry = json.emplace_back(Json::object());
+    entry["name"] = method->name;
+    entry["summary"] = method->summary;
+    entry["source"] = method->source;
+    entry["limits"] = method->limits;
+    entry["shared"] = shared_settings(*method);
+    entry["parameters"] = rows_json(method->parameters);
   }
   return json;
 }

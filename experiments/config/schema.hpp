@@ -17,6 +17,10 @@ Json schema_json();
 std::string models_text();
 Json models_json();
 
+/// The registered solver methods: name, what a step does, source, limits, settings with defaults, shared settings read.
+std::string methods_text();
+Json methods_json();
+
 /// The registered effects: name, what it does, source, settings with defaults.
 std::string effects_text();
 Json effects_json();

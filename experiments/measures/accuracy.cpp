@@ -4,6 +4,7 @@
 #include <new>
 #include <optional>
 
+#include "bendlab/parameters/names.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/trajectory.hpp"
 #include "experiments/scene/energy.hpp"
@@ -73,10 +74,7 @@ class Accuracy final : public Measurement {
   }
 
   Comparing comparing(Against against) const {
-    const std::string& align = settings_.text("align");
-    return {.align = align == "vertical" ? AlignBy::vertical
-                     : align == "rigid"  ? AlignBy::rigid
-                                         : AlignBy::none,
+    return {.align = named<AlignBy>(settings_.text("align"), align_by_names),
             .centre = middle_of_pins(scene_),
             .down = scene_.down,
             .over_time = over_time_,

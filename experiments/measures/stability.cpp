@@ -11,6 +11,7 @@
 #include "bendlab/metrics/motion.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {

@@ -5,19 +5,10 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
-
-Vector3 gravity_of(const RunConfig& config) {
-  Vector3 sum = Vector3::Zero();
-  for (const EffectSettings& effect : config.effects())
-    if (effect.type == "gravity") {
-      const std::vector<double>& a = effect.values.numbers("acceleration");
-      sum += Vector3(a[0], a[1], a[2]);
-    }
-  return sum;
-}
 
 // How far the constraints that join free vertices to the clamp extend along the strip; see StripSettings.
 class Reach {
@@ -67,7 +58,7 @@ double reach_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
 
 RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                   const StripSettings& settings) {
-  const StripLoad load{config.section("/material").number("density"), gravity_of(config)};
+  const StripLoad load{config.section("/material").number("density"), gravity_of(config.effects())};
   RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
   const double reach = reach_of(config, rest, pins, strip.meter.along());
   const double largest = std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());

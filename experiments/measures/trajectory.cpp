@@ -83,10 +83,6 @@ std::map<std::string, double> over_frames(const std::vector<std::map<std::string
   return errors;
 }
 
-Positions as_rows(const std::vector<double>& numbers) {
-  return Eigen::Map<const Positions>(numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3);
-}
-
 }  // namespace
 
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
@@ -110,8 +106,7 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
 Trajectory read_trajectory(const std::filesystem::path& file, const Scene* scene) {
   const RestRecord rest = read_rest(file);
   TriangleMesh mesh{.positions = as_rows(rest.positions), .triangles = {}, .texture_coordinates = {}};
-  mesh.triangles = Eigen::Map<const Triangles>(rest.triangles.data(),
-                                               static_cast<Eigen::Index>(rest.triangles.size() / 3), 3);
+  mesh.triangles = as_rows(rest.triangles);
   Trajectory trajectory{RestMesh(std::move(mesh)), read_metric(file, "time"), {}, {}};
   if (!scene) {
     trajectory.time = {trajectory.time.back()};

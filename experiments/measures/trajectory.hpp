@@ -18,8 +18,6 @@ struct Trajectory {
   std::vector<double> energy;    ///< #F, total, J; or empty
 };
 
-enum class AlignBy { none, vertical, rigid };
-
 /// How two trajectories are compared.
 struct Comparing {
   AlignBy align = AlignBy::none;

@@ -7,13 +7,16 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/constraints/corners.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/geodesics.hpp"
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -135,13 +138,6 @@ double correction_length(const SimulationInput& input, const std::array<int, N>&
     if (vertices[i] == vertex) own = w * c.gradient[i].norm();
   }
   return sum > 0 ? std::abs(c.value) * own / sum : 0;
-}
-
-template <std::size_t N>
-std::array<Vector3, N> corners(const Positions& positions, const std::array<int, N>& vertices) {
-  std::array<Vector3, N> p;
-  for (std::size_t i = 0; i < N; ++i) p[i] = row(positions, vertices[i]);
-  return p;
 }
 
 // visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where
@@ -300,7 +296,7 @@ Plausibility::Plausibility(const Scene& scene)
 
 void Plausibility::find_what_drives() {
   driven_ = std::ranges::any_of(scene_.effects, drives);
-  free_ = scene_.pins.all.empty() && scene_.input.settings.method == Method::pbd &&
+  free_ = scene_.pins.all.empty() && scene_.input.method->keeps_momentum &&
           std::ranges::all_of(scene_.effects, keeps_momentum);
 }
 
@@ -458,7 +454,7 @@ void Plausibility::look(double time, const Positions& positions, const Positions
   const WithoutTraps traps_are_off;
   std::optional<BrokenBound> found = look_at_numbers(positions, velocities);
   if (!found) found = look_at_reach(positions);
-  const bool has_motion = scene_.input.settings.method != Method::equilibrium;
+  const bool has_motion = scene_.input.method->has_motion;
   if (!found && has_motion) found = look_at_momentum(time, positions, velocities);
   if (!found && has_motion) found = look_at_speed(positions, velocities);
   if (!found && has_motion) found = look_at_energy(positions, velocities);

@@ -5,13 +5,6 @@
 #include <span>
 
 namespace bendlab {
-namespace {
-
-Eigen::Map<const Positions> as_rows(const std::vector<double>& positions) {
-  return {positions.data(), static_cast<Eigen::Index>(positions.size() / 3), 3};
-}
-
-}  // namespace
 
 Recorder::Recorder(const RunConfig& config, const Scene& scene) : stretch_(scene.rest, scene.pins) {
   const auto append = [](std::vector<Column>& all, std::vector<Column> (*own)()) {

@@ -7,6 +7,8 @@
 #include <tuple>
 #include <vector>
 
+#include "bendlab/solver/method.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -81,7 +83,8 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
     texts.push_back("/bending/k: 0.1 (mean strain 1.3: 0.57) or another /bending/model, isometric (0.04)");
   if (pinned && !lists(scene, "tethers"))
     texts.push_back("the effect tethers (a triangle 40 to 1132 times as long: 1.5, in the same time)");
-  if (input.settings.flight_limit == 0 && input.settings.dt / input.settings.substeps > long_step)
+  if (own_settings(input).number("flight_limit") == 0 &&
+      input.settings.dt / input.settings.substeps > long_step)
     texts.push_back("/solver/flight_limit: 0.25 (steps of 1/15 s: 120 times to 9.6, of 1 s: 494 to 2.1)");
   if (!pinned && input.strain_stiffness.form == StrainForm::normalised)
     texts.push_back("/material/strain/form: angle (a stretched free sheet's mean strain 1260: 0.04)");
@@ -96,7 +99,7 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
 
 std::string remedies_for(Bound bound, const Scene& scene) {
   std::vector<std::string_view> texts;
-  if (scene.input.settings.method != Method::pbd) return "";  // nothing was tried there
+  if (scene.input.method->name != "pbd") return "";  // nothing was tried there
   if (bound == Bound::momentum || bound == Bound::fall) {
     if (scene.precision == Precision::single_precision) texts.push_back("/solver/precision: auto or double");
   } else {

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <array>
 #include <cmath>
 #include <memory>
 
 #include "bendlab/constraints/pack.hpp"
+#include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/version.hpp"
@@ -14,8 +16,18 @@
 namespace bendlab {
 namespace {
 
-// Vertices and rest values of a list in the order the solver projects them (padded lanes left out). Hashed
-// one by one: a copy of millions of springs would be the largest thing in memory.
+// Null where constraints of that kind have none, or all the same.
+template <class List>
+const double* softness_of(const List& list, std::size_t constraint) {
+  if constexpr (requires { list.softness; })
+    return list.softness.empty() ? nullptr : &list.softness[constraint];
+  else
+    return nullptr;
+}
+
+// Vertices, rest values (`rest_of`: an array of each constraint's) and softness, where the list has one, in the order the
+// solver projects them (padded lanes left out). Hashed one by one: a copy of millions of springs would be the largest thing
+// in memory.
 template <class List, class RestOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
                            RestOf rest_of) {
@@ -25,13 +37,17 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   for (const int constraint : order.constraint_of_lane) {
     if (constraint < 0) continue;
     const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
-    const double rest = rest_of(static_cast<std::size_t>(constraint));
+    const auto rest = rest_of(static_cast<std::size_t>(constraint));
+    const double* const softness = softness_of(list, static_cast<std::size_t>(constraint));
     record.vertices_per_constraint = static_cast<int>(vertices.size());
+    record.rest_per_constraint = static_cast<int>(rest.size());
     XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
-    XXH3_64bits_update(hash.get(), &rest, sizeof(rest));
+    XXH3_64bits_update(hash.get(), rest.data(), sizeof(rest));
+    if (softness) XXH3_64bits_update(hash.get(), softness, sizeof(*softness));
     if (!in_full) continue;
     record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
-    record.rest.push_back(rest);
+    record.rest.insert(record.rest.end(), rest.begin(), rest.end());
+    if (softness) record.softness.push_back(*softness);
   }
   record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
   return record;
@@ -53,21 +69,22 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   header.pin_seeds = scene.pins.seeds;
   header.metrics = recorder.metrics();
   header.cell_fields = recorder.cell_fields();
-  header.constraints = {record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
-                                  [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
-                                    const InverseRest& q = scene.input.strain.inverse_rest[c];
-                                    return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
-                                  }),
-                        record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
-                                  [&](std::size_t c) { return scene.input.distance.rest_length[c]; })};
+  header.constraints = {
+      record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
+                [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+                  const InverseRest& q = scene.input.strain.inverse_rest[c];
+                  return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
+                }),
+      record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
+                [&](std::size_t c) { return std::array{scene.input.distance.rest_length[c]}; })};
   if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
     header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
-                                           [&](std::size_t c) { return edges.rest_length[c]; }));
+                                           [&](std::size_t c) { return std::array{edges.rest_length[c]}; }));
   for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-    if (list.size() > 0)  // of the rest values, the first
+    if (list.size() > 0)
       header.constraints.push_back(record_of(std::string(Kind::name), list,
                                              simulation.element_order(Kind::name), in_full,
-                                             [&](std::size_t c) { return list.rest[c][0]; }));
+                                             [&](std::size_t c) { return list.rest[c]; }));
   });
   std::string ordering_hash;
   for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;
@@ -82,7 +99,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"processor", processor_name()},
                        {"host", host_name()},
                        {"threads", std::to_string(scene.input.settings.threads)},
-                       {"precision", scene.precision == Precision::double_precision ? "double" : "single"},
+                       {"precision", std::string(name_in(precision_names, scene.precision))},
                        {"ordering_hash", ordering_hash},
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())

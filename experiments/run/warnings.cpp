@@ -7,9 +7,11 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/mesh/connected_parts.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
-#include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/precision.hpp"
 
 namespace bendlab {
@@ -39,7 +41,7 @@ Message unconverged(const WarningInput& input) {
   // A run of less than a second may end where it only begins to stretch: medians do not see it.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
-  if (!rigid || input.scene.input.settings.method != Method::pbd ||
+  if (!rigid || !input.scene.input.method->projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return fmt::format(
@@ -86,18 +88,14 @@ Message inert_seed(const WarningInput& input) {
 Message piece_without_pin(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   if (input.scene.pins.all.empty()) return std::nullopt;
-  std::vector<char> held(static_cast<std::size_t>(rest.vertex_count()), 0);
-  std::vector<int> stack = input.scene.pins.all;
-  for (const int v : stack) held[static_cast<std::size_t>(v)] = 1;
-  while (!stack.empty()) {
-    const int v = stack.back();
-    stack.pop_back();
-    for (const int neighbour : rest.one_ring()[v])
-      if (char& seen = held[static_cast<std::size_t>(neighbour)]; !seen) seen = 1, stack.push_back(neighbour);
+  std::size_t loose = 0;
+  int first = 0;
+  for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
+    if (std::ranges::any_of(part, [&](int v) { return input.scene.pins.pinned(v); })) continue;
+    if (loose == 0) first = part.front();
+    loose += part.size();
   }
-  const auto loose = std::ranges::count(held, 0);
   if (loose == 0) return std::nullopt;
-  const auto first = std::ranges::find(held, 0) - held.begin();
   return fmt::format(
       "{} of {} vertices, vertex {} the first, are in pieces of the mesh without a pin, while others have "
       "some: they fall away. Pin each piece, or unite them ('bendlab mesh' lists pieces)",
@@ -178,7 +176,7 @@ Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
-  if (solver.method != Method::pbd || scene.strain_stiffness.kind != StiffnessKind::compliance ||
+  if (!input.scene.input.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
       compliance == 0)
     return std::nullopt;
   const std::vector<double>& areas = input.scene.rest.areas();

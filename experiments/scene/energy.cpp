@@ -4,14 +4,9 @@
 
 #include "bendlab/constraints/energy.hpp"
 #include "bendlab/metrics/motion.hpp"
+#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
-
-Vector3 gravity_of(const std::vector<EffectSettings>& effects) {
-  for (const EffectSettings& effect : effects)
-    if (effect.type == "gravity") return Vector3(effect.values.numbers("acceleration").data());
-  return Vector3::Zero();
-}
 
 double elastic_energy(const SimulationInput& input, const Positions& positions) {
   double sum = 0;

@@ -1,14 +1,9 @@
 // The energy of a scene's cloth, J: what moves between kinetic, elastic and that of weight.
 #pragma once
 
-#include <vector>
-
 #include "experiments/scene/scene.hpp"
 
 namespace bendlab {
-
-/// m/s²; none where the scene lists no gravity.
-Vector3 gravity_of(const std::vector<EffectSettings>& effects);
 
 /// Of strain (normalised form) and bending constraints with a compliance above 0; k has none.
 double elastic_energy(const SimulationInput& input, const Positions& positions);

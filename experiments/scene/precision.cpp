@@ -2,7 +2,8 @@
 
 #include <limits>
 
-#include "experiments/scene/energy.hpp"
+#include "bendlab/solver/method.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/scene.hpp"
 
 namespace bendlab {
@@ -27,9 +28,9 @@ RoundingSpeed rounding_speed(const Scene& scene) {
   const double substep = solver.dt / solver.substeps;
   RoundingSpeed speed{.rounded = double{std::numeric_limits<float>::epsilon()} * scene.rest.size() / substep,
                       .gained = gravity_of(scene.effects).norm() * substep};
-  const bool in_doubt = solver.method != Method::equilibrium &&
+  const bool in_doubt = scene.input.method->make_float != nullptr &&
                         !RoundingSpeed{speed.rounded, speed.gained, true}.single_suffices();
-  speed.matters = in_doubt && (solver.method == Method::kang_cho || moves_vertices(scene));
+  speed.matters = in_doubt && (!scene.input.method->keeps_moves_apart || moves_vertices(scene));
   return speed;
 }
 

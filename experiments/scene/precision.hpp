@@ -1,15 +1,15 @@
 // Which floating-point numbers a scene needs: what single precision can tell apart, against what gravity does in a substep.
 #pragma once
 
+#include "bendlab/solver/precision.hpp"
+
 namespace bendlab {
 
 struct Scene;
 
-enum class Precision { single_precision, double_precision };
-
-/// Under pbd, single precision keeps what a substep changes apart from where the cloth is, so that constraints lose nothing.
-/// Effects that move vertices (tethers, obstacles, self-collision, moving pins, …) and the method kang_cho know positions as
-/// one number: these they round, and each rounding is a speed.
+/// A method that keeps_moves_apart keeps in single precision what a substep changes apart from where the cloth is, so that
+/// constraints lose nothing. Effects that move vertices (tethers, obstacles, self-collision, moving pins, …) and other
+/// methods (kang_cho) know positions as one number: these they round, and each rounding is a speed.
 struct RoundingSpeed {
   double rounded =
       0;  ///< m/s, ε d / h: one rounding in single precision of a coordinate as large as the cloth

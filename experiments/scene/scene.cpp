@@ -15,7 +15,10 @@
 #include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "experiments/scene/initial_pose.hpp"
 
 namespace bendlab {
@@ -24,23 +27,23 @@ namespace {
 TriangleMesh generate(const ParameterValues& mesh) {
   const double width = mesh.number("width"), height = mesh.number("height");
   const int cells = static_cast<int>(mesh.integer("cells"));
-  const std::string& generator = mesh.text("generator");
   const double radius = mesh.number("radius");
-  if (generator == "disc") return disc(radius, cells);
-  if (generator == "sphere") return sphere(radius, cells);
-  if (generator == "tube")
-    return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
-  if (generator == "delaunay")
-    return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
-  if (generator == "equilateral")
-    return equilateral(width, height, cells,
-                       mesh.text("rows") == "parallel" ? Rows::parallel : Rows::perpendicular);
-  const std::string& diagonal = mesh.text("diagonal");
-  const int cells_y = std::max(1, static_cast<int>(std::lround(cells * height / width)));
-  return grid(width, height, cells, cells_y,
-              diagonal == "same"   ? Diagonal::same
-              : diagonal == "both" ? Diagonal::both
-                                   : Diagonal::alternating);
+  switch (named<Generator>(mesh.text("generator"), generator_names)) {
+    case Generator::grid:
+      return grid(width, height, cells, std::max(1, static_cast<int>(std::lround(cells * height / width))),
+                  named<Diagonal>(mesh.text("diagonal"), diagonal_names));
+    case Generator::equilateral:
+      return equilateral(width, height, cells, named<Rows>(mesh.text("rows"), rows_names));
+    case Generator::delaunay:
+      return delaunay(width, height, cells, static_cast<std::uint64_t>(mesh.integer("seed")));
+    case Generator::disc:
+      return disc(radius, cells);
+    case Generator::tube:
+      return tube(radius, mesh.has("radius_top") ? mesh.number("radius_top") : radius, height, cells);
+    case Generator::sphere:
+      return sphere(radius, cells);
+  }
+  throw std::logic_error("generate: unknown generator");
 }
 
 // A generated mesh is sound until it is flawed.
@@ -68,8 +71,7 @@ AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
 }
 
 BadTriangles policy_for_bad_triangles(const ParameterValues& mesh) {
-  const auto found = std::ranges::find(bad_triangles_names, mesh.text("bad_triangles"));
-  return static_cast<BadTriangles>(found - bad_triangles_names.begin());
+  return named<BadTriangles>(mesh.text("bad_triangles"), bad_triangles_names);
 }
 
 AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
@@ -108,16 +110,11 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
 }
 
 StiffnessKind stiffness_kind(const std::string& name) {
-  return name == "k"            ? StiffnessKind::k
-         : name == "k_per_step" ? StiffnessKind::k_per_step
-                                : StiffnessKind::compliance;
+  return named<StiffnessKind>(name, stiffness_kind_names);
 }
 
 StrainStiffness strain_stiffness(const ParameterValues& values) {
-  const std::string& form = values.text("form");
-  return {.form = form == "green"   ? StrainForm::green
-                  : form == "angle" ? StrainForm::angle
-                                    : StrainForm::normalised,
+  return {.form = named<StrainForm>(values.text("form"), strain_form_names),
           .kind = stiffness_kind(values.text("stiffness")),
           .warp = values.number("warp"),
           .weft = values.number("weft"),
@@ -126,15 +123,13 @@ StrainStiffness strain_stiffness(const ParameterValues& values) {
           .compliance = values.number("compliance")};
 }
 
+// What physical asks for is in the constraints' own softness.
 BendingStiffness bending_stiffness(const ParameterValues& values) {
-  const std::string& stiffness = values.text("stiffness");
-  return {.kind = stiffness_kind(stiffness),
+  if (values.text("stiffness") == "physical")
+    return {.kind = StiffnessKind::compliance, .k = values.number("k"), .compliance = 1};
+  return {.kind = stiffness_kind(values.text("stiffness")),
           .k = values.number("k"),
-          .compliance = stiffness == "physical" ? 1 : values.number("compliance")};
-}
-
-Deflection deflection(const std::string& name) {
-  return name == "small" ? Deflection::small : name == "both" ? Deflection::both : Deflection::large;
+          .compliance = values.number("compliance")};
 }
 
 // The model's constraints, as soft as the config's physical stiffness asks for.
@@ -149,29 +144,25 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
   try {
     calibrate(constraints, rest, pins,
               {given("flexural_rigidity"), given("quartic_coefficient"), given("at_curvature"),
-               values.has("deflection") ? deflection(values.text("deflection")) : Deflection::large});
+               values.has("deflection") ? named<Deflection>(values.text("deflection"), deflection_names)
+                                        : Deflection::large});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
     throw ConfigError("physical stiffness", {{"/bending", error.what()}});
   }
   return constraints;
 }
 
-SolverSettings solver_settings(const ParameterValues& values) {
-  const std::string& method = values.text("method");
-  return {.method = method == "kang_cho"      ? Method::kang_cho
-                    : method == "equilibrium" ? Method::equilibrium
-                                              : Method::pbd,
-          .tangent = values.text("tangent") == "taut"        ? Tangent::taut
-                     : values.text("tangent") == "isotropic" ? Tangent::isotropic
-                                                             : Tangent::along,
-          .dt = values.number("dt"),
-          .substeps = static_cast<int>(values.integer("substeps")),
-          .iterations = static_cast<int>(values.integer("iterations")),
-          .flight_limit = values.number("flight_limit"),
-          .sweep = values.text("sweep") == "symmetric" ? Sweep::symmetric : Sweep::forward,
-          .order = values.text("order") == "colour" ? ConstraintOrder::colour : ConstraintOrder::mesh,
-          .first = values.text("first") == "bending" ? FirstConstraint::bending : FirstConstraint::strain,
-          .threads = static_cast<int>(values.integer("threads"))};
+SolverSettings solver_settings(const ParameterValues& values, const Method& method) {
+  SolverSettings settings{.dt = values.number("dt"),
+                          .substeps = static_cast<int>(values.integer("substeps")),
+                          .iterations = static_cast<int>(values.integer("iterations")),
+                          .sweep = named<Sweep>(values.text("sweep"), sweep_names),
+                          .order = named<ConstraintOrder>(values.text("order"), constraint_order_names),
+                          .first = named<FirstConstraint>(values.text("first"), first_constraint_names),
+                          .threads = static_cast<int>(values.integer("threads"))};
+  for (const Parameter& row : method.parameters)
+    settings.own.set(row.name, values.all().find(row.name)->second);
+  return settings;
 }
 
 // Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
@@ -190,7 +181,8 @@ std::vector<double> masses_of(const ParameterValues& material, const RestMesh& r
 }
 
 std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
-  if (material.text("coordinates") == "warp") {
+  if (named<MaterialCoordinates>(material.text("coordinates"), material_coordinates_names) ==
+      MaterialCoordinates::warp) {
     const std::vector<double>& warp = material.numbers("warp_direction");
     return inverse_rest_from_warp(mesh, {warp[0], warp[1], warp[2]});
   }
@@ -207,16 +199,6 @@ int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs
         const auto ring = rest.one_ring()[pair[0]];
         return !std::binary_search(ring.begin(), ring.end(), pair[1]);
       }));
-}
-
-Vector3 direction_of_gravity(const std::vector<EffectSettings>& effects) {
-  for (const EffectSettings& effect : effects)
-    if (effect.type == "gravity") {
-      const std::vector<double>& a = effect.values.numbers("acceleration");
-      const Vector3 acceleration(a[0], a[1], a[2]);
-      if (acceleration.norm() > 0) return acceleration.normalized();
-    }
-  return -Vector3::UnitZ();
 }
 
 QualityThresholds quality_thresholds(const ParameterValues& values) {
@@ -247,9 +229,9 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
 }
 
 Precision precision_of(const Scene& scene, const std::string& asked) {
-  const bool wide = asked == "double" || scene.input.settings.method == Method::equilibrium ||
-                    (asked == "auto" && !rounding_speed(scene).single_suffices());
-  return wide ? Precision::double_precision : Precision::single_precision;
+  if (scene.input.method->make_float == nullptr) return Precision::double_precision;
+  if (asked != "auto") return named<Precision>(asked, precision_names);
+  return rounding_speed(scene).single_suffices() ? Precision::single_precision : Precision::double_precision;
 }
 
 template <class Real>
@@ -291,8 +273,9 @@ Scene build_scene(const RunConfig& config) {
   input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
   input.place = local_numbering(rest);
-  input.settings = solver_settings(solver);
-  if (input.settings.method == Method::kang_cho)
+  input.method = find_method(solver.text("method"));
+  input.settings = solver_settings(solver, *input.method);
+  if (input.method->membrane == Membrane::edges)
     input.edges = edge_springs(rest, scene.pins);
   else
     input.strain =
@@ -304,7 +287,7 @@ Scene build_scene(const RunConfig& config) {
 
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);
   const SolverSettings& settings = input.settings;
-  if (settings.method == Method::pbd && find_bending_model(config.bending_model())->prestressed &&
+  if (input.method->projects && find_bending_model(config.bending_model())->prestressed &&
       config.section("/bending").text("stiffness") == "physical") {
     scene.push = bound_push(bending.distance, rest, input.mass, settings.dt / settings.substeps,
                             settings.projections_per_substep());
@@ -315,8 +298,8 @@ Scene build_scene(const RunConfig& config) {
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
   input.bending_stiffness = bending_stiffness(config.section("/bending"));
-  if (solver.text("order") == "pins") order_from_pins(input, rest);
-  input.settings.apart = !rounding_speed(scene).whole_suffices();
+  if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
+  input.moves_apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, solver.text("precision"));
   return scene;
 }

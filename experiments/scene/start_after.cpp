@@ -46,8 +46,8 @@ void start_from(Scene& scene, const StartingPose& start, const std::string& poin
   const Positions pose = PoseTransfer(start.rest, scene.rest)(start.positions);
   for (int v = 0; v < scene.rest.vertex_count(); ++v)
     if (!scene.pins.pinned(v)) scene.input.positions.row(v) = pose.row(v);
-  scene.input.settings.starts_near = true;
-  scene.input.settings.starts_there = same_rest_positions(start.rest, scene.rest);
+  scene.input.starting_from =
+      same_rest_positions(start.rest, scene.rest) ? StartingFrom::same_mesh : StartingFrom::other_mesh;
 } catch (const std::invalid_argument& error) {
   throw ConfigError("initial pose", {{pointer, error.what()}});
 }

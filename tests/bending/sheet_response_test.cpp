@@ -7,7 +7,7 @@
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/bending/unit_bend.hpp"
-#include "bendlab/solver/equilibrium.hpp"
+#include "bendlab/solver/method.hpp"
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
@@ -86,7 +86,7 @@ struct Strip {
 
   Positions equilibrium() const {
     SimulationInput still = input;
-    still.settings.method = Method::equilibrium;
+    still.method = find_method("equilibrium");
     const auto simulation = make_simulation<double>(
         still, test::effect_passes<double>("gravity", "acceleration", std::vector<double>{0, 0, -gravity()}));
     for (int step = 0; step < 400 && !simulation->settled(); ++step) REQUIRE(simulation->step());

@@ -47,7 +47,7 @@ TEST_CASE("Help and version go to stdout", "[command line]") {
   Workplace here;
   REQUIRE(here.run("--help") == 0);
   for (const char* command : {"run", "plan", "validate", "list", "show", "stiffness", "mesh", "models",
-                              "effects", "schema", "reproduce", "test"})
+                              "effects", "methods", "schema", "reproduce", "test"})
     CHECK_THAT(here.out(), ContainsSubstring("\n  " + std::string(command) + " "));
   CHECK(here.err().empty());
   REQUIRE(here.run("--version") == 0);
@@ -263,7 +263,7 @@ TEST_CASE("A signal keeps the frames and the same command again completes the ru
 
 TEST_CASE("The reference commands print text and JSON", "[command line]") {
   Workplace here;
-  for (const char* command : {"models", "effects", "schema"}) {
+  for (const char* command : {"models", "effects", "methods", "schema"}) {
     INFO(command);
     REQUIRE(here.run(command) == 0);
     CHECK_FALSE(here.out().empty());

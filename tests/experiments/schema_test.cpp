@@ -1,9 +1,11 @@
 #include "experiments/config/schema.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "tests/catch.hpp"
@@ -100,5 +102,43 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
   for (std::size_t i = 0; i < effect_list.size(); ++i) {
     CHECK(effect_list[i]["name"] == effects()[i]->name);
     CHECK_THAT(unwrapped(effects_text()), ContainsSubstring(unwrapped(std::string(effects()[i]->summary))));
+  }
+}
+
+TEST_CASE("schema: every setting that a method reads is in /solver, with one meaning") {
+  const std::span<const Parameter> solver = find_section("/solver")->parameters;
+  const std::vector<std::string_view> names = names_of(solver);
+  const Json listed = methods_json();
+  REQUIRE(listed.size() == methods().size());
+  for (std::size_t i = 0; i < listed.size(); ++i) {
+    const Method& method = *methods()[i];
+    INFO(method.name);
+    CHECK(listed[i]["name"] == method.name);
+    CHECK(listed[i]["limits"] == method.limits);
+    CHECK_THAT(unwrapped(methods_text()), ContainsSubstring(unwrapped(std::string(method.summary))));
+    for (const std::string_view shared : method.shared) CHECK(std::ranges::count(names, shared) == 1);
+    for (const Parameter& own : method.parameters) {
+      const auto row = std::ranges::find(solver, own.name, &Parameter::name);
+      REQUIRE(row != solver.end());
+      CHECK(row->meaning == own.meaning);
+      CHECK(default_of(*row) == default_of(own));
+      CHECK(std::ranges::find(method.shared, own.name) == method.shared.end());
+    }
+  }
+  for (const std::string_view name : names)  // nothing that no method reads
+    CHECK(std::ranges::any_of(methods(), [&](const Method* method) { return method->reads(name); }));
+}
+
+TEST_CASE("schema: a resolved config has of /solver what its method reads, and nothing else") {
+  for (const Method* method : methods()) {
+    INFO(method->name);
+    const RunConfig run =
+        parse_experiment(R"({"name": "t", "solver": {"method": ")" + std::string(method->name) +
+                             R"("}, "bending": {"model": "none"},
+        "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
+                         "test")
+            .runs.at(0);
+    for (const Parameter& row : find_section("/solver")->parameters)
+      CHECK(run.resolved["solver"].contains(row.name) == method->reads(row.name));
   }
 }

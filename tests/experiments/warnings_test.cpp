@@ -183,7 +183,7 @@ TEST_CASE("single precision keeps a substep's moves apart where rounding is a hu
     return build_scene(experiment_of(R"("mesh": {"cells": 4}, "effects": [)" + effects +
                                      R"(], "solver": {"substeps": )" + std::to_string(substeps) + "}")
                            .runs.front())
-        .input.settings.apart;
+        .input.moves_apart;
   };
   const std::string gravity = R"({"type": "gravity"})";
   CHECK_FALSE(apart(gravity, 1));

@@ -138,7 +138,8 @@ assert list(run['rest/pin_seeds']) == [0]
 assert run['constraints/strain'].attrs['count'] == 2 and len(run['constraints/strain']) == 0
 assert run['constraints/distance'].attrs['hash'] == 'hash of distance'
 assert run['constraints/distance/vertices'][:].tolist() == [[0, 2], [1, 3]]
-assert list(run['constraints/distance/rest']) == [1.5, 2.5]
+assert list(run['constraints/distance/rest']) == [1.5, 2.5] and 'softness' not in run['constraints/distance']
+assert run['constraints/hinge/rest'][:].tolist() == [[0.5, 2, 1]] and list(run['constraints/hinge/softness']) == [0.25]
 assert list(run['timing/pass'].asstr()) == ['strain', 'gravity'] and list(run['timing/calls']) == [100, 10]
 assert run['timing'].attrs['wall_s'] == 3.5
 assert run['provenance'].attrs['compiler'] == 'g++ <12> "−O2"'

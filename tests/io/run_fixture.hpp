@@ -44,7 +44,8 @@ inline RunHeader square_header() {
   header.metrics = {{"drop", "m", "how far it hangs"}, {"energy", "J", "kinetic energy"}};
   header.cell_fields = {{"stretch", "1", "largest principal stretch"}, {"shape", "1", "shape quality"}};
   header.constraints = {{"strain", 2, "hash of strain", 0, {}, {}},
-                        {"distance", 2, "hash of distance", 2, {0, 2, 1, 3}, {1.5, 2.5}}};
+                        {"distance", 2, "hash of distance", 2, {0, 2, 1, 3}, {1.5, 2.5}},
+                        {"hinge", 1, "hash of hinge", 4, {0, 2, 1, 3}, {0.5, 2, 1}, 3, {0.25}}};
   header.provenance = {{"commit", "0a1b2c3"}, {"compiler", "g++ <12> \"−O2\""}};
   header.config = "{\"name\": \"square\"}";
   return header;

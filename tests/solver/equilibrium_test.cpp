@@ -1,12 +1,11 @@
 // Static equilibria against closed forms: of a spring, a chain, a strip that hangs or stands.
-#include "bendlab/solver/equilibrium.hpp"
-
 #include <map>
 #include <numbers>
 #include <stdexcept>
 #include <thread>
 
 #include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/method.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -21,7 +20,7 @@ constexpr double gravity = 9.81, density = 0.2;
 SimulationInput compliant(SimulationInput input, double strain_compliance, double bending_compliance) {
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = strain_compliance};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending_compliance};
-  input.settings.method = Method::equilibrium;
+  input.method = find_method("equilibrium");
   return input;
 }
 
@@ -213,7 +212,7 @@ TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
   const RestMesh rest(grid(1, 1, 2, 2));
   const Pins pins = make_pins(rest, {0}, 0);
   SimulationInput input = test::sheet(rest, pins, "crossover");
-  input.settings.method = Method::equilibrium;
+  input.method = find_method("equilibrium");
   CHECK_THROWS_AS(make_simulation<double>(input, {}), std::invalid_argument);  // k has no energy
   CHECK_THROWS_AS(make_simulation<float>(compliant(input, 1, 1), {}), std::invalid_argument);
   std::vector<Pass<double>> obstacle;

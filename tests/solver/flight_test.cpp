@@ -37,7 +37,7 @@ double gradient_of(const Eigen::Matrix3d& a) {
 SimulationInput hanging_curtain(int cells, double dt, double limit) {
   const RestMesh rest(grid(1, 1, cells, cells));
   SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "crossover");
-  input.settings.dt = dt, input.settings.flight_limit = limit;
+  input.settings.dt = dt, input.settings.own.set("flight_limit", limit);
   return input;
 }
 
@@ -75,7 +75,7 @@ TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   const auto plain = falling(input);
-  input.settings.flight_limit = 0.01;
+  input.settings.own.set("flight_limit", 0.01);
   const auto limited = falling(input);
   for (int s = 0; s < 30; ++s) REQUIRE((plain->step() && limited->step()));
   CHECK(limited->substeps() == 30);
@@ -99,7 +99,8 @@ TEST_CASE("a curtain's step is cut by how far its top row would fall", "[flight]
 TEST_CASE("a step that is cut is that many substeps", "[flight]") {
   SimulationInput input = hanging_curtain(16, 0.1, 0.25);
   const auto cut = falling(input);
-  input.settings.flight_limit = 0, input.settings.substeps = 3;  // √(16 · 9.81 · 0.01 / 0.25) = 2.5
+  input.settings.own.set("flight_limit", 0.0),
+      input.settings.substeps = 3;  // √(16 · 9.81 · 0.01 / 0.25) = 2.5
   const auto divided = falling(input);
   for (int step = 0; step < 10; ++step) REQUIRE((cut->step() && divided->step()));
   CHECK(cut->positions() == divided->positions());

@@ -1,11 +1,10 @@
 // The step of Kang & Cho against formulas by hand, a dense implementation of its own, and backward Euler.
-#include "bendlab/solver/kang_cho.hpp"
-
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <stdexcept>
 
 #include "bendlab/metrics/motion.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/spring_rows.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -19,12 +18,18 @@ using Eigen::Matrix3d, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double gravity = 9.81;
 
+// As the method's setting has them.
+enum class Tangent { along, taut, isotropic };
+std::string name_of(Tangent tangent) {
+  return tangent == Tangent::along ? "along" : tangent == Tangent::taut ? "taut" : "isotropic";
+}
+
 SimulationInput with_springs(SimulationInput input, double dt, double membrane_compliance,
                              double bending_compliance) {
   input.strain = {};
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = membrane_compliance};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending_compliance};
-  input.settings.method = Method::kang_cho;
+  input.method = find_method("kang_cho");
   input.settings.dt = dt;
   return input;
 }
@@ -184,7 +189,7 @@ SimulationInput hanging_sheet(int cells, double dt, double membrane_compliance, 
   const RestMesh rest(grid(1, 1, cells, cells));
   SimulationInput input = spring_sheet(rest, make_pins(rest, select_vertices(rest, "upper_right"), 1),
                                        "crossover", dt, membrane_compliance, 100 * membrane_compliance);
-  input.settings.tangent = tangent;
+  input.settings.own.set("tangent", name_of(tangent));
   return input;
 }
 
@@ -239,7 +244,7 @@ TEST_CASE("kang_cho: the step is that of a dense implementation", "[solver]") {
     for (const double h : {1e-3, 1e-2, 1e-1})
       for (const char* model : {"none", "crossover", "k_ring"}) {
         SimulationInput input = crumpled_sheet({0, 7, 8}, h, model);
-        input.settings.tangent = tangent;
+        input.settings.own.set("tangent", name_of(tangent));
         VectorXd weight = VectorXd::Zero(input.positions.size());
         for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
           weight(3 * v + 2) = -gravity * input.mass[static_cast<std::size_t>(v)];
@@ -412,7 +417,7 @@ TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]
   input.edges = {.vertices = {{0, 1}, {1, 2}}, .rest_length = {rest, rest}};
   const auto largest = [&](double h, Tangent tangent) {
     SimulationInput now = with_springs(input, h, 1 / k, 1);
-    now.settings.tangent = tangent;
+    now.settings.own.set("tangent", name_of(tangent));
     const auto simulation = make_simulation<double>(now, {});
     double size = 0;
     for (int s = 0; s < 200; ++s) {

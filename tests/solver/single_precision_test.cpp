@@ -76,7 +76,7 @@ TEMPLATE_TEST_CASE("a sheet without pins falls g t (t + h) / 2 however short the
   for (const int substeps : {1, 64, 4096}) {
     SimulationInput input = test::sheet(rest, none, "none");
     input.settings = settings(substeps, 1);
-    input.settings.apart = apart;
+    input.moves_apart = apart;
     const auto simulation = simulation_with<TestType>(input, {"gravity"}, rest, none);
     const Vector3 start = mean(simulation->positions());
     for (int i = 0; i < 15; ++i) REQUIRE(simulation->step());
@@ -134,7 +134,7 @@ TEST_CASE("projections on rounded positions do where a substep moves the cloth b
   Strip strip(2, 8, 8, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
-  strip.input.settings.apart = false;
+  strip.input.moves_apart = false;
   const auto single =
       simulation_with<float>(strip.input, {"gravity", "viscous_drag"}, strip.rest, strip.pins, 4.0);
   const auto twice =
@@ -151,7 +151,7 @@ TEST_CASE("a pin that moves is where it was put, to the last digit", "[solver]")
   const Pins pins = make_pins(rest, {0}, 0);
   for (const bool apart : {true, false}) {
     SimulationInput input = test::sheet(rest, pins, "none");
-    input.settings = settings(4, 2), input.settings.apart = apart;
+    input.settings = settings(4, 2), input.moves_apart = apart;
     std::vector<Pass<float>> passes = test::effect_passes<float>("gravity", rest, pins);
     passes.push_back({"put", Stage::predicted,
                       [](PassContext<float>& c) { c.state.position[0].x = static_cast<float>(c.time) / 3; }});

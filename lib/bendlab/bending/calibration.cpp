@@ -31,6 +31,19 @@ std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>&
   return area;
 }
 
+// How a kind resists: by the angle that its two triangles fold, or by how much two vertices come together.
+template <class Kind>
+constexpr bool folds = std::is_same_v<Kind, HingeAngle> || std::is_same_v<Kind, QuadraticBend>;
+template <class Kind>
+constexpr bool shortens = std::is_same_v<Kind, ArcSpring>;
+
+template <class... Kinds>
+constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
+  return ((folds<Kinds> || shortens<Kinds>)&&...);
+}
+static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
+              "a kind that is new has to be calibrated too: say how it resists");
+
 class Calibration {
  public:
   Calibration(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
@@ -42,15 +55,23 @@ class Calibration {
         target_(target),
         linear_(rest.vertex_count()),
         quartic_(rest.vertex_count()) {
-    auto& hinges = std::get<ElementList<HingeAngle>>(constraints.elements);
-    auto& bends = std::get<ElementList<QuadraticBend>>(constraints.elements);
-    auto& arcs = std::get<ElementList<ArcSpring>>(constraints.elements);
-    if (hinges.size() + bends.size() > 0) plane_ = plane_coordinates(rest);
-    add(hinges), add(bends);
-    if (arcs.size() + constraints.distance.size() == 0) return;
+    for_each_kind(constraints.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+      if (folds<Kind> && list.size() > 0) plane_ = plane_coordinates(rest);
+    });
+    for_each_kind(constraints.elements, [&]<class Kind>(ElementList<Kind>& list) {
+      if constexpr (folds<Kind>) add(list);
+    });
+    std::size_t shortening = constraints.distance.size();
+    for_each_kind(constraints.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+      if (shortens<Kind>) shortening += list.size();
+    });
+    if (shortening == 0) return;
     const UnitBend bend(rest);
     const PairSpans spans(rest, pins, held_, bend.plane());
-    add(arcs, bend, spans), add(constraints.distance, bend, spans);
+    for_each_kind(constraints.elements, [&]<class Kind>(ElementList<Kind>& list) {
+      if constexpr (shortens<Kind>) add(list, bend, spans);
+    });
+    add(constraints.distance, bend, spans);
     membrane_ = bend.membrane_quartic();
   }
 

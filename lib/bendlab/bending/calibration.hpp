@@ -28,7 +28,9 @@
 // membrane stretches instead, and they have no linear stiffness at all.
 #pragma once
 
+#include <array>
 #include <optional>
+#include <string_view>
 
 #include "bendlab/bending/model.hpp"
 
@@ -40,6 +42,7 @@ enum class Deflection {
   small,  ///< bent so little that the membrane does not matter: all hinges stiffer by one factor
   both,   ///< hinges weighted so that the two are as near each other as the mesh allows, and B between them
 };
+inline constexpr std::array<std::string_view, 3> deflection_names = {"large", "small", "both"};
 
 struct CalibrationTarget {
   std::optional<double> flexural_rigidity = {};    ///< B, N m

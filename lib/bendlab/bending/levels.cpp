@@ -2,19 +2,36 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
+namespace {
+
+double rounded(double m, Rounding rounding) {
+  switch (rounding) {
+    case Rounding::floor:
+      return std::floor(m);
+    case Rounding::round:
+      return std::round(m);
+    case Rounding::ceil:
+      return std::ceil(m);
+  }
+  throw std::logic_error("levels: unknown rounding");
+}
+
+}  // namespace
 
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
   const double omega = rest.size() / 2 * 0.5, radius = values.number("radius"),
                edge = rest.mean_edge_length();
   Levels levels;
   levels.m_unrounded = radius > 0 ? radius / edge : omega / edge * 0.1 + 1;
-  const std::string rounding = radius > 0 ? "round" : values.text("m_rounding");
-  const double rounded = rounding == "floor"   ? std::floor(levels.m_unrounded)
-                         : rounding == "round" ? std::round(levels.m_unrounded)
-                                               : std::ceil(levels.m_unrounded);
-  levels.m = std::max(static_cast<int>(rounded), static_cast<int>(values.integer("m_min")));
+  const Rounding rounding =
+      radius > 0 ? Rounding::round : named<Rounding>(values.text("m_rounding"), rounding_names);
+  levels.m = std::max(static_cast<int>(rounded(levels.m_unrounded, rounding)),
+                      static_cast<int>(values.integer("m_min")));
   levels.n = (2 * levels.m + 1) * static_cast<int>(values.integer("n_multiplier"));
   if (!values.boolean("pin_zone")) levels.n = levels.m;
   return levels;

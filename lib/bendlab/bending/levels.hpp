@@ -7,9 +7,9 @@
 
 namespace bendlab {
 
-namespace choices {
-inline constexpr std::array<std::string_view, 3> roundings = {"floor", "round", "ceil"};
-}  // namespace choices
+/// How m becomes an integer.
+enum class Rounding { floor, round, ceil };
+inline constexpr std::array<std::string_view, 3> rounding_names = {"floor", "round", "ceil"};
 
 struct Levels {
   double m_unrounded = 0;  ///< Ω / e_avg · 0.1 + 1, or radius / e_avg
@@ -35,7 +35,7 @@ inline constexpr std::array level_parameters = {
         .default_value = "floor",
         .meaning =
             "how m becomes an integer; it matters, because eq. 6 lands just under integers on usual grids",
-        .choices = choices::roundings},
+        .choices = rounding_names},
     Parameter{
         .name = "m_min",
         .type = ParameterType::integer,

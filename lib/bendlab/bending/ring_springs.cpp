@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "bendlab/mesh/rings.hpp"
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
@@ -123,8 +124,7 @@ DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const s
 }
 
 RingFill ring_fill(const ParameterValues& values) {
-  const std::string& name = values.text("rings");
-  return name == "all" ? RingFill::all : name == "last" ? RingFill::last : RingFill::beyond_edges;
+  return named<RingFill>(values.text("rings"), ring_fill_names);
 }
 
 RingRule ring_rule(const ParameterValues& values) {

@@ -9,7 +9,6 @@
 namespace bendlab {
 
 namespace choices {
-inline constexpr std::array<std::string_view, 3> fills = {"all", "beyond_edges", "last"};
 inline constexpr std::array<std::string_view, 2> ring_distances = {"hops", "euclidean"};
 inline constexpr std::array<std::string_view, 2> rest_lengths = {"euclidean", "path"};
 inline constexpr std::array<std::string_view, 2> shared_pairs = {"once", "twice"};
@@ -22,6 +21,7 @@ enum class RingFill {
   beyond_edges,  ///< rings 2 … L: ring 1 is the mesh's own edges
   last,          ///< ring L alone
 };
+inline constexpr std::array<std::string_view, 3> ring_fill_names = {"all", "beyond_edges", "last"};
 
 struct RingRule {
   RingFill fill = RingFill::all;
@@ -70,7 +70,7 @@ inline constexpr std::array ring_fill_parameter = {
               .default_value = "all",
               .meaning = "which rings of a vertex of level L get springs: 1 … L, 2 … L (ring 1 is the mesh's "
                          "own edges), or L alone",
-              .choices = choices::fills}};
+              .choices = ring_fill_names}};
 RingFill ring_fill(const ParameterValues& values);
 
 }  // namespace bendlab

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/mesh/connected_parts.hpp"
 
 namespace bendlab {
 namespace {
@@ -86,15 +87,9 @@ TriangleBend triangle_bend(const std::array<int, 3>& corner, const std::vector<V
 // way around it.
 std::vector<int> held_unknowns(const RestMesh& rest, const std::vector<Vector2>& plane) {
   std::vector<int> held;
-  std::vector<char> seen(plane.size(), 0);
-  for (int seed = 0; seed < rest.vertex_count(); ++seed) {
-    if (seen[static_cast<std::size_t>(seed)]) continue;
-    std::vector<int> part{seed};
-    seen[static_cast<std::size_t>(seed)] = 1;
-    for (std::size_t next = 0; next < part.size(); ++next)
-      for (const int other : rest.one_ring()[part[next]])
-        if (!std::exchange(seen[static_cast<std::size_t>(other)], 1)) part.push_back(other);
+  for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
     Vector2 farthest = Vector2::Zero();
+    const int seed = part.front();
     int end = seed;
     for (const int vertex : part) {
       const Vector2 offset = plane[static_cast<std::size_t>(vertex)] - plane[static_cast<std::size_t>(seed)];

@@ -35,6 +35,7 @@ struct ArcSpring {
     exact,       ///< the arc's push
     polynomial,  ///< P = -(4 k_b/L²) p(r/L), p of degree 4: within 1.6 % of that
   };
+  static constexpr std::array<std::string_view, 2> law_names = {"exact", "polynomial"};
 
   /// -4 p, p as Blender's implicit cloth solver has it (implicit_blender.c, which leaves the factor 4/L² out); by
   /// ascending powers of r/L.

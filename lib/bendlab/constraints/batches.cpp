@@ -11,6 +11,7 @@ namespace {
 template <std::size_t arity>
 LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
                                int corner, int vertex_count) {
+  static_assert(arity <= dummy_corners, "padded lanes have no dummy points for so many vertices");
   LargeArray<int> offsets(order.constraint_of_lane.size());
   for (std::size_t lane = 0; lane < offsets.size(); ++lane) {
     const int constraint = order.constraint_of_lane[lane];

@@ -10,8 +10,10 @@
 // A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "bendlab/constraints/large_array.hpp"
@@ -35,7 +37,8 @@ struct BatchOrder {
 
 /// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice. Where they lie
 /// changes nothing, but that a lane whose dummies lie at one point is looked at as if it had collapsed, which takes time.
-inline constexpr int dummy_points = 4 * max_lanes;
+inline constexpr int dummy_corners = 4;  ///< no constraint has more vertices
+inline constexpr int dummy_points = dummy_corners * max_lanes;
 
 template <class Real>
 struct DistanceBatch {
@@ -60,6 +63,7 @@ enum class StrainForm {
   /// whatever the angle, where that of the cosine vanishes for parallel warp and weft and a projection overshoots.
   angle,
 };
+inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
 
 template <class Real>
 struct StrainBatch {

@@ -1,19 +1,9 @@
 #include "bendlab/constraints/energy.hpp"
 
+#include "bendlab/constraints/corners.hpp"
 #include "bendlab/constraints/reference.hpp"
 
 namespace bendlab {
-namespace {
-
-template <std::size_t N>
-std::array<Vector3, N> corners(const Positions& positions, const std::array<int, N>& vertices) {
-  std::array<Vector3, N> p;
-  for (std::size_t i = 0; i < N; ++i) p[i] = positions.row(vertices[i]).transpose();
-  return p;
-}
-
-}  // namespace
-
 double elastic_energy(const DistanceConstraints& list, const Positions& positions) {
   double twice = 0;
   for (std::size_t c = 0; c < list.size(); ++c) {

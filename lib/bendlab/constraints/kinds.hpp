@@ -1,6 +1,7 @@
-// Every element kind. A new one is added to both lists.
+// Every element kind. A new one is added to the list, and calibrate() has to know how it resists.
 #pragma once
 
+#include <string_view>
 #include <tuple>
 #include <type_traits>
 
@@ -12,9 +13,11 @@
 
 namespace bendlab {
 
-using ElementKinds = std::tuple<HingeAngle, QuadraticBend, ArcSpring>;
-
 namespace detail {
+template <class, class... Kinds>
+struct AfterFirst {
+  using Tuple = std::tuple<Kinds...>;
+};
 template <class Real, class Tuple>
 struct OfKinds;
 template <class Real, class... Kinds>
@@ -30,7 +33,13 @@ struct OfKinds<Real, std::tuple<Kinds...>> {
     return index;
   }
 };
+#define BENDLAB_THEN_KIND(Kind) , Kind
+using ListedKinds = AfterFirst<void BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_THEN_KIND)>::Tuple;
+#undef BENDLAB_THEN_KIND
 }  // namespace detail
+
+/// All of them, in the order of the list.
+using ElementKinds = detail::ListedKinds;
 
 /// A list per kind, and a batch per kind.
 using ElementLists = detail::OfKinds<double, ElementKinds>::Lists;
@@ -40,6 +49,9 @@ using ElementBatches = typename detail::OfKinds<Real, ElementKinds>::Batches;
 /// Place of a kind in these.
 template <class Kind>
 inline constexpr std::size_t kind_index = detail::OfKinds<double, ElementKinds>::index<Kind>();
+
+/// Place of the kind with that Kind::name. Throws std::invalid_argument, which lists the names there are.
+std::size_t kind_place(std::string_view name);
 
 /// Calls action(list or batch) for each kind's.
 template <class Tuple, class Action>

@@ -26,6 +26,7 @@ struct QuadraticBend {
     norm,    ///< C = |Kx| - |Kx|_rest: ½C² is Bergou's energy, moment ∝ sin θ
     energy,  ///< C = ½|Kx|² - ½|Kx|²_rest, as libraries ship it: ½C² is quartic
   };
+  static constexpr std::array<std::string_view, 2> law_names = {"norm", "energy"};
 
   template <class Real>
   static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,

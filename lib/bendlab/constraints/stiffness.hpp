@@ -1,7 +1,9 @@
 // What a stiffness number means.
 #pragma once
 
+#include <array>
 #include <cmath>
+#include <string_view>
 
 namespace bendlab {
 
@@ -10,6 +12,7 @@ enum class StiffnessKind {
   k_per_step,  ///< k' = 1 - (1 - k)^(1/n), n projections per substep (Müller et al. 2007, §3.3)
   compliance,  ///< XPBD (Macklin et al. 2016): inverse stiffness, α̃ = α / h²
 };
+inline constexpr std::array<std::string_view, 3> stiffness_kind_names = {"k", "k_per_step", "compliance"};
 
 /// The fraction one projection removes so that `projections` of an isolated constraint leave 1 - k.
 inline double k_of_projection(StiffnessKind kind, double k, int projections) {

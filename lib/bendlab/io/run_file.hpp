@@ -14,6 +14,7 @@
 // The number of committed frames is the length of /metrics/time, which is written last in every frame.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <map>
@@ -21,6 +22,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -33,6 +35,8 @@ class RunFileError : public std::runtime_error {
 
 /// `implausible`: computed to its end as a complete run is, and it broke a bound that its scene cannot break.
 enum class RunStatus { running, complete, diverged, interrupted, implausible };
+inline constexpr std::array<std::string_view, 5> run_status_names = {"running", "complete", "diverged",
+                                                                     "interrupted", "implausible"};
 std::string to_string(RunStatus status);
 
 /// Whether the run went to its end: complete or implausible.
@@ -51,10 +55,13 @@ struct Column {
 struct ConstraintRecord {
   std::string kind;  ///< "strain", "distance", …
   std::uint64_t count = 0;
-  std::string hash;                 ///< of vertices and rest values in solver order
+  std::string hash;                 ///< of vertices, rest values and softness in solver order
   int vertices_per_constraint = 0;  ///< columns of `vertices`
   std::vector<int> vertices;        ///< #C by vertices_per_constraint, row by row; empty unless recorded
-  std::vector<double> rest;         ///< #C rest values; empty unless recorded
+  std::vector<double> rest;         ///< #C by rest_per_constraint, row by row; empty unless recorded
+  int rest_per_constraint = 1;      ///< columns of `rest`
+  std::vector<double>
+      softness;  ///< #C, times the scene's compliance; empty unless recorded, or where it is 1
 };
 
 /// What is known before the first step.

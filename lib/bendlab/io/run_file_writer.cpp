@@ -25,7 +25,11 @@ void write_constraints(hid_t file, const std::vector<ConstraintRecord>& records)
     if (!record.vertices.empty())
       hdf5::write_array(group, "vertices", record.vertices,
                         static_cast<hsize_t>(record.vertices_per_constraint));
-    if (!record.rest.empty()) hdf5::write_array(group, "rest", record.rest);
+    if (!record.rest.empty() && record.rest_per_constraint == 1)
+      hdf5::write_array(group, "rest", record.rest);
+    else if (!record.rest.empty())
+      hdf5::write_array(group, "rest", record.rest, static_cast<hsize_t>(record.rest_per_constraint));
+    if (!record.softness.empty()) hdf5::write_array(group, "softness", record.softness);
   }
 }
 
@@ -81,10 +85,16 @@ void require_consistent(const RunHeader& header) {
   if (header.rest_positions.size() % 3 != 0 || header.triangles.size() % 3 != 0)
     throw std::invalid_argument("run file: rest positions and triangles come in threes");
   require_size("RunHeader::pinned", header.pinned.size(), header.rest_positions.size() / 3);
-  for (const auto& record : header.constraints)
+  for (const auto& record : header.constraints) {
     if (!record.vertices.empty())
       require_size("ConstraintRecord::vertices", record.vertices.size(),
                    record.count * static_cast<std::size_t>(record.vertices_per_constraint));
+    if (!record.rest.empty())
+      require_size("ConstraintRecord::rest", record.rest.size(),
+                   record.count * static_cast<std::size_t>(record.rest_per_constraint));
+    if (!record.softness.empty())
+      require_size("ConstraintRecord::softness", record.softness.size(), record.count);
+  }
 }
 
 }  // namespace

@@ -11,9 +11,6 @@ namespace {
 using hdf5::Handle;
 using hdf5::Series;
 
-constexpr std::array status_names = {"running", "complete", "diverged", "interrupted",
-                                     "implausible"};  // as in RunStatus
-
 std::uint64_t rows(hid_t parent, const std::string& name) {
   return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);
 }
@@ -36,14 +33,14 @@ bool is_readable(hid_t file, const ParaViewShape& shape, std::uint64_t k) {
 }  // namespace
 
 std::string to_string(RunStatus status) {
-  return status_names.at(static_cast<std::size_t>(status));
+  return std::string(run_status_names.at(static_cast<std::size_t>(status)));
 }
 
 RunStatus read_status(hid_t file) {
   const std::string text = hdf5::read_text_attribute(file, "status");
-  const auto at = std::find(status_names.begin(), status_names.end(), text);
-  if (at == status_names.end()) throw hdf5::Failure("its status '" + text + "' is not known");
-  return static_cast<RunStatus>(at - status_names.begin());
+  const auto at = std::find(run_status_names.begin(), run_status_names.end(), text);
+  if (at == run_status_names.end()) throw hdf5::Failure("its status '" + text + "' is not known");
+  return static_cast<RunStatus>(at - run_status_names.begin());
 }
 
 Series create_points(hid_t vtk, const ParaViewShape& shape) {

@@ -2,11 +2,17 @@
 // Lengths in m. All throw std::invalid_argument for a size or count that is not allowed.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <string_view>
 
 #include "bendlab/mesh/triangle_mesh.hpp"
 
 namespace bendlab {
+
+enum class Generator { grid, equilateral, delaunay, disc, tube, sphere };
+inline constexpr std::array<std::string_view, 6> generator_names = {"grid", "equilateral", "delaunay",
+                                                                    "disc", "tube",        "sphere"};
 
 /// Which diagonal splits a cell.
 ///      same          alternating        both
@@ -17,6 +23,7 @@ namespace bendlab {
 ///    | / | / |       | / | \ |       | X | X |
 ///    +---+---+       +---+---+       +---+---+
 enum class Diagonal { same, alternating, both };
+inline constexpr std::array<std::string_view, 3> diagonal_names = {"same", "alternating", "both"};
 
 /// Cells along x and y. Corners are numbered row by row from the lower left (x inner, y outer); with `both`
 /// each row of cell centres follows the row of corners below it.
@@ -24,6 +31,7 @@ TriangleMesh grid(double width, double height, int cells_x, int cells_y, Diagona
 
 /// Direction of an equilateral lattice's rows of edges against the long side (x if width >= height).
 enum class Rows { parallel, perpendicular };
+inline constexpr std::array<std::string_view, 2> rows_names = {"parallel", "perpendicular"};
 
 /// Equilateral triangles of edge a = long side / cells_along (at least 2), numbered row by row. Every second
 /// row is set in by a/2 at both ends, so two sides of the outline zigzag. Exactly equilateral triangles can't

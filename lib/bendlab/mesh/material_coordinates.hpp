@@ -3,11 +3,16 @@
 #pragma once
 
 #include <array>
+#include <string_view>
 #include <vector>
 
 #include "bendlab/mesh/triangle_mesh.hpp"
 
 namespace bendlab {
+
+/// Where material coordinates come from: a direction of the warp threads, or texture coordinates.
+enum class MaterialCoordinates { warp, texture };
+inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"warp", "texture"};
 
 /// Q⁻¹ row by row: {(0,0), (0,1), (1,0), (1,1)}, 1/m.
 using InverseRest = std::array<double, 4>;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <vector>
 
 namespace bendlab {
 
@@ -12,6 +13,14 @@ using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;  //
 using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     ///< #T by 3, vertex indices
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;         ///< #E by 2, first < second
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  ///< 3#T by 2, or empty
+
+/// Numbers as rows of three: a view, which lives as long as they do.
+inline Eigen::Map<const Positions> as_rows(const std::vector<double>& numbers) {
+  return {numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3};
+}
+inline Eigen::Map<const Triangles> as_rows(const std::vector<int>& numbers) {
+  return {numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3};
+}
 
 struct TriangleMesh {
   Positions positions;

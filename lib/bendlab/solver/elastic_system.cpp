@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "bendlab/constraints/corners.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/memory.hpp"
 
@@ -39,13 +40,6 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
   }
   return {Kind::energy(c, rest, law) / alpha, slope(c) / alpha,
           (slope(c + step / 2) - slope(c - step / 2)) / step / alpha};
-}
-
-template <std::size_t N>
-Corners<N> corners(const Positions& positions, const std::array<int, N>& vertices) {
-  Corners<N> p;
-  for (std::size_t i = 0; i < N; ++i) p[i] = positions.row(vertices[i]).transpose();
-  return p;
 }
 
 // ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding. C of two points is their distance

@@ -41,7 +41,7 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
   // A padded lane's corners are 0 and the three unit vectors: it is never collapsed.
-  for (int corner = 1; corner < 4; ++corner)
+  for (int corner = 1; corner < dummy_corners; ++corner)
     for (int lane = 0; lane < max_lanes; ++lane)
       state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
           Vector3Of<Real>::Unit(corner - 1));

@@ -1,11 +1,10 @@
 // Choi and Ko's answer to what cloth does when it is pushed together: it does not shorten, it buckles. Their flexion
 // springs join vertices two apart and push as a buckled arc does.
 #include "bendlab/bending/ring_springs.hpp"
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
-
-constexpr std::array<std::string_view, 2> forces = {"exact", "polynomial"};
 
 constexpr std::array parameters = {
     Parameter{.name = "ring",
@@ -21,7 +20,7 @@ constexpr std::array parameters = {
               .meaning =
                   "the push of a buckled arc, or the polynomial of degree 4 that stands for it in cloth "
                   "solvers (within 1.6 %); with k both are the same",
-              .choices = forces},
+              .choices = ArcSpring::law_names},
 };
 
 BendingConstraints build(const BendingInput& input) {
@@ -30,7 +29,7 @@ BendingConstraints build(const BendingInput& input) {
   const DistanceConstraints pairs = ring_springs(input.rest, input.pins, levels, {.fill = RingFill::last});
   BendingConstraints constraints;
   auto& list = std::get<ElementList<ArcSpring>>(constraints.elements);
-  list.law = input.parameters.text("force") == "exact" ? ArcSpring::Law::exact : ArcSpring::Law::polynomial;
+  list.law = named<ArcSpring::Law>(input.parameters.text("force"), ArcSpring::law_names);
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     if (!(pairs.rest_length[pair] > 0)) continue;  // no arc without a length
     list.vertices.push_back(pairs.vertices[pair]);

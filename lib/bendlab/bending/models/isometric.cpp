@@ -2,11 +2,10 @@
 #include <Eigen/Geometry>
 
 #include "bendlab/bending/rest_hinges.hpp"
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
-
-constexpr std::array<std::string_view, 2> forms = {"norm", "energy"};
 
 constexpr std::array parameters = {
     Parameter{.name = "constraint",
@@ -14,7 +13,7 @@ constexpr std::array parameters = {
               .default_value = "norm",
               .meaning = "C = |Kx|, whose XPBD energy is Bergou's; or C = ½ xᵀQx, Bergou's energy itself as "
                          "libraries ship it, whose XPBD energy is quartic in the angle",
-              .choices = forms},
+              .choices = QuadraticBend::law_names},
 };
 
 double cotangent(const Vector3& a, const Vector3& b) {
@@ -30,10 +29,10 @@ std::array<double, 4> weights_of(const RestHinge& h) {
 }
 
 BendingConstraints build(const BendingInput& input) {
-  const bool norm = input.parameters.text("constraint") == "norm";
   BendingConstraints constraints;
   auto& list = std::get<ElementList<QuadraticBend>>(constraints.elements);
-  list.law = norm ? QuadraticBend::Law::norm : QuadraticBend::Law::energy;
+  list.law = named<QuadraticBend::Law>(input.parameters.text("constraint"), QuadraticBend::law_names);
+  const bool norm = list.law == QuadraticBend::Law::norm;
   for (const RestHinge& h : rest_hinges(input.rest, input.pins)) {
     const std::array<double, 4> k = weights_of(h);
     Vector3 bend = Vector3::Zero();

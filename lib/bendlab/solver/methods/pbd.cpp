@@ -1,6 +1,36 @@
-#include "bendlab/solver/simulation.hpp"
-
+// The time step of position-based dynamics over a step plan that is compiled from what the scene lists.
+//
+//   per substep h:  force passes → damp passes → predict → predicted passes →
+//                   n × (strain, bending, project passes, contact passes) → update → velocity passes
+//
+// (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
+// time.
+//
+// Why the constraints lie in memory as they do. A projection is a handful of arithmetic between reading two
+// or three points and writing them back; what it costs is moving them. So
+//
+// * a vertex is four numbers, position and inverse mass, moved by one load or store and transposed in
+//   registers: one load where x, y, z and w apart would take four;
+// * constraints without a common vertex go side by side, one per lane. Colouring finds them: a greedy
+//   first-fit over the list, after the pins are known (a constraint between pinned vertices is not there to
+//   be coloured). It knows nothing of lane width or threads, so neither changes a bit of the result;
+// * springs are coloured as stars, up to four springs of one centre in one lane: the centre stays in a
+//   register (half the traffic) and the colours are few and large, which is what threads want: they meet once
+//   per colour. Longer stars are faster and converge worse;
+// * triangles are coloured one by one: they share too few vertices for stars to pay;
+// * a batch stores what the kernel needs in the order in which it needs it: offsets ready for an address,
+//   rest values, XPBD's multipliers; nothing is computed twice and nothing is branched on;
+// * vertices keep the mesh's numbering where that is local, else the reverse Cuthill-McKee order (a scanned
+//   or exported mesh may be numbered at random);
+// * one thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so that
+//   the points of a large mesh come from memory once per sweep, not once per colour. The bits are those of
+//   colour after colour, which is how several threads go.
+//
+// What colouring costs is convergence: a colour sees its neighbours' corrections only after a whole colour,
+// where list order passes them on at once. `bendlab bench` measures by how much; `order: mesh` runs the list
+// order on the reference kernels.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numeric>
@@ -10,15 +40,34 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
-#include "bendlab/solver/equilibrium.hpp"
 #include "bendlab/solver/flight.hpp"
-#include "bendlab/solver/kang_cho.hpp"
 #include "bendlab/solver/memory.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/tiling.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
 namespace {
+
+constexpr std::array<std::string_view, 6> shared = {"substeps", "iterations", "sweep",
+                                                    "order",    "first",      "precision"};
+
+constexpr std::array own_passes = {
+    MethodPass{"predict", "x += h v"},
+    MethodPass{"strain", "/material/strain: keeps the triangles' shapes"},
+    MethodPass{"update", "v from the change of x; looks for divergence"},
+};
+
+// clang-format off
+constexpr std::array parameters = {
+    Parameter{.name = "flight_limit", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
+              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, at pins for "
+                         "example, before anything is projected; a substep in which they do more is cut into equal parts, at "
+                         "most 1000. 0: none is cut. Of gravity at a pinned row of triangles of height a it is g h² / a: 0.17 "
+                         "for 64 cells a metre and 1/60 s",
+              .minimum = 0},
+};
+// clang-format on
 
 // Ranges with less work than this are not worth waking a second thread for (about 10 µs of projections).
 constexpr std::size_t worthwhile_lanes = 2048;
@@ -115,10 +164,13 @@ class PbdStep final : public TimeStep<Real> {
       Base::workers_;
 
  public:
-  PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) : Base(input, input.place) {
+  PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
+      : Base(input, input.place),
+        flight_limit_(own_settings(input).number("flight_limit")),
+        on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
       predicted_.resize(state_.position.size());
-      if (on_moves()) moved_ = predicted_;
+      if (on_moves_) moved_ = predicted_;
       state_.position_remainder = state_.velocity_remainder = predicted_;
       for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
         if (state_.position[v].w == 0) pinned_.push_back(v);
@@ -134,11 +186,11 @@ class PbdStep final : public TimeStep<Real> {
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {
-    const BatchOrder* found = nullptr;
+    std::array<const BatchOrder*, std::tuple_size_v<ElementKinds>> orders{};
     for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
-      if (Kind::name == kind) found = &batch.order;
+      orders[kind_index<Kind>] = &batch.order;
     });
-    return *found;
+    return *orders[kind_place(kind)];
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -167,7 +219,7 @@ class PbdStep final : public TimeStep<Real> {
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
-    const int parts = settings_.flight_limit > 0 ? parts_of(context) : 1;
+    const int parts = flight_limit_ > 0 ? parts_of(context) : 1;
     context.substep = whole / static_cast<Real>(parts);
     last_substep_ = static_cast<double>(context.substep);
     for (int part = 0; part < parts; ++part) {
@@ -193,7 +245,7 @@ class PbdStep final : public TimeStep<Real> {
     const Real gained = largest_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
     std::swap(state_.velocity, before_forces_);
     state_.velocity_remainder = remainder;
-    return parts_of_flight(gained * context.substep, settings_.flight_limit);
+    return parts_of_flight(gained * context.substep, flight_limit_);
   }
 
   std::uint64_t projections_per_substep() const override {
@@ -209,7 +261,7 @@ class PbdStep final : public TimeStep<Real> {
       if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
       return order;
     };
-    const bool in_list_order = settings_.order == ConstraintOrder::mesh;
+    const bool in_list_order = settings_.order != ConstraintOrder::colour;
     if (place_.empty())
       return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
                   state_.vertex_count);
@@ -270,7 +322,7 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
       const std::size_t first = passes.size();
       for (const Stage stage : stages) add_effects(passes, stage);
-      if (on_moves() && passes.size() > first) {
+      if (on_moves_ && passes.size() > first) {
         passes[first].run = [this, run = std::move(passes[first].run)](PassContext<Real>& c) {
           sum_up_positions();
           run(c);
@@ -339,10 +391,6 @@ class PbdStep final : public TimeStep<Real> {
     are_put_ = true;
   }
 
-  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it was (see
-  // Places); else whole positions.
-  bool on_moves() const { return keeps_remainders && settings_.apart; }
-
   // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's fourth number,
   // never moves.
   void predict_moves(Real h) {
@@ -389,13 +437,13 @@ class PbdStep final : public TimeStep<Real> {
 
   Places<Real> places() {
     Point<Real>* const positions = state_.position.data();
-    return on_moves() ? Places<Real>(state_.previous.data(), moved_.data()) : Places<Real>(positions);
+    return on_moves_ ? Places<Real>(state_.previous.data(), moved_.data()) : Places<Real>(positions);
   }
 
   void predict(Real h) {
     constraints_.for_each(
         [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
-    if constexpr (keeps_remainders) return on_moves() ? predict_moves(h) : predict_positions(h);
+    if constexpr (keeps_remainders) return on_moves_ ? predict_moves(h) : predict_positions(h);
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         Point<Real>& p = state_.position[v];
@@ -430,7 +478,7 @@ class PbdStep final : public TimeStep<Real> {
 
   void update(Real h) {
     if constexpr (keeps_remainders) {
-      on_moves() ? update_from_moves(h) : update_from_positions(h);
+      on_moves_ ? update_from_moves(h) : update_from_positions(h);
       return find_divergence();
     }
     for_vertices([&](std::size_t first, std::size_t last) {
@@ -442,6 +490,11 @@ class PbdStep final : public TimeStep<Real> {
     find_divergence();
   }
 
+  double
+      flight_limit_;  // 1: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
+  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it was (see
+  // Places); else whole positions.
+  bool on_moves_;
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
@@ -454,23 +507,32 @@ class PbdStep final : public TimeStep<Real> {
   double last_substep_ = 0;  // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
 
-}  // namespace
-
 template <class Real>
-std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
-                                            std::vector<Pass<Real>> effect_passes) {
-  if (input.settings.method == Method::kang_cho)
-    return make_kang_cho_step<Real>(input, std::move(effect_passes));
-  if (input.settings.method == Method::equilibrium) {
-    if constexpr (std::is_same_v<Real, double>)
-      return make_equilibrium(input, std::move(effect_passes));
-    else
-      throw std::invalid_argument("equilibrium: is found in double precision only");
-  }
+std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) {
   return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
 }
 
-template std::unique_ptr<Simulation> make_simulation(const SimulationInput&, std::vector<Pass<float>>);
-template std::unique_ptr<Simulation> make_simulation(const SimulationInput&, std::vector<Pass<double>>);
+}  // namespace
 
+namespace method {
+extern constinit const Method pbd{
+    .name = "pbd",
+    .summary =
+        "position-based dynamics: predict, project every constraint some times over, velocities from what "
+        "moved",
+    .source = "Müller et al. 2007, §3; XPBD: Macklin et al. 2016; strain: Müller et al. 2014",
+    .limits =
+        "stiffness given as k depends on substeps and iterations, and a compliance is met only as far as the "
+        "iterations "
+        "converge; energy is not kept; forward sweeps gain some at short substeps",
+    .parameters = parameters,
+    .shared = shared,
+    .passes = own_passes,
+    .projects = true,
+    .keeps_momentum = true,
+    .keeps_moves_apart = true,
+    .make_float = make<float>,
+    .make_double = make<double>,
+};
+}  // namespace method
 }  // namespace bendlab

@@ -1,17 +1,45 @@
-#include "bendlab/solver/equilibrium.hpp"
-
+// Static equilibrium: the minimum of elastic energy and loads, by Newton's method.
+//
+//   per step:  loads → gradient, Hessian → factorise → move
+//
+//   (H + M / τ²) Δx = f - ∇E,   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
+//
+// λ estimates ψ'(C), the force in a constraint. In a membrane that hardly stretches ψ'(C) itself is a bad estimate away
+// from the solution: a step that turns a triangle by an angle stretches it by the angle squared, and the force of that
+// would hold the next step back. So λ is what the last step aimed at, ψ' + ψ'' ∇C·Δx, as if force and position were
+// both unknowns (the mixed form of Newton's method; at the solution the two agree). A step is as long as it stretches
+// no triangle by more than `stretch_per_step` beyond what it aimed at.
+//
+// M / τ² is what an implicit Euler step of length τ from rest has: from afar (a flat sheet has no stiffness across
+// itself) the cloth creeps downhill, and as τ grows the steps become Newton's. Where the matrix is not positive definite
+// (a crumpled cloth; springs that are compressed before the membrane has taken their push) λ counts only where a length
+// pulls, and where that does not help τ shrinks. The last steps are with the whole matrix and without M / τ²: what is
+// found is a minimum, never a saddle.
+//
+// A stiff membrane starts softer, and grows stiff in steps of ten once the cloth has found its shape: found at full
+// stiffness from the start, a strip that bends by springs keeps creases that the first steps made.
+//
+// A step counts as dt of the scene's time; the scene is settled when the last step moved no vertex by more than 1e-6
+// sizes and forces that are left over are at most `equilibrium_tolerance` of the loads, or what the rounding of
+// positions amounts to.
+//
+// In double precision. Loads are what the passes of stage `force` do to a cloth at rest; passes of stages `damp` and
+// `velocity` have nothing to do there.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <Eigen/CholmodSupport>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -19,9 +47,17 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double stretch_per_step = 0.05;  // 1
-constexpr double longest_move = 0.2;       // of the cloth's size, per step
-constexpr double crept = 1e-4;             // of the cloth's size: a step that short leads away from no saddle
+constexpr std::array own_passes = {
+    MethodPass{"gradient", "equilibrium: forces that are left over"},
+    MethodPass{"Hessian", "equilibrium: the stiffness matrix"},
+    MethodPass{"factorise", "equilibrium: its Cholesky factors, and the step"},
+    MethodPass{"move", "equilibrium: as far as no triangle stretches"},
+};
+
+constexpr double equilibrium_tolerance = 1e-7;  // 1, |f - ∇E| / |f| over all free vertices
+constexpr double stretch_per_step = 0.05;       // 1
+constexpr double longest_move = 0.2;            // of the cloth's size, per step
+constexpr double crept = 1e-4;  // of the cloth's size: a step that short leads away from no saddle
 constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
 
 // OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side know better
@@ -45,8 +81,8 @@ class Equilibrium final : public TimeStep<double> {
         size_(input.size),
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
         last_move_(whole_ ? 0 : size_),
-        distance_order_(list_order(input.distance.size())),
-        no_order_(list_order(0)) {
+        starting_from_(input.starting_from),
+        orders_(input) {
     for (std::size_t v = 0; v < input.mass.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
@@ -59,9 +95,9 @@ class Equilibrium final : public TimeStep<double> {
   bool settled() const override { return softness_ == 1 && balanced() && whole_; }
   std::optional<double> unbalanced() const override { return unbalanced_; }
 
-  const BatchOrder& strain_order() const override { return no_order_; }
-  const BatchOrder& distance_order() const override { return distance_order_; }
-  const BatchOrder& element_order(std::string_view) const override { return no_order_; }
+  const BatchOrder& strain_order() const override { return orders_.strain; }
+  const BatchOrder& distance_order() const override { return orders_.distance; }
+  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
 
   std::size_t memory_bytes() const override {
     std::size_t vectors = 0;
@@ -113,11 +149,23 @@ class Equilibrium final : public TimeStep<double> {
     inverse_tau_squared_ = 0;
     if (system_.unknowns() == 0) return;
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
-    const double softest = settings_.starts_there ? 1 : settings_.starts_near ? 10 : 1000;
+    const double softest = softest_start();
     if (strain_compliance_ > 0 && load > 0)
       soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
+  }
+
+  double softest_start() const {
+    switch (starting_from_) {
+      case StartingFrom::scene:
+        return 1000;
+      case StartingFrom::other_mesh:
+        return 10;
+      case StartingFrom::same_mesh:
+        return 1;
+    }
+    throw std::logic_error("equilibrium: unknown start");
   }
 
   void soften(double softness) {
@@ -142,7 +190,7 @@ class Equilibrium final : public TimeStep<double> {
 
   // So that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
-    const VectorXd& forces = settings_.starts_near && loads_.norm() > 0 ? loads_ : residual_;
+    const VectorXd& forces = starting_from_ != StartingFrom::scene && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
     inverse_tau_squared_ = acceleration / (0.05 * size_);
   }
@@ -217,15 +265,35 @@ class Equilibrium final : public TimeStep<double> {
   bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
-  BatchOrder distance_order_, no_order_;
+  StartingFrom starting_from_;
+  ListOrders orders_;
   Passes plan_;
 };
 
-}  // namespace
-
-std::unique_ptr<Simulation> make_equilibrium(const SimulationInput& input,
-                                             std::vector<Pass<double>> effect_passes) {
+std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
   return std::make_unique<Equilibrium>(input, std::move(effect_passes));
 }
 
+}  // namespace
+
+namespace method {
+extern constinit const Method equilibrium{
+    .name = "equilibrium",
+    .summary =
+        "the static equilibrium of loads and elastic energies by Newton's method; a step of it takes dt, and "
+        "the run ends "
+        "when the forces balance",
+    .source =
+        "Newton's method in its mixed form, force and position both unknown; CHOLMOD's supernodal Cholesky "
+        "factors",
+    .limits =
+        "of energies only: every stiffness is a compliance above 0; in double precision; has no motion; "
+        "effects that act "
+        "among projections have no place in it; of several equilibria it finds one",
+    .passes = own_passes,
+    .needs_compliance = "k has no energy and so no equilibrium",
+    .has_motion = false,
+    .make_double = make,
+};
+}  // namespace method
 }  // namespace bendlab

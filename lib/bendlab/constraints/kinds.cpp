@@ -1,0 +1,17 @@
+#include "bendlab/constraints/kinds.hpp"
+
+#include <array>
+
+#include "bendlab/parameters/names.hpp"
+
+namespace bendlab {
+
+std::size_t kind_place(std::string_view name) {
+  static constexpr auto names = []<class... Kinds>(std::type_identity<std::tuple<Kinds...>>) {
+    return std::array{Kinds::name...};
+  }(std::type_identity<ElementKinds>{});
+  enum class Place : std::size_t {};
+  return static_cast<std::size_t>(named<Place>(name, names));
+}
+
+}  // namespace bendlab

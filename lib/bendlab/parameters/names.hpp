@@ -1,0 +1,30 @@
+// An enumeration's table of names stands beside it, in its order; text and enumerator become each other by that table.
+#pragma once
+
+#include <algorithm>
+#include <span>
+#include <string_view>
+#include <type_traits>
+
+namespace bendlab {
+
+namespace detail {
+[[noreturn]] void throw_unknown_name(std::string_view name, std::span<const std::string_view> names);
+}
+
+/// The enumerator of that name. Throws std::invalid_argument, which lists the names there are.
+template <class Enum>
+requires std::is_enum_v<Enum> Enum named(std::string_view name, std::span<const std::string_view> names) {
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end()) detail::throw_unknown_name(name, names);
+  return static_cast<Enum>(found - names.begin());
+}
+
+/// An enumerator's name in its table.
+template <class Enum>
+requires std::is_enum_v<Enum>
+constexpr std::string_view name_in(std::span<const std::string_view> names, Enum value) {
+  return names[static_cast<std::size_t>(value)];
+}
+
+}  // namespace bendlab

@@ -1,0 +1,22 @@
+// The constraints of a scene in the order of their lists, for methods that do not group them.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <tuple>
+
+#include "bendlab/solver/simulation.hpp"
+
+namespace bendlab {
+
+struct ListOrders {
+  BatchOrder strain, distance;
+  std::array<BatchOrder, std::tuple_size_v<ElementKinds>> elements;  ///< by kind_index
+
+  explicit ListOrders(const SimulationInput& input);
+
+  /// Throws as kind_place() does.
+  const BatchOrder& of_elements(std::string_view kind) const { return elements[kind_place(kind)]; }
+};
+
+}  // namespace bendlab

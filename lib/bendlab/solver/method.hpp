@@ -1,0 +1,75 @@
+// The interface of a solver method: what one step does to a cloth. A new method is one file in methods/, one line in
+// methods.def, one test and one config; what it can and cannot take is said here, for the config's rules and for scenes.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+#include "bendlab/parameters/parameter.hpp"
+#include "bendlab/solver/simulation.hpp"
+
+namespace bendlab {
+
+/// What holds the cloth together in its plane.
+enum class Membrane {
+  triangles,  ///< SimulationInput::strain
+  edges,      ///< SimulationInput::edges, a spring along each
+};
+
+/// A pass that a method brings to the plan, and why it is there.
+struct MethodPass {
+  std::string_view name, why;
+};
+
+template <class Real>
+using MakeSimulation = std::unique_ptr<Simulation> (*)(const SimulationInput&, std::vector<Pass<Real>>);
+
+struct Method {
+  std::string_view name;
+  std::string_view summary;                       ///< one line: what a step does
+  std::string_view source;                        ///< paper and equation
+  std::string_view limits;                        ///< what it cannot do
+  std::span<const Parameter> parameters = {};     ///< its own settings, beside the shared ones in /solver
+  std::span<const std::string_view> shared = {};  ///< shared settings that it reads besides dt and threads
+  std::span<const MethodPass> passes = {};        ///< besides "bending" and those of effects
+  Membrane membrane = Membrane::triangles;
+  bool springs_only = false;  ///< takes bending models that are made of springs alone
+  /// Why every stiffness has to be a compliance above 0; empty: it may be k as well.
+  std::string_view needs_compliance = {};
+  /// Constraints are projected one after another: effects may act among them, and springs may push only as hard as the
+  /// projections of a substep can hold.
+  bool projects = false;
+  bool has_motion = true;       ///< a step goes on in time; else it is one towards an equilibrium
+  bool keeps_momentum = false;  ///< Σ m v changes by forces alone, but for rounding
+  /// Single precision keeps what a substep changes apart from where the cloth is; else it rounds whole positions.
+  bool keeps_moves_apart = false;
+  MakeSimulation<float> make_float = nullptr;  ///< null: not in single precision
+  MakeSimulation<double> make_double = nullptr;
+
+  /// Null where the method does not come in that precision.
+  template <class Real>
+  MakeSimulation<Real> make() const {
+    if constexpr (std::is_same_v<Real, float>)
+      return make_float;
+    else
+      return make_double;
+  }
+
+  /// Whether the setting of /solver of that name changes what it does.
+  bool reads(std::string_view setting) const;
+};
+
+/// Every registered method, in the order of methods.def.
+std::span<const Method* const> methods();
+
+/// The method of that name, or nullptr.
+const Method* find_method(std::string_view name);
+
+/// The settings of the method's own table: those of settings.own, and defaults for the others. Throws
+/// std::invalid_argument for a setting that is not the method's.
+ParameterValues own_settings(const SimulationInput& input);
+
+}  // namespace bendlab

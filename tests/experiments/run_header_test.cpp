@@ -1,0 +1,95 @@
+// What a run file says of its constraints: all of them, in the order in which the solver takes them, and a hash that
+// changes with whatever makes them another list.
+#include "experiments/run/run_header.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+Experiment experiment_of(const std::string& bending, const std::string& solver) {
+  return parse_experiment(R"({"name": "t", "mesh": {"cells": 3}, "output": {"constraints": true},
+                              "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
+                              "bending": )" +
+                              bending + R"(, "solver": )" + solver + "}",
+                          "test");
+}
+
+const std::string hinges = R"({"model": "discrete_shells", "stiffness": "compliance", "compliance": 1})",
+                  springs = R"({"model": "crossover", "stiffness": "compliance", "compliance": 1})";
+
+// Of that kind, in a run of the scene after `change` was made to it.
+template <class Change>
+ConstraintRecord record_of(const std::string& kind, const Experiment& experiment, const Change& change) {
+  Scene scene = build_scene(experiment.runs.front());
+  change(scene.input);
+  const auto simulation = simulation_of(scene);
+  const RunHeader header =
+      header_of(experiment, experiment.runs.front(), "id", scene, *simulation, Recorder(scene));
+  const auto found = std::ranges::find(header.constraints, kind, &ConstraintRecord::kind);
+  REQUIRE(found != header.constraints.end());
+  return *found;
+}
+
+ConstraintRecord record_of(const std::string& kind, const Experiment& experiment) {
+  return record_of(kind, experiment, [](SimulationInput&) {});
+}
+
+template <std::size_t N>
+std::vector<int> flat(const std::vector<std::array<int, N>>& vertices) {
+  std::vector<int> all;
+  for (const auto& each : vertices) all.insert(all.end(), each.begin(), each.end());
+  return all;
+}
+
+auto& hinge_list(SimulationInput& input) {
+  return std::get<ElementList<HingeAngle>>(input.elements);
+}
+
+}  // namespace
+
+TEST_CASE("run header: an equilibrium's constraints are recorded in the order of their lists", "[run]") {
+  const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");
+  Scene scene = build_scene(experiment.runs.front());
+  REQUIRE(hinge_list(scene.input).size() > 0);
+  CHECK(record_of("strain", experiment).vertices == flat(scene.input.strain.vertices));
+  CHECK(record_of("hinge", experiment).vertices == flat(hinge_list(scene.input).vertices));
+}
+
+TEST_CASE("run header: the hash knows every rest value and the softness", "[run]") {
+  for (const char* solver : {R"({"method": "pbd"})", R"({"method": "equilibrium"})"}) {
+    const Experiment experiment = experiment_of(hinges, solver);
+    std::set<std::string> hashes = {record_of("hinge", experiment).hash};
+    CHECK(hashes.contains(record_of("hinge", experiment).hash));  // a second time the same
+    for (std::size_t value = 0; value < HingeAngle::rest_values; ++value)
+      hashes.insert(record_of("hinge", experiment, [&](SimulationInput& input) {
+                      hinge_list(input).rest.back()[value] += 0.01;
+                    }).hash);
+    hashes.insert(record_of("hinge", experiment, [](SimulationInput& input) {
+                    hinge_list(input).softness.back() *= 2;
+                  }).hash);
+    CHECK(hashes.size() == 2 + HingeAngle::rest_values);
+  }
+  const Experiment experiment = experiment_of(springs, "{}");
+  std::set<std::string> hashes;
+  for (const double softness : {1.0, 2.0})
+    hashes.insert(record_of("distance", experiment, [&](SimulationInput& input) {
+                    input.distance.softness.assign(input.distance.size(), softness);
+                  }).hash);
+  CHECK(hashes.size() == 2);
+}
+
+TEST_CASE("run header: all rest values of a constraint are recorded", "[run]") {
+  const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");
+  Scene scene = build_scene(experiment.runs.front());
+  std::vector<double> rest;
+  for (const auto& of_one : hinge_list(scene.input).rest)
+    rest.insert(rest.end(), of_one.begin(), of_one.end());
+  CHECK(record_of("hinge", experiment).rest == rest);
+  CHECK(record_of("strain", experiment).rest.size() == scene.input.strain.size());  // areas
+}
+
+}  // namespace bendlab

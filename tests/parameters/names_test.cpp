@@ -1,0 +1,30 @@
+#include "bendlab/parameters/names.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+enum class Colour { red, green };
+constexpr std::array<std::string_view, 2> colour_names = {"red", "green"};
+
+}  // namespace
+
+TEST_CASE("names: text becomes an enumerator by its table, and back", "[parameters]") {
+  for (const Colour colour : {Colour::red, Colour::green})
+    CHECK(bendlab::named<Colour>(bendlab::name_in(colour_names, colour), colour_names) == colour);
+  CHECK(bendlab::name_in(colour_names, Colour::green) == "green");
+}
+
+TEST_CASE("names: an unknown one is refused with those that there are", "[parameters]") {
+  std::string message;
+  try {
+    bendlab::named<Colour>("blue", colour_names);
+  } catch (const std::invalid_argument& error) {
+    message = error.what();
+  }
+  CHECK(message == "'blue' is none of red, green");
+}

@@ -1,0 +1,101 @@
+// What every registered solver method keeps, whatever it does in a step.
+#include "bendlab/solver/method.hpp"
+
+#include <algorithm>
+#include <set>
+#include <stdexcept>
+
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab {
+namespace {
+
+// A sheet that every method takes: springs, each stiffness a compliance.
+SimulationInput sheet_for(const Method& method) {
+  const RestMesh rest(grid(1, 1, 3, 3));
+  const Pins pins = make_pins(rest, {0}, 0);
+  SimulationInput input = test::sheet(rest, pins, "crossover");
+  if (method.membrane == Membrane::edges) input.strain = {}, input.edges = edge_springs(rest, pins);
+  input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-3};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
+  input.method = &method;
+  return input;
+}
+
+template <class Real>
+void check_orders(const SimulationInput& input) {
+  if (input.method->make<Real>() == nullptr) {
+    CHECK_THROWS_AS(make_simulation<Real>(input, {}), std::invalid_argument);
+    return;
+  }
+  const auto simulation = make_simulation<Real>(input, {});
+  const auto constraints_of = [](const BatchOrder& order) {
+    std::multiset<int> all;
+    for (const int constraint : order.constraint_of_lane)
+      if (constraint >= 0) all.insert(constraint);
+    return all;
+  };
+  const auto every = [](std::size_t count) {
+    std::multiset<int> all;
+    for (std::size_t c = 0; c < count; ++c) all.insert(static_cast<int>(c));
+    return all;
+  };
+  CHECK(constraints_of(simulation->strain_order()) == every(input.strain.size()));
+  CHECK(constraints_of(simulation->distance_order()) == every(input.distance.size()));
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    CHECK(constraints_of(simulation->element_order(Kind::name)) == every(list.size()));
+  });
+  CHECK_THROWS_AS(simulation->element_order("no such kind"), std::invalid_argument);
+  REQUIRE(simulation->step());
+}
+
+}  // namespace
+
+TEST_CASE("methods: each says what it is and comes in some precision", "[solver]") {
+  std::set<std::string_view> names;
+  for (const Method* method : methods()) {
+    INFO(method->name);
+    names.insert(method->name);
+    CHECK(find_method(method->name) == method);
+    for (const std::string_view text : {method->summary, method->source, method->limits})
+      CHECK_FALSE(text.empty());
+    CHECK((method->make_float != nullptr || method->make_double != nullptr));
+    for (const char* shared : {"method", "dt", "threads"}) CHECK(method->reads(shared));
+    CHECK_FALSE(method->reads("no_such_setting"));
+  }
+  CHECK(names.size() == methods().size());
+  CHECK(find_method("no_such_method") == nullptr);
+}
+
+TEST_CASE("methods: each gives every constraint a place in its order and refuses unknown kinds", "[solver]") {
+  for (const Method* method : methods()) {
+    INFO(method->name);
+    const SimulationInput input = sheet_for(*method);
+    check_orders<float>(input);
+    check_orders<double>(input);
+  }
+}
+
+TEST_CASE("methods: each says why its passes are there", "[solver]") {
+  for (const Method* method : methods()) {
+    const SimulationInput input = sheet_for(*method);
+    auto gravity = test::effect_passes<double>("gravity");
+    for (const PassStatistics& pass : make_simulation<double>(input, std::move(gravity))->passes()) {
+      INFO(method->name << ": " << pass.name);
+      if (pass.name == "bending" || pass.name == "gravity") continue;
+      CHECK(std::ranges::find(method->passes, pass.name, &MethodPass::name) != method->passes.end());
+    }
+  }
+}
+
+TEST_CASE("methods: own settings have their defaults, and another method's are refused", "[solver]") {
+  SimulationInput input = sheet_for(*find_method("kang_cho"));
+  CHECK(own_settings(input).text("tangent") == "along");
+  input.settings.own.set("tangent", "taut");
+  CHECK(own_settings(input).text("tangent") == "taut");
+  input.method = find_method("pbd");
+  CHECK_THROWS_AS(own_settings(input), std::invalid_argument);
+}
+
+}  // namespace bendlab
