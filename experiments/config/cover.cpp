@@ -57,7 +57,7 @@ class Coverage {
     row[axis] = value;
     std::size_t gain = 0;
     for (const std::size_t g : groups_of_axis_[axis])
-      if (const std::size_t place = place_of(groups_[g], row);
+      if (const std::size_t place = permuted(groups_[g], row);
           place != open && groups_[g].state[place] == missing_here)
         ++gain;
     row[axis] = open;
@@ -66,11 +66,11 @@ class Coverage {
 
   std::size_t gain(const CoverRow& row) const {
     return static_cast<std::size_t>(std::ranges::count_if(
-        groups_, [&](const Group& group) { return group.state[place_of(group, row)] == missing_here; }));
+        groups_, [&](const Group& group) { return group.state[permuted(group, row)] == missing_here; }));
   }
 
   void add(const CoverRow& row) {
-    for (Group& group : groups_) settle(group, place_of(group, row), covered);
+    for (Group& group : groups_) settle(group, permuted(group, row), covered);
   }
 
   /// A combination that is in no row, of the axes that lack most; empty if there is none.
@@ -133,7 +133,7 @@ class Coverage {
   }
 
   // Where the row's combination is in the group's list; `open` where one of the axes has no value.
-  std::size_t place_of(const Group& group, const CoverRow& row) const {
+  std::size_t permuted(const Group& group, const CoverRow& row) const {
     std::size_t place = 0;
     for (const std::size_t axis : group.axes) {
       if (row[axis] == open) return open;

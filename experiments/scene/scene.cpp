@@ -217,7 +217,8 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   std::vector<Pass<Real>> passes;
   try {
     passes = find_effect(settings.type)
-                 ->compile<Real>({settings.values, scene.rest, scene.pins, scene.input.place, contacts_used});
+                 ->compile<Real>(
+                     {settings.values, scene.rest, scene.pins, scene.input.permutation, contacts_used});
   } catch (const MeshFileError& error) {
     rethrow(error);
   } catch (const std::invalid_argument& error) {
@@ -272,7 +273,7 @@ Scene build_scene(const RunConfig& config) {
   input.size = rest.size();
   input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
-  input.place = local_numbering(rest);
+  input.permutation = local_numbering(rest);
   input.method = find_method(solver.text("method"));
   input.settings = solver_settings(solver, *input.method);
   if (input.method->membrane == Membrane::edges)

@@ -382,7 +382,7 @@ TEMPLATE_TEST_CASE("kang_cho: threads, repeats, places and settings of pbd chang
   input.settings.first = FirstConstraint::bending;
   CHECK(after(input) == once);
   for (int v = 0; v < input.positions.rows(); ++v)
-    input.place.push_back(static_cast<int>(input.positions.rows()) - 1 - v);
+    input.permutation.push_back(static_cast<int>(input.positions.rows()) - 1 - v);
   CHECK(after(input) == once);
 }
 

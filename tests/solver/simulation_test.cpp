@@ -176,7 +176,7 @@ TEST_CASE("a mesh numbered at random is put in order, and the answer stays where
   input.strain_stiffness.compliance = 1e-3;
   input.bending_stiffness.compliance = 1e-2;
   const Positions plain = after<double>(input, 2, 0.981);
-  input.place = place;
+  input.permutation = place;
   const Positions placed = after<double>(input, 2, 0.981);
   CHECK(placed.row(5) == rest.positions().row(5));
   CHECK((placed - plain).cwiseAbs().maxCoeff() < 0.01 * (plain - rest.positions()).cwiseAbs().maxCoeff());

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "bendlab/bending/resistance.hpp"
+#include "bendlab/bending/stiffness_fit.hpp"
 #include "bendlab/bending/triangle_finder.hpp"
 
 namespace bendlab {

@@ -100,12 +100,11 @@ class Calibration {
         "(in N m) together with at_curvature (in 1/m), the curvature at which it holds");
   }
 
-  void meet(Resistance& resistance, std::vector<double> energy, double per_area, int power,
+  void meet(StiffnessFit& fit, std::vector<double> energy, double per_area, int power,
             const std::string& name) {
     for (double& of_vertex : energy) of_vertex *= per_area;
     const double usual = per_area / std::pow(rest_.mean_edge_length(), power);
-    for (BendingFact& fact : resistance.meet(energy, usual, name))
-      constraints_.facts.push_back(std::move(fact));
+    for (BendingFact& fact : fit.meet(energy, usual, name)) constraints_.facts.push_back(std::move(fact));
   }
 
   void meet_linear(std::vector<double> energy) {
@@ -229,7 +228,7 @@ class Calibration {
   // In the sheet's plane; on a rest shape that is not flat each in its own, averaged over directions because their axes
   // have nothing in common.
   template <class Energy>
-  void add_hinge(Resistance& resistance, double& softness, const std::array<int, 4>& vertices,
+  void add_hinge(StiffnessFit& fit, double& softness, const std::array<int, 4>& vertices,
                  const Energy& energy) {
     std::array<Vector2, 4> flat;
     std::array<Vector3, 4> p;
@@ -242,8 +241,8 @@ class Calibration {
     ByDirection values =
         in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(angle, d)); });
     if (plane_.empty()) values.fill(mean(values));
-    resistance.add(softness, values, span.shares);
-    if (&resistance != &linear_ || plane_.empty()) return;
+    fit.add(softness, values, span.shares);
+    if (&fit != &linear_ || plane_.empty()) return;
     stencils_.push_back({vertices, fold_weights(flat), 2 * energy(1.0)});
     folds_.push_back(angle);
   }
@@ -274,16 +273,15 @@ class Calibration {
 
   // `energy` of its shortening. A spring along an edge belongs to the membrane, and one between pins to nothing.
   template <class Energy>
-  void add_pair(Resistance& resistance, double& softness, const std::array<int, 2>& pair,
-                const UnitBend& bend, const PairSpans& spans, const Energy& energy) {
+  void add_pair(StiffnessFit& fit, double& softness, const std::array<int, 2>& pair, const UnitBend& bend,
+                const PairSpans& spans, const Energy& energy) {
     const Span span = spans(pair[0], pair[1]);
     if (span.shares.empty() || std::ranges::binary_search(rest_.one_ring()[pair[0]], pair[1]))
-      return resistance.add_idle(softness);
+      return fit.add_idle(softness);
     const QuarticForm shorter = bend.shortening(pair[0], pair[1]);
-    resistance.add(softness, in_all_directions([&](const Vector2& d) {
-                     return energy(span.seen * value_in(shorter, d));
-                   }),
-                   span.shares);
+    fit.add(softness,
+            in_all_directions([&](const Vector2& d) { return energy(span.seen * value_in(shorter, d)); }),
+            span.shares);
   }
 
   void add(ElementList<ArcSpring>& list, const UnitBend& bend, const PairSpans& spans) {
@@ -324,7 +322,7 @@ class Calibration {
   std::vector<char> held_;
   const CalibrationTarget& target_;
   std::vector<Vector2> plane_;
-  Resistance linear_, quartic_;
+  StiffnessFit linear_, quartic_;
   std::vector<HeightStencil> stencils_;  // of linear_'s, as far as they are hinges in a flat rest shape
   std::vector<QuadraticForm> folds_;     // of the same, over κ
   std::optional<double> membrane_;

@@ -1,19 +1,19 @@
-// Physical stiffness: from what the sheet is to resist to the softness of each constraint, on the mesh at hand.
+// Physical stiffness: from the rigidity of a sheet to the softness of each constraint on a mesh.
 //
 // Bent to a cylinder of curvature κ along a direction d, a sheet has the energy per area
 //
 //     ½ B κ²    where hinges, arcs or springs that push resist (moment B κ per width), B in N m,
 //     ¼ C κ⁴    where springs at rest do (moment C κ³), C in N m³.
 //
-// Each constraint's energy is known in advance (unit_bend.hpp), and with which moment it resists at each place of its
-// line. calibrate() finds stiffnesses with which every vertex has its area's share, in all directions: as far as springs
-// that end at free edges, denser springs around pins and the mesh's own directions allow. Triangles with all corners
-// pinned do not bend, and a constraint that reaches among them sees as much less of the curvature.
+// The energy of each constraint in the bent sheet is known in advance (unit_bend.hpp), and so is its moment at each
+// point of its line. calibrate() finds stiffnesses for which the energy of each vertex is that of its area, in every
+// direction. Springs that end at free edges, denser springs around pins and the directions of the mesh limit how well
+// that goes. Triangles whose corners are all pinned do not bend; a constraint that reaches into them is bent less.
 //
-// A sheet may bend otherwise than to a cylinder between its vertices. Of the energies ½ B κ² the cylinder's is what is
-// left where a membrane that hardly stretches holds the sheet to it (large deflections); a sheet that is bent a little
-// finds easier shapes (sheet_response.hpp). Hinges on an equilateral lattice have one B for both; elsewhere small and
-// large differ by what the mesh's cells make possible, and the target says where B is to hold:
+// Between its vertices a sheet need not bend to a cylinder. At large deflections a membrane that hardly stretches forces
+// it to, and B is that of the cylinder. At small deflections the sheet finds shapes with less energy
+// (sheet_response.hpp), and B is smaller. Hinges on an equilateral lattice have one B for both. On other meshes the two
+// differ, and the target says at which of them B holds:
 //
 //     hinges, all alike          B at small / at large deflections
 //     equilateral lattice        1
@@ -22,10 +22,10 @@
 //     grid, same diagonal        1, but the direction matters: 0.46 to 2.0 times the mean
 //     irregular (delaunay)       0.92 to 0.94; 0.97 where both are asked for
 //
-// A spring averages the curvature over its length. Springs that push hold only as far as the membrane holds them: strips of
-// 24 cells measure 0.70 to 0.84 of B at small deflections (1.6 on one diagonal) and 0.92 to 1.31 at large ones, with a
-// membrane of 10⁻⁷ m/N. Arcs push only once something shortens them: below a curvature of about 20 √(B / Y) / L² the
-// membrane stretches instead, and they have no linear stiffness at all.
+// A spring averages the curvature over its length. The membrane has to hold springs that push: with a membrane of
+// 10⁻⁷ m/N strips of 24 cells measure 0.70 to 0.84 of B at small deflections (1.6 on one diagonal) and 0.92 to 1.31 at
+// large ones. Arcs push only when something shortens them: below a curvature of about 20 √(B / Y) / L² the membrane
+// stretches instead, and arcs have no linear stiffness.
 #pragma once
 
 #include <array>
@@ -36,7 +36,7 @@
 
 namespace bendlab {
 
-/// Where the told B holds, of models made of hinges.
+/// At which deflections the stated B holds, for models made of hinges.
 enum class Deflection {
   large,  ///< bent to a cylinder, as a stiff membrane makes the sheet bend
   small,  ///< bent so little that the membrane does not matter: all hinges stiffer by one factor

@@ -1,7 +1,6 @@
-// What a flat sheet does when it is bent to a cylinder of curvature κ, to leading order in κ: which pairs of vertices
-// come how much closer, and by which angles its edges fold. The sheet is the polyhedral surface of its triangles, not
-// a smooth cylinder: its edges stay as long as they were, so a pair t edges apart shortens by (1 - 1/t²) of what a
-// smooth arc's chord does.
+// A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices come, and by
+// which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth cylinder. Its edges keep
+// their lengths, so a pair t edges apart shortens by (1 - 1/t²) of what the chord of a smooth arc does.
 #pragma once
 
 #include <array>

@@ -18,13 +18,13 @@ struct EffectInput {
   const ParameterValues& parameters;  ///< the effect's own table, defaults filled in
   const RestMesh& rest;
   const Pins& pins;
-  std::span<const int> place;  ///< #V, where each vertex stands in State's arrays; empty: in its own place
+  std::span<const int> permutation;  ///< #V, the index of each vertex in State's arrays; empty: its own
 
   bool contacts_used = false;  ///< a listed effect uses them: obstacles fill State::contacts
 
-  std::size_t place_of(int vertex) const {
+  std::size_t permuted(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
-    return place.empty() ? v : static_cast<std::size_t>(place[v]);
+    return permutation.empty() ? v : static_cast<std::size_t>(permutation[v]);
   }
 };
 

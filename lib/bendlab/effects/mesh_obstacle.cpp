@@ -79,7 +79,7 @@ class MeshObstacle {
     const Positions& corners = surface_->mesh().positions;
     box_ = {corners.colwise().minCoeff().transpose(), corners.colwise().maxCoeff().transpose()};
     for (const auto& t : input.rest.triangles().rowwise())
-      triangles_.push_back({input.place_of(t(0)), input.place_of(t(1)), input.place_of(t(2))});
+      triangles_.push_back({input.permuted(t(0)), input.permuted(t(1)), input.permuted(t(2))});
     own_edges();
   }
 

@@ -163,7 +163,7 @@ std::vector<std::size_t> places_of_moving(const EffectInput& input) {
   std::vector<std::size_t> places;
   for (const int vertex : input.pins.all)
     if (named.contains(vertex) || named.contains(seed[static_cast<std::size_t>(vertex)]))
-      places.push_back(input.place_of(vertex));
+      places.push_back(input.permuted(vertex));
   return places;
 }
 

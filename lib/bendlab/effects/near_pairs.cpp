@@ -66,14 +66,14 @@ NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
     : thickness_(thickness), tree_(centres_of(input.rest)) {
   const auto count = static_cast<std::size_t>(input.rest.vertex_count());
   rest_.resize(count);
-  for (int v = 0; v < input.rest.vertex_count(); ++v) rest_[input.place_of(v)] = input.rest.position(v);
+  for (int v = 0; v < input.rest.vertex_count(); ++v) rest_[input.permuted(v)] = input.rest.position(v);
 
   std::vector<char> owned(count, 0);
   for (Eigen::Index t = 0; t < input.rest.triangles().rows(); ++t) {
     Triangle triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
       const int v = input.rest.triangles()(t, static_cast<Eigen::Index>(i));
-      triangle.place[i] = static_cast<int>(input.place_of(v));
+      triangle.place[i] = static_cast<int>(input.permuted(v));
       triangle.owns_vertex[i] = !std::exchange(owned[static_cast<std::size_t>(v)], 1);
     }
     triangles_.push_back(triangle);

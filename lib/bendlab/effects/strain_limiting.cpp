@@ -145,7 +145,7 @@ std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
     if (held || degenerate[static_cast<std::size_t>(t)] != 0) continue;
     Triangle<Real> triangle;
     for (std::size_t i = 0; i < 3; ++i)
-      triangle.corners[i] = static_cast<std::uint32_t>(input.place_of(corner(static_cast<Eigen::Index>(i))));
+      triangle.corners[i] = static_cast<std::uint32_t>(input.permuted(corner(static_cast<Eigen::Index>(i))));
     const InverseRest& q = inverse[static_cast<std::size_t>(t)];
     std::ranges::transform(q, triangle.inverse_rest.begin(), [](double x) { return static_cast<Real>(x); });
     triangles.push_back(triangle);

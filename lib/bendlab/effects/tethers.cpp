@@ -87,7 +87,7 @@ std::vector<Tether> tethers_of(const EffectInput& input) {
     for (const GeodesicDistances& group : from)
       if (const int pin = group.source[static_cast<std::size_t>(v)]; pin >= 0)
         own.push_back(
-            {input.place_of(v), input.place_of(pin), longer * group.distance[static_cast<std::size_t>(v)]});
+            {input.permuted(v), input.permuted(pin), longer * group.distance[static_cast<std::size_t>(v)]});
     std::ranges::sort(own, {}, &Tether::length);
     own.resize(std::min(own.size(), most));
     tethers.insert(tethers.end(), own.rbegin(), own.rend());

@@ -32,7 +32,7 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   const std::vector<double> drag = lumped_masses(input.rest, coefficient);
   std::vector<Real> drag_at(drag.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)
-    drag_at[input.place_of(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
+    drag_at[input.permuted(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
   return {{"viscous_drag", Stage::damp,
            [drag_at = std::move(drag_at), lost = std::vector<Real>(),
             of_substep = Real(0)](PassContext<Real>& context) mutable {

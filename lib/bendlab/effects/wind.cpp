@@ -138,7 +138,7 @@ class Wind {
       for (int c = 0; c < 3; ++c) {
         const int vertex = input.rest.triangles()(t, c);
         const auto i = static_cast<std::size_t>(c);
-        triangle.corners[i] = static_cast<std::uint32_t>(input.place_of(vertex));
+        triangle.corners[i] = static_cast<std::uint32_t>(input.permuted(vertex));
         const double third = input.rest.areas()[static_cast<std::size_t>(t)] / 3;
         triangle.share[i] =
             third > 0 ? static_cast<Real>(third / area[static_cast<std::size_t>(vertex)]) : Real(0);

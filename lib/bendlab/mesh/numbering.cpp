@@ -6,10 +6,10 @@
 
 namespace bendlab {
 
-double mean_edge_span(const Edges& edges, const std::vector<int>& place) {
+double mean_edge_span(const Edges& edges, const std::vector<int>& permutation) {
   if (edges.rows() == 0) return 0;
   const auto placed = [&](int vertex) {
-    return place.empty() ? vertex : place[static_cast<std::size_t>(vertex)];
+    return permutation.empty() ? vertex : permutation[static_cast<std::size_t>(vertex)];
   };
   double span = 0;
   for (Eigen::Index e = 0; e < edges.rows(); ++e) span += std::abs(placed(edges(e, 0)) - placed(edges(e, 1)));
@@ -27,11 +27,11 @@ std::vector<int> local_numbering(const RestMesh& rest) {
   order.reserve(static_cast<std::size_t>(rest.vertex_count()));
   boost::cuthill_mckee_ordering(graph, std::back_inserter(order), boost::get(boost::vertex_color, graph),
                                 boost::make_out_degree_map(graph));
-  std::vector<int> place(order.size());
+  std::vector<int> permutation(order.size());
   for (std::size_t at = 0; at < order.size(); ++at)
-    place[order[order.size() - 1 - at]] = static_cast<int>(at);
-  if (2 * mean_edge_span(rest.edges(), place) > mean_edge_span(rest.edges())) return {};
-  return place;
+    permutation[order[order.size() - 1 - at]] = static_cast<int>(at);
+  if (2 * mean_edge_span(rest.edges(), permutation) > mean_edge_span(rest.edges())) return {};
+  return permutation;
 }
 
 }  // namespace bendlab

@@ -77,9 +77,9 @@ struct SimulationInput {
   Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
   Vector3 origin;        ///< coordinates are kept relative to it, m
   double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
-  std::vector<double> mass;     ///< #V, kg
-  std::vector<char> is_pinned;  ///< #V
-  std::vector<int> place;  ///< #V, where each vertex stands in the solver's memory; empty: in its own place
+  std::vector<double> mass;      ///< #V, kg
+  std::vector<char> is_pinned;   ///< #V
+  std::vector<int> permutation;  ///< #V, the index of each vertex in the solver's arrays; empty: its own
 
   StrainConstraints strain;
   DistanceConstraints edges;  ///< the membrane of a method with Membrane::edges, instead of strain

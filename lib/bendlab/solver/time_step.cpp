@@ -14,9 +14,9 @@ constexpr double divergence_bound = 1e6;  // sizes from the origin
 }  // namespace
 
 template <class Real>
-TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> place)
+TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> permutation)
     : settings_(input.settings),
-      place_(std::move(place)),
+      permutation_(std::move(permutation)),
       workers_(input.settings.threads),
       bound_(static_cast<Real>(divergence_bound * input.size)) {
   fill_state(input);
@@ -32,7 +32,7 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
   state_.velocity.resize(count + dummy_points);
   for (std::size_t v = 0; v < count; ++v) {
     const auto row = static_cast<Eigen::Index>(v);
-    const std::size_t at = place_of(v);
+    const std::size_t at = permuted(v);
     state_.mass[at] = input.mass[v];
     state_.position[at].set((input.positions.row(row).transpose() - input.origin).template cast<Real>());
     const bool free = !input.is_pinned[v] && input.mass[v] > 0;
@@ -49,7 +49,7 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
   if (input.rest.rows() == 0) return;
   rest_.resize(count + dummy_points);
   for (std::size_t v = 0; v < count; ++v)
-    rest_[place_of(v)].set(
+    rest_[permuted(v)].set(
         (input.rest.row(static_cast<Eigen::Index>(v)).transpose() - input.origin).template cast<Real>());
 }
 
@@ -66,7 +66,7 @@ bool TimeStep<Real>::step() {
 
 template <class Real>
 std::size_t TimeStep<Real>::memory_bytes() const {
-  return bytes_of(state_) + bytes_of(constraints_) + bytes_of(rest_) + bytes_of(place_);
+  return bytes_of(state_) + bytes_of(constraints_) + bytes_of(rest_) + bytes_of(permutation_);
 }
 
 template <class Real>
@@ -104,7 +104,7 @@ void TimeStep<Real>::find_divergence() {
   if (inside) return;
   double farthest = -1;
   for (std::size_t vertex = 0; vertex < static_cast<std::size_t>(state_.vertex_count); ++vertex) {
-    const Vector3 position = state_.position[place_of(vertex)].vector().template cast<double>();
+    const Vector3 position = state_.position[permuted(vertex)].vector().template cast<double>();
     const double distance = position.allFinite() ? position.norm() : std::numeric_limits<double>::infinity();
     if (!(distance > farthest)) continue;
     farthest = distance;
@@ -118,7 +118,7 @@ template <class Real>
 void TimeStep<Real>::name_worst_triangle() {
   const StrainBatch<Real>& batch = constraints_.strain;
   std::vector<int> vertex_at(static_cast<std::size_t>(state_.vertex_count));
-  for (std::size_t v = 0; v < vertex_at.size(); ++v) vertex_at[place_of(v)] = static_cast<int>(v);
+  for (std::size_t v = 0; v < vertex_at.size(); ++v) vertex_at[permuted(v)] = static_cast<int>(v);
   double worst = 0;
   for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size(); ++lane) {
     if (batch.order.constraint_of_lane[lane] < 0) continue;
@@ -152,9 +152,9 @@ Positions TimeStep<Real>::to_rows(const Points<Real>& points, const Points<Real>
                                   const Vector3& origin) const {
   Positions rows(state_.vertex_count, 3);
   for (int v = 0; v < state_.vertex_count; ++v) {
-    const std::size_t place = place_of(static_cast<std::size_t>(v));
-    Vector3 whole = points[place].vector().template cast<double>();
-    if (!remainders.empty()) whole += remainders[place].vector().template cast<double>();
+    const std::size_t slot = permuted(static_cast<std::size_t>(v));
+    Vector3 whole = points[slot].vector().template cast<double>();
+    if (!remainders.empty()) whole += remainders[slot].vector().template cast<double>();
     rows.row(v) = (whole + origin).transpose();
   }
   return rows;

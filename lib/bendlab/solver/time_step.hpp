@@ -36,14 +36,14 @@ class TimeStep : public Simulation {
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
 
-  /// `place`: where each vertex stands in memory; empty: in its own place.
-  TimeStep(const SimulationInput& input, std::vector<int> place);
+  /// `permutation`: where each vertex stands in memory; empty: at its own index.
+  TimeStep(const SimulationInput& input, std::vector<int> permutation);
 
   virtual void substep(PassContext<Real>& context) = 0;
   virtual std::uint64_t projections_per_substep() const = 0;
 
-  std::size_t place_of(std::size_t vertex) const {
-    return place_.empty() ? vertex : static_cast<std::size_t>(place_[vertex]);
+  std::size_t permuted(std::size_t vertex) const {
+    return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
   }
 
   /// A new row of passes().
@@ -65,7 +65,7 @@ class TimeStep : public Simulation {
   }
 
   SolverSettings settings_;
-  std::vector<int> place_;  ///< of each vertex; empty: its own
+  std::vector<int> permutation_;  ///< of each vertex; empty: its own
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;

@@ -206,7 +206,7 @@ class Equilibrium final : public TimeStep<double> {
   // that makes it definite: that leads away from it fastest.
   void factorise(double) {
     if (settled()) return;
-    constexpr int attempts = 100;  // of what is not finite no τ makes anything
+    constexpr int attempts = 100;  // no τ helps where entries are not finite
     for (int attempt = 0; !factorised(); ++attempt) {
       if (attempt == attempts) throw std::runtime_error("equilibrium: the stiffness matrix is not finite");
       if (convex_ || balanced() || last_move_ <= crept * size_)

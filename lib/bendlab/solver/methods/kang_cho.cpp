@@ -87,11 +87,11 @@ template <class Real>
 class KangChoStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::find_divergence,
-      Base::for_vertices, Base::place_of, Base::run, Base::state_, Base::workers_;
+      Base::for_vertices, Base::permuted, Base::run, Base::state_, Base::workers_;
 
  public:
   KangChoStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
-      : Base(input, input.place),
+      : Base(input, input.permutation),
         orders_(input),
         spring_count_(input.edges.size() + input.distance.size()),
         across_(across_tangent<Real>(named<Tangent>(own_settings(input).text("tangent"), tangent_names))) {
@@ -131,8 +131,8 @@ class KangChoStep final : public TimeStep<Real> {
       for (std::size_t c = 0; c < list.size(); ++c) {
         const auto [a, b] = list.vertices[c];
         const double softness = list.softness.empty() ? 1 : list.softness[c];
-        springs.push_back({static_cast<int>(place_of(static_cast<std::size_t>(a))),
-                           static_cast<int>(place_of(static_cast<std::size_t>(b))), list.rest_length[c],
+        springs.push_back({static_cast<int>(permuted(static_cast<std::size_t>(a))),
+                           static_cast<int>(permuted(static_cast<std::size_t>(b))), list.rest_length[c],
                            1 / (compliance * softness)});
       }
     };

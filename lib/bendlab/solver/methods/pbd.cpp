@@ -160,12 +160,12 @@ class PbdStep final : public TimeStep<Real> {
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
-      Base::find_divergence, Base::for_vertices, Base::place_, Base::run, Base::settings_, Base::state_,
+      Base::find_divergence, Base::for_vertices, Base::permutation_, Base::run, Base::settings_, Base::state_,
       Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
-      : Base(input, input.place),
+      : Base(input, input.permutation),
         flight_limit_(own_settings(input).number("flight_limit")),
         on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
@@ -262,10 +262,10 @@ class PbdStep final : public TimeStep<Real> {
       return order;
     };
     const bool in_list_order = settings_.order != ConstraintOrder::colour;
-    if (place_.empty())
+    if (permutation_.empty())
       return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
                   state_.vertex_count);
-    const Placed placed(list.vertices, place_);
+    const Placed placed(list.vertices, permutation_);
     List in_place = list;
     for (std::size_t c = 0; c < list.size(); ++c)
       in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];

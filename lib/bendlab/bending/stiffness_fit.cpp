@@ -1,4 +1,4 @@
-#include "bendlab/bending/resistance.hpp"
+#include "bendlab/bending/stiffness_fit.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -24,14 +24,14 @@ double mean(const ByDirection& values) {
   return sum / bending_directions;
 }
 
-void Resistance::add(double& softness, const ByDirection& energy, const Shares& shares) {
+void StiffnessFit::add(double& softness, const ByDirection& energy, const Shares& shares) {
   softness_.push_back(&softness);
   energy_.insert(energy_.end(), energy.begin(), energy.end());
   shares_.insert(shares_.end(), shares.begin(), shares.end());
   first_share_.push_back(shares_.size());
 }
 
-Resistance::PerVertex Resistance::energies() const {
+StiffnessFit::PerVertex StiffnessFit::energies() const {
   PerVertex sum(vertices_, ByDirection{});
   for (std::size_t c = 0; c < softness_.size(); ++c)
     for (const Share& share : shares(c)) {
@@ -43,7 +43,7 @@ Resistance::PerVertex Resistance::energies() const {
 }
 
 // One common factor: the sum over the vertices with a target is right.
-void Resistance::scale_to(const std::vector<double>& wanted) {
+void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   const PerVertex have = energies();
   double sum = 0, target = 0;
   for (std::size_t v = 0; v < vertices_; ++v)
@@ -54,7 +54,7 @@ void Resistance::scale_to(const std::vector<double>& wanted) {
 // A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: what a constraint gives to a
 // vertex in a direction is multiplied by what is wanted there over what is there, and its new energy is the sum. Keeps
 // f positive and, of the many solutions, near the model's own proportions.
-void Resistance::improve(const std::vector<double>& wanted) {
+void StiffnessFit::improve(const std::vector<double>& wanted) {
   // Saves rounds: what alone would be right at once keeps half its error, what is slow becomes faster.
   constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
@@ -74,7 +74,8 @@ void Resistance::improve(const std::vector<double>& wanted) {
   }
 }
 
-std::vector<BendingFact> Resistance::facts(const std::vector<double>& wanted, const std::string& name) const {
+std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
+                                             const std::string& name) const {
   const PerVertex have = energies();
   double area = 0, unreached = 0, squares = 0, worst = 0, own = 0, calibrated = 0;
   ByDirection total{};
@@ -104,7 +105,7 @@ std::vector<BendingFact> Resistance::facts(const std::vector<double>& wanted, co
            "share of the free vertices' area where no constraint resists bending"}};
 }
 
-void Resistance::fit(const std::vector<double>& wanted) {
+void StiffnessFit::fit(const std::vector<double>& wanted) {
   // Measured on lattices, grids and irregular sheets: more rounds change the energy by less than 1 %, but switch more
   // and more springs off.
   constexpr int rounds = 24;
@@ -113,13 +114,13 @@ void Resistance::fit(const std::vector<double>& wanted) {
   refit(wanted, rounds);
 }
 
-void Resistance::refit(const std::vector<double>& wanted, int rounds) {
+void StiffnessFit::refit(const std::vector<double>& wanted, int rounds) {
   for (int round = 0; round < rounds; ++round) improve(wanted);
   scale_to(wanted);
 }
 
-std::vector<BendingFact> Resistance::finish(const std::vector<double>& wanted, double usual,
-                                            const std::string& name) {
+std::vector<BendingFact> StiffnessFit::finish(const std::vector<double>& wanted, double usual,
+                                              const std::string& name) {
   std::vector<double> found = {1 / usual};
   if (!softness_.empty()) found.clear();
   for (std::size_t c = 0; c < softness_.size(); ++c) found.push_back(*softness_[c] /= factor_[c]);

@@ -1,5 +1,5 @@
-// How much bent constraints resist, and stiffnesses with which a sheet resists as told, everywhere and in every
-// direction.
+// The bending energy of constraints, and the fit of their stiffnesses to a target: the same energy per area at every
+// vertex, in every direction of bending.
 #pragma once
 
 #include <array>
@@ -36,15 +36,14 @@ struct Share {
 using Shares = std::vector<Share>;
 
 /// The constraints that meet one target, and each one's energy at κ = 1: how much in which direction, and whose.
-class Resistance {
+class StiffnessFit {
  public:
-  explicit Resistance(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
+  explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
 
   /// `energy` with the softness as it is. The softness is referred to until meet().
   void add(double& softness, const ByDirection& energy, const Shares& shares);
 
-  /// A constraint that does not resist bending (a spring along an edge): meet() makes it as soft as the median of the
-  /// others.
+  /// A constraint without bending energy (a spring along an edge): meet() gives it the median softness of the others.
   void add_idle(double& softness) { idle_.push_back(&softness); }
 
   bool empty() const { return softness_.empty() && idle_.empty(); }
