@@ -1,4 +1,5 @@
-// Includes go one way, in the library and above it in the experiments. CGAL stays in the mesh room's sources, HDF5 in io.
+// Includes go one way, in the library and above it in the experiments. CGAL stays in the mesh room's sources,
+// HDF5 in io.
 #include <filesystem>
 #include <fstream>
 #include <map>

@@ -1,5 +1,5 @@
-// Poses in which a constraint's gradient may be rounding: right angles, lines, points, folds shut, and any; every corner
-// pinned or not.
+// Poses in which a constraint's gradient may be rounding: right angles, lines, points, folds shut, and any;
+// every corner pinned or not.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ struct Poses {
   std::size_t size() const { return now.size(); }
 };
 
-// A hinge, of which the first three corners are a triangle and the first two a segment: right angles at its edge's ends,
-// equilateral, or anything.
+// A hinge, of which the first three corners are a triangle and the first two a segment: right angles at its
+// edge's ends, equilateral, or anything.
 inline std::array<Vector3, 4> shape(std::mt19937_64& random, int kind) {
   const Vector3 x = Vector3::UnitX(), y = Vector3::UnitY();
   if (kind == 0) return {Vector3::Zero(), x, x + y, x - y};  // all right angles at one end

@@ -63,7 +63,8 @@ double stretch_in(const std::filesystem::path& file, bool over_time) {
   return std::max(1.0, or_endless(largest));
 }
 
-// CPU seconds of the steps of a run: simulated again, without recording, until it took long enough to be told from noise.
+// CPU seconds of the steps of a run: simulated again, without recording, until it took long enough to be told
+// from noise.
 double steps_again(const RunConfig& config, double simulated) {
   constexpr double long_enough = 0.05, rounding = 1e-9;  // s
   constexpr int most = 20;
@@ -218,7 +219,8 @@ class Advisor {
     keep_probe(found.front());
   }
 
-  // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the start?
+  // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the
+  // start?
   bool choose_equilibrium() {
     constexpr double same = 0.002;  // of the size
     const std::vector<Json> accuracies = {question_.accuracy(ErrorOf::rest, false),
@@ -359,8 +361,8 @@ class Advisor {
     return left;
   }
 
-  // Runs the setting that a prediction would have advised: a law promises what no run has shown. False when the choice
-  // is measured, or the time is over.
+  // Runs the setting that a prediction would have advised: a law promises what no run has shown. False when
+  // the choice is measured, or the time is over.
   bool confirm_choice(Search& search) {
     if (advice_.exit_code != 0) return false;
     choose(search);

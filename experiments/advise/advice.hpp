@@ -49,8 +49,8 @@ struct Advice {
       0;  ///< of a signal, or of what no run could do without (files, mesh); the rest is then not complete
 };
 
-/// `tell` gets a line of news from time to time. Throws as Question::run_with does where no model can be this cloth, and
-/// std::runtime_error where there is no reference.
+/// `tell` gets a line of news from time to time. Throws as Question::run_with does where no model can be this
+/// cloth, and std::runtime_error where there is no reference.
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& tell);
 

@@ -72,7 +72,8 @@ Json without_effects(const Json& effects, auto left_out) {
   return kept;
 }
 
-// Files as seen from another folder: settings called `file`, in sweeps and in changes ("/mesh/file=sheet.obj"), too.
+// Files as seen from another folder: settings called `file`, in sweeps and in changes
+// ("/mesh/file=sheet.obj"), too.
 class MovedFiles {
  public:
   MovedFiles(const std::filesystem::path& from, const std::filesystem::path& to)

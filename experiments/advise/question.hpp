@@ -1,9 +1,11 @@
-// The scene that advice is asked for: which cloth it states, what a run's error is measured against, and the runs.
+// The scene that advice is asked for: which cloth it states, what a run's error is measured against, and the
+// runs.
 //
-// The cloth is the one of the config: hinges calibrated to its flexural rigidity (of a quartic cloth, which hinges can't
-// be, the config's own springs), with its membrane where that has a compliance, else one that hardly stretches (1e-5
-// m/N). Its pose at rest is found by the equilibrium solver, its motion by many substeps. Effects that help a solver and
-// do nothing to the stated cloth at rest (tethers, bounds on the strain, damping) are left out of an equilibrium.
+// The cloth is the one of the config: hinges calibrated to its flexural rigidity (of a quartic cloth, which
+// hinges can't be, the config's own springs), with its membrane where that has a compliance, else one that
+// hardly stretches (1e-5 m/N). Its pose at rest is found by the equilibrium solver, its motion by many
+// substeps. Effects that help a solver and do nothing to the stated cloth at rest (tethers, bounds on the
+// strain, damping) are left out of an equilibrium.
 #pragma once
 
 #include <filesystem>
@@ -16,7 +18,8 @@
 
 namespace bendlab {
 
-/// What an error is: of the settled pose, of the motion, or against the reference of the config's own /accuracy.
+/// What an error is: of the settled pose, of the motion, or against the reference of the config's own
+/// /accuracy.
 enum class ErrorOf { rest, motion, own };
 
 class Question {
@@ -28,18 +31,19 @@ class Question {
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
 
-  /// own where the config has an /accuracy; rest where nothing but loads and damping acts on a pinned cloth that starts at
-  /// rest; else motion.
+  /// own where the config has an /accuracy; rest where nothing but loads and damping acts on a pinned cloth
+  /// that starts at rest; else motion.
   ErrorOf natural_error() const;
 
   /// The /accuracy section of its runs. `start_from_end`: for scenes with many equilibria, see there.
   Json accuracy(ErrorOf what, bool start_from_end = false) const;
 
-  /// Substeps of the reference of a motion: as many as about a minute of projections allows, but 64 at least and 1024 at
-  /// most. Its error is told by one of half as many.
+  /// Substeps of the reference of a motion: as many as about a minute of projections allows, but 64 at least
+  /// and 1024 at most. Its error is told by one of half as many.
   int reference_substeps() const;
 
-  /// Root mean square of the speed of the cloth that has this kinetic energy (J), in sizes of the mesh per second.
+  /// Root mean square of the speed of the cloth that has this kinetic energy (J), in sizes of the mesh per
+  /// second.
   double speed(double kinetic_energy) const;
 
   /// The scene's run with that setting. Throws ConfigError where the model cannot be this cloth.
@@ -48,7 +52,8 @@ class Question {
   /// What makes the config have that setting: "/json/pointer=value" each.
   std::vector<std::string> changes(const Setting& setting) const;
 
-  /// The config with that setting, without /accuracy and without expectations of other settings, to be kept in `folder`.
+  /// The config with that setting, without /accuracy and without expectations of other settings, to be kept
+  /// in `folder`.
   Json written(const Setting& setting, const std::filesystem::path& folder) const;
 
  private:

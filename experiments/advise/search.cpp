@@ -146,8 +146,8 @@ std::optional<double> Search::cost(const Setting& setting) const {
   return std::nullopt;
 }
 
-// The least error that the model's coarser runs leave possible; 0 where they had none. Of a cloth that is nowhere near, it
-// does not matter how far away it is.
+// The least error that the model's coarser runs leave possible; 0 where they had none. Of a cloth that is
+// nowhere near, it does not matter how far away it is.
 double Search::optimistic(const Setting& setting) const {
   constexpr double nowhere_near = 0.25;
   double least = infinity;

@@ -1,4 +1,5 @@
-// Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and little else is run.
+// Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and
+// little else is run.
 //
 //   substeps   1 2 3 4 6 8 … 256    every model goes up by doubling; 3, 6, 12 … only where they may just meet the demand
 //   iterations 1 2 4 10             where the next fewer is on the front

@@ -86,8 +86,8 @@ class BallFile {
       std::filesystem::temp_directory_path() / fmt::format("bendlab bench ball {}.obj", getpid());
 };
 
-/// Five layers on a floor, their thickness a cell, under a weight that moves them by the same part of it per step: each
-/// vertex has its contacts at any resolution.
+/// Five layers on a floor, their thickness a cell, under a weight that moves them by the same part of it per
+/// step: each vertex has its contacts at any resolution.
 struct Stack {
   double cell;  ///< m
 

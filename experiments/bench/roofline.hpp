@@ -44,8 +44,8 @@ inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, 
 /// With k. d and |d| 9, C 1, ∇C 3, Σ w|∇C|² 12, step 2, two corrections 14.
 inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops = 41};
 
-/// With compliance, in float: the above, load and shares 25, first guess 20, two series of 8 terms 28, three Newton
-/// steps of 16 and the series again, last step 20. Reads α and λ and writes λ too.
+/// With compliance, in float: the above, load and shares 25, first guess 20, two series of 8 terms 28, three
+/// Newton steps of 16 and the series again, last step 20. Reads α and λ and writes λ too.
 inline constexpr ConstraintCost compliant_arc_cost{.corners = 2, .rest_scalars = 4, .flops = 266};
 
 /// Bytes of indices and rest data of one constraint.

@@ -18,8 +18,8 @@ struct ConfigArguments {
   std::vector<std::string> overrides;  ///< "/json/pointer=value"
 };
 
-/// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is computed where
-/// there are some before.
+/// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is
+/// computed where there are some before.
 int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
                 bool strict);
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
@@ -27,9 +27,9 @@ int validate_command(const ConfigArguments& configs, bool strict);
 
 struct ReproduceArguments {
   std::string what = "everything";  ///< one of reproducible()
-  std::filesystem::path out;   ///< empty: the checkout's results (CampaignOptions::out is not used)
-  bool full = false;           ///< with the configs whose names end in _full
-  bool quick = false;          ///< without those whose names end in _slow
+  std::filesystem::path out;        ///< empty: the checkout's results (CampaignOptions::out is not used)
+  bool full = false;                ///< with the configs whose names end in _full
+  bool quick = false;               ///< without those whose names end in _slow
 };
 
 /// What there is to reproduce, the default first.
@@ -63,15 +63,15 @@ struct AdviseArguments {
   std::filesystem::path write;      ///< empty: the config is not written
 };
 
-/// Which model, substeps, iterations and precision to take for a scene, from a sweep below <out>/advise. Exit code 1 where
-/// no setting meets the demand.
+/// Which model, substeps, iterations and precision to take for a scene, from a sweep below <out>/advise. Exit
+/// code 1 where no setting meets the demand.
 int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json);
 
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
 int bench_command(const BenchOptions& options, bool list, bool json);
 
-/// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; of one that it refuses, what
-/// the others would make of it.
+/// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; of one that it
+/// refuses, what the others would make of it.
 int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds,
                  std::string_view policy, bool json);
 

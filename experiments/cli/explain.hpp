@@ -7,8 +7,8 @@
 
 namespace bendlab {
 
-/// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its share of the time;
-/// then the listed effects that never did anything in this run.
+/// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its
+/// share of the time; then the listed effects that never did anything in this run.
 std::string explain_text(const CampaignRun& run);
 
 }  // namespace bendlab

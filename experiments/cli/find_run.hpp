@@ -9,11 +9,12 @@
 
 namespace bendlab {
 
-/// The readable runs below a folder, by path; says on stderr which are not. Throws RunFileError where there is no folder.
+/// The readable runs below a folder, by path; says on stderr which are not. Throws RunFileError where there
+/// is no folder.
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder);
 
-/// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`. Throws UsageError
-/// where that is none, or several.
+/// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`. Throws
+/// UsageError where that is none, or several.
 RunRecord find_run(const std::string& run, const std::filesystem::path& folder);
 
 }  // namespace bendlab

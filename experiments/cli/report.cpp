@@ -107,8 +107,8 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// The main ones; what the solver made of the stiffness told where a run has less than 90 % of it; the errors where runs
-/// have them.
+/// The main ones; what the solver made of the stiffness told where a run has less than 90 % of it; the errors
+/// where runs have them.
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   std::vector<std::string> columns(main_columns.begin(), main_columns.end());
   constexpr double converged = 0.9;  // 1

@@ -9,8 +9,8 @@
 
 namespace bendlab {
 
-/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, step_cpu_s, summary, passes, expectations,
-/// implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.
+/// {id, experiment, point, status, reused, file, config, wall_s, cpu_s, step_cpu_s, summary, passes,
+/// expectations, implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.
 Json run_json(const CampaignRun& run);
 
 /// Swept values and the main numbers, a row per run; where the time went; which expectations hold.

@@ -115,8 +115,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   return code == exit_ok && (warned || !expectations_hold(runs)) ? int{exit_failed} : code;
 }
 
-/// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow` unless it has to
-/// be quick. Of a file, itself.
+/// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow`
+/// unless it has to be quick. Of a file, itself.
 std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArguments& arguments) {
   std::vector<fs::path> files;
   if (fs::is_regular_file(folder)) return {folder};
@@ -138,7 +138,8 @@ struct Stage {
   std::string_view option{};                ///< of the script
 };
 
-/// Something to reproduce: what is drawn first comes first, so that there is something to look at while the rest runs.
+/// Something to reproduce: what is drawn first comes first, so that there is something to look at while the
+/// rest runs.
 struct Reproducible {
   std::string_view name, page;  ///< the folder of its page
   std::array<Stage, 3> stages;

@@ -107,8 +107,8 @@ bool same_run(RunConfig one, RunConfig other) {
   return identity_text(one) == identity_text(other);
 }
 
-// A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has no energy)
-// is told by those runs.
+// A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has
+// no energy) is told by those runs.
 void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const Against against : references)
     for (const bool coarser : {false, true}) {

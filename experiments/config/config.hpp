@@ -49,8 +49,8 @@ struct RunConfig {
   std::vector<EffectSettings> effects() const;  ///< a `file` as a path from here
 };
 
-/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts from its
-/// rest shape. Throws ConfigError with what is wrong in the changed settings.
+/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts
+/// from its rest shape. Throws ConfigError with what is wrong in the changed settings.
 std::optional<RunConfig> run_before(const RunConfig& config);
 
 /// What the errors of a run are measured against: the best solution of its own energies, or the stated cloth.
@@ -65,11 +65,12 @@ std::string reference_pointer(Against against, bool coarser);  ///< "/accuracy/s
 enum class AlignBy { none, vertical, rigid };
 inline constexpr std::array<std::string_view, 3> align_by_names = {"none", "vertical", "rigid"};
 
-/// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where `coarser`.
-/// Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.
+/// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where
+/// `coarser`. Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.
 std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser = false);
 
-/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects' files.
+/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects'
+/// files.
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
 
 /// The part of a resolved config that decides the result: canonical text without /solver/threads (any number

@@ -12,11 +12,13 @@ namespace {
 constexpr std::size_t open = static_cast<std::size_t>(-1);  // the value of an axis that has none yet
 constexpr std::size_t most_tuples = 20'000'000;             // a byte each
 constexpr int candidates = 10;  // rows of which the best is kept: with 50 the arrays were 1 % smaller
-// Refused rows before a combination counts as impossible: after the first, greedy ones, every other value is drawn at
-// random, so that one that is refused for an axis of two values is missed by chance in 0.75^55 = 10⁻⁷ of the cases.
+// Refused rows before a combination counts as impossible: after the first, greedy ones, every other value is
+// drawn at random, so that one that is refused for an axis of two values is missed by chance in 0.75^55 =
+// 10⁻⁷ of the cases.
 constexpr int greedy_attempts = 5, most_attempts = 60;
 
-// Splitmix64 (Steele, Lea, Flood 2014): the library's generators differ between machines in how they draw a number.
+// Splitmix64 (Steele, Lea, Flood 2014): the library's generators differ between machines in how they draw a
+// number.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -52,7 +54,8 @@ class Coverage {
   std::size_t tuples() const { return tuples_; }
   std::size_t missing() const { return missing_; }
 
-  /// How many combinations that no row has yet are those of `row`'s values with `value` at `axis`, among the axes that have one.
+  /// How many combinations that no row has yet are those of `row`'s values with `value` at `axis`, among the
+  /// axes that have one.
   std::size_t gain(CoverRow& row, std::size_t axis, std::size_t value) const {
     row[axis] = value;
     std::size_t gain = 0;
@@ -265,8 +268,8 @@ class Builder {
     return best;
   }
 
-  // A row with these values, and of every other axis, in random order, the value that covers most with them; or, where the
-  // best ones were refused, of about every second axis any value.
+  // A row with these values, and of every other axis, in random order, the value that covers most with them;
+  // or, where the best ones were refused, of about every second axis any value.
   CoverRow filled_row(const CoverTuple& tuple, bool loosely) {
     CoverRow row(sizes_.size(), open);
     for (const auto& [axis, value] : tuple) row[axis] = value;

@@ -30,12 +30,13 @@ struct CoverRows {
   std::vector<CoverTuple> impossible;
 };
 
-/// Rows such that every combination of values of any `strength` axes (all of them, if there are fewer) is in at least one
-/// row for which `allowed` is true, where there is one. Greedy (Cohen, Dalal, Fredman, Patton: The AETG System, 1997): each
-/// row begins with a combination that is not covered yet, and takes axis after axis the value that covers most; the best of a
-/// few such rows is kept. What `allowed` refuses is learned pair by pair and avoided. The same arguments give the same rows
-/// on every machine. `sizes` holds the number of values of each axis, each at least 1. Stops once there are more than
-/// `most_rows` rows. Throws std::invalid_argument for a strength below 1, and for more than 20 million combinations.
+/// Rows such that every combination of values of any `strength` axes (all of them, if there are fewer) is in
+/// at least one row for which `allowed` is true, where there is one. Greedy (Cohen, Dalal, Fredman, Patton:
+/// The AETG System, 1997): each row begins with a combination that is not covered yet, and takes axis after
+/// axis the value that covers most; the best of a few such rows is kept. What `allowed` refuses is learned
+/// pair by pair and avoided. The same arguments give the same rows on every machine. `sizes` holds the number
+/// of values of each axis, each at least 1. Stops once there are more than `most_rows` rows. Throws
+/// std::invalid_argument for a strength below 1, and for more than 20 million combinations.
 CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
                         const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows);
 

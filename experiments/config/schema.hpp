@@ -17,7 +17,8 @@ Json schema_json();
 std::string models_text();
 Json models_json();
 
-/// The registered solver methods: name, what a step does, source, limits, settings with defaults, shared settings read.
+/// The registered solver methods: name, what a step does, source, limits, settings with defaults, shared
+/// settings read.
 std::string methods_text();
 Json methods_json();
 

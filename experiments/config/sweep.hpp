@@ -11,7 +11,8 @@ namespace bendlab {
 
 /// The axes of a `sweep` object, in its order. Each pointer must name a setting, a section or (part of) the
 /// effects that `settings` lists; lists must not be empty. Every value is checked by itself against the rest
-/// of the settings, and the number of combinations, unless they are `covered`: expand_cover() checks what it takes.
+/// of the settings, and the number of combinations, unless they are `covered`: expand_cover() checks what it
+/// takes.
 std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covered, ConfigProblems& problems);
 
 /// `cover` as a config has it, a number or an object; nothing where there is none, or it is wrong.
@@ -26,9 +27,9 @@ Json with_first_values(const Json& settings, const std::vector<Axis>& axes);
 std::vector<RunConfig> expand_sweep(const Json& settings, const std::vector<Axis>& axes,
                                     ConfigProblems& problems);
 
-/// Runs of a covering array over the axes instead of every combination: any values of any `cover.strength` axes are together
-/// in one of them, unless no combination with them is allowed, which `told` says. Runs with equal resolved settings are
-/// merged. A value that no combination allows is a problem.
+/// Runs of a covering array over the axes instead of every combination: any values of any `cover.strength`
+/// axes are together in one of them, unless no combination with them is allowed, which `told` says. Runs with
+/// equal resolved settings are merged. A value that no combination allows is a problem.
 std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis>& axes, const Cover& cover,
                                     Covered& told, ConfigProblems& problems);
 

@@ -65,8 +65,8 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
 
 namespace {
 
-// Looks at a simulation in the last second of a run, every half second and at its end. Of all looks together: the mean
-// share, weighted by energy.
+// Looks at a simulation in the last second of a run, every half second and at its end. Of all looks together:
+// the mean share, weighted by energy.
 class Meter final : public Measurement {
  public:
   Meter(double duration, int substeps) : next_look_(duration - 1), substeps_(substeps) {}

@@ -1,5 +1,6 @@
-// Measures: what is found out about a run. Each is one file here and one line in measures.def, and nothing else knows its
-// name. A run has those that every run has, and those that its config asks for; the others cost it nothing.
+// Measures: what is found out about a run. Each is one file here and one line in measures.def, and nothing
+// else knows its name. A run has those that every run has, and those that its config asks for; the others
+// cost it nothing.
 #pragma once
 
 #include <filesystem>
@@ -31,8 +32,8 @@ class MeasuredFrame {
   const Positions& positions() const { return positions_; }  ///< #V by 3, m
   const std::vector<PrincipalStretches>& stretches() const;  ///< #T
   const StretchSummary& stretch() const;
-  /// What a measure that comes earlier in measures.def gave for this frame. Throws std::logic_error for a column that no
-  /// measure of this run has.
+  /// What a measure that comes earlier in measures.def gave for this frame. Throws std::logic_error for a
+  /// column that no measure of this run has.
   double value(std::string_view column) const;
 
  private:
@@ -103,10 +104,11 @@ class Measurement {
   virtual ~Measurement() = default;
   /// At time 0 and after every step, between steps.
   virtual void step(const Simulation&, const Moment&) {}
-  /// Of each frame, what needs more than positions: between steps, so it should be cheap. `values`: its columns.
+  /// Of each frame, what needs more than positions: between steps, so it should be cheap. `values`: its
+  /// columns.
   virtual void capture(const Simulation&, const Positions&, std::span<double> /*values*/) {}
-  /// Of each frame, the rest, in order; beside the steps, on another thread. `fields`: one value per triangle for each of
-  /// its fields.
+  /// Of each frame, the rest, in order; beside the steps, on another thread. `fields`: one value per triangle
+  /// for each of its fields.
   virtual void complete(const MeasuredFrame&, std::span<double> /*values*/,
                         std::span<std::vector<float>> /*fields*/) {}
   /// When the run is over and all frames are complete.

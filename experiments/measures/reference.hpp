@@ -7,7 +7,8 @@
 
 namespace bendlab {
 
-/// Every measure: name, what it finds out, when a run has it, what it costs, its numbers with unit and meaning.
+/// Every measure: name, what it finds out, when a run has it, what it costs, its numbers with unit and
+/// meaning.
 std::string measures_text();
 Json measures_json();
 

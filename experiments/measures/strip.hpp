@@ -1,5 +1,5 @@
-// The stiffness of a run whose cloth is a cantilever strip (lib/bendlab/metrics/stiffness.hpp), with what it takes from
-// the run's config.
+// The stiffness of a run whose cloth is a cantilever strip (lib/bendlab/metrics/stiffness.hpp), with what it
+// takes from the run's config.
 #pragma once
 
 #include <optional>
@@ -10,9 +10,9 @@
 
 namespace bendlab {
 
-/// What somebody sets, else it follows from the bending model: its reach is how far, along the strip, its constraints
-/// join a free vertex to others (the median over the vertices that one joins to the clamp): t rows for springs of ring
-/// t, two for hinges.
+/// What somebody sets, else it follows from the bending model: its reach is how far, along the strip, its
+/// constraints join a free vertex to others (the median over the vertices that one joins to the clamp): t
+/// rows for springs of ring t, two for hinges.
 struct StripSettings {
   /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
   std::optional<double> clamp_offset;

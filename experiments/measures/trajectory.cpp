@@ -15,7 +15,8 @@
 namespace bendlab {
 namespace {
 
-// Frames of the two that have the same time but for rounding; not those at the start, where they are the same.
+// Frames of the two that have the same time but for rounding; not those at the start, where they are the
+// same.
 std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, const Trajectory& reference) {
   constexpr double rounding = 1e-6;  // s: of thousands of time steps added up
   std::vector<std::array<std::size_t, 2>> pairs;

@@ -27,13 +27,14 @@ struct Comparing {
   double energy_scale = 0;    ///< J; 0: no energy is compared
 };
 
-/// The errors above without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over time `frames`, `energy` and the
-/// worst ones. Throws std::invalid_argument where the meshes don't go together or no frame has a time in common.
+/// The errors above without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over time `frames`,
+/// `energy` and the worst ones. Throws std::invalid_argument where the meshes don't go together or no frame
+/// has a time in common.
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
                                              const Comparing& comparing);
 
-/// The trajectory of a finished run, from its file: with `scene`, which is the file's, all frames and their energies; else the
-/// last frame. Throws RunFileError.
+/// The trajectory of a finished run, from its file: with `scene`, which is the file's, all frames and their
+/// energies; else the last frame. Throws RunFileError.
 Trajectory read_trajectory(const std::filesystem::path& file, const Scene* scene = nullptr);
 
 }  // namespace bendlab

@@ -13,8 +13,8 @@ namespace bendlab {
 
 class Recorder {
  public:
-  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError where the scene
-  /// cannot be measured as the config asks.
+  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError where
+  /// the scene cannot be measured as the config asks.
   Recorder(const RunConfig& config, const Scene& scene);
 
   const std::vector<Column>& metrics() const { return columns_; }     ///< of Frame::metrics
@@ -26,7 +26,8 @@ class Recorder {
   /// A frame with time, positions and what needs more than these; between steps.
   Frame capture(const Simulation& simulation) const;
 
-  /// The rest of the frame, which the verdict sees too; on the writer's thread, one frame at a time, in order.
+  /// The rest of the frame, which the verdict sees too; on the writer's thread, one frame at a time, in
+  /// order.
   void complete(Frame& frame, Plausibility& plausibility);
 
   /// When all frames are complete: what the measures found that make no other runs, or that do.

@@ -41,8 +41,8 @@ namespace {
 //   pins/ring 1                   37   1111     19     96      -      -      1.0
 //
 // Tethers mend what tears at a pin, for nothing; substeps, each with all its iterations, mend it at their
-// price. What is in the table and not named below did not help, or not in most. (Single precision before it kept what a
-// substep changes apart, but for i.)
+// price. What is in the table and not named below did not help, or not in most. (Single precision before it
+// kept what a substep changes apart, but for i.)
 //
 // Besides: a free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends with a
 // mean strain of 1260; with form: angle 0.04, with k = 0.1 0.12, with isometric 0.05; 10 substeps × 10 1260,
@@ -65,9 +65,9 @@ bool is_prestressed(const Scene& scene) {
   return false;
 }
 
-// Short substeps of forward sweeps, which add energy: a level sheet of 16 cells without pins and bending that falls for 0.5 s
-// in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy scale, in both precisions and
-// forms; symmetric, 1e-7 and nothing. With 256 substeps neither gained any.
+// Short substeps of forward sweeps, which add energy: a level sheet of 16 cells without pins and bending that
+// falls for 0.5 s in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy
+// scale, in both precisions and forms; symmetric, 1e-7 and nothing. With 256 substeps neither gained any.
 bool is_pumped(const Scene& scene) {
   constexpr int many = 300;
   const SolverSettings& solver = scene.input.settings;

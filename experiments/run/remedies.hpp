@@ -1,4 +1,5 @@
-// What helps a run that broke a bound or diverged: from trying it, not from belief. The trials stand in remedies.cpp.
+// What helps a run that broke a bound or diverged: from trying it, not from belief. The trials stand in
+// remedies.cpp.
 #pragma once
 
 #include <string>
@@ -7,7 +8,8 @@
 
 namespace bendlab {
 
-/// What helped in the trials of the likely cause, with numbers; empty where nothing did, or the scene has it all.
+/// What helped in the trials of the likely cause, with numbers; empty where nothing did, or the scene has it
+/// all.
 std::string remedies_for(Bound bound, const Scene& scene);
 
 /// The same for a cloth that diverged.

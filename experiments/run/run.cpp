@@ -135,7 +135,8 @@ std::string id_of_other(const RunConfig& other, const std::string& pointer) try 
   throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
 }
 
-// Errors are in the summary: another reference makes another run. Settings that can't be are told when its turn comes.
+// Errors are in the summary: another reference makes another run. Settings that can't be are told when its
+// turn comes.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
   return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";

@@ -48,9 +48,9 @@ std::string run_id(const RunConfig& config);
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config);
 
-/// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts there, and makes
-/// the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their time is not the run's. Throws
-/// MeshError and RunFileError; a run that diverges is an outcome.
+/// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts
+/// there, and makes the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their
+/// time is not the run's. Throws MeshError and RunFileError; a run that diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

@@ -25,9 +25,9 @@ const double* softness_of(const List& list, std::size_t constraint) {
     return nullptr;
 }
 
-// Vertices, rest values (`rest_of`: an array of each constraint's) and softness, where the list has one, in the order the
-// solver projects them (padded lanes left out). Hashed one by one: a copy of millions of springs would be the largest thing
-// in memory.
+// Vertices, rest values (`rest_of`: an array of each constraint's) and softness, where the list has one, in
+// the order the solver projects them (padded lanes left out). Hashed one by one: a copy of millions of
+// springs would be the largest thing in memory.
 template <class List, class RestOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
                            RestOf rest_of) {

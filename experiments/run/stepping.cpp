@@ -10,8 +10,8 @@
 namespace bendlab {
 namespace {
 
-// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without strain
-// constraints.
+// "; triangle 12 (3, 4, 9), the most stretched, is 1.2e+05 times as long as at rest", or nothing without
+// strain constraints.
 std::string worst_triangle_text(const Divergence& divergence, const Triangles& triangles) {
   const auto& [a, b, c] = divergence.triangle;
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)

@@ -26,8 +26,8 @@ using Message = std::optional<std::string>;
 // substep × 10 iterations leave 0.056, 10 × 1 0.012, 4 × 10 0.006; on two corners, 20 cells, 1 × 10 leave
 // 0.072 and 4 × 10 0.007. The paper's sheet on 16 cells, which hangs as finer ones do, has 0.036.
 constexpr double unconverged_strain = 0.05;
-// Of the most stretched triangle, for necks at pins that the mean does not see: a tube on its rim, 24 cells, green form, 1 × 10
-// has 1.36, and hangs by a tenth of its size too far; 10 × 1 left 1.10.
+// Of the most stretched triangle, for necks at pins that the mean does not see: a tube on its rim, 24 cells,
+// green form, 1 × 10 has 1.36, and hangs by a tenth of its size too far; 10 × 1 left 1.10.
 constexpr double unconverged_stretch = 1.25;
 
 Message unconverged(const WarningInput& input) {

@@ -7,8 +7,9 @@
 
 namespace bendlab {
 
-/// #V by 3, m: the rest shape folded or creased, stretched by `scale`, turned by `tilt`, or at random, as the settings of
-/// /initial say; pinned vertices stay where folds and tilt bring them. Throws ConfigError for settings that do not go together.
+/// #V by 3, m: the rest shape folded or creased, stretched by `scale`, turned by `tilt`, or at random, as the
+/// settings of /initial say; pinned vertices stay where folds and tilt bring them. Throws ConfigError for
+/// settings that do not go together.
 Positions initial_positions(const ParameterValues& initial, const RestMesh& rest, const Pins& pins);
 
 /// #V by 3, m/s, of a cloth that starts at `positions`; empty where it starts at rest.

@@ -51,7 +51,8 @@ class Sheet {
   Vector2 centre_ = Vector2::Zero();
 };
 
-// A vertex that lies outside the other sheet is found by its triangles; this finds one that is larger all around.
+// A vertex that lies outside the other sheet is found by its triangles; this finds one that is larger all
+// around.
 void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane, const RestMesh& to,
                    const std::vector<Vector2>& to_plane) {
   const Eigen::AlignedBox<double, 2> one = box_of(from_plane), other = box_of(to_plane);

@@ -11,11 +11,12 @@ namespace bendlab {
 /// Whether two meshes have the same vertices at the same places, to the bit.
 bool same_rest_positions(const RestMesh& one, const RestMesh& other);
 
-/// Interpolates linearly in the rest plane; beyond the outline, which may differ by an edge's length, linearly on. Between
-/// meshes with the same rest positions it changes no bit.
+/// Interpolates linearly in the rest plane; beyond the outline, which may differ by an edge's length,
+/// linearly on. Between meshes with the same rest positions it changes no bit.
 class PoseTransfer {
  public:
-  /// Throws std::invalid_argument where the meshes have neither their rest positions nor their flat sheet in common.
+  /// Throws std::invalid_argument where the meshes have neither their rest positions nor their flat sheet in
+  /// common.
   PoseTransfer(const RestMesh& from, const RestMesh& to);
 
   /// `pose` #V of `from` by 3 → #V of `to` by 3, m.

@@ -9,16 +9,17 @@
 namespace bendlab {
 
 bool RoundingSpeed::single_suffices() const {
-  // Sheets of 1.4 m, 0.2 kg and 12 cells on a plane, and on tethers, in single precision: with 16, 64, 256 and 1024 substeps
-  // the ratio is 0.008, 0.13, 2 and 32, and at rest they still move at 0.008, 0.02, 0.1 and 0.3 mm/s (rms; in double they
-  // do not). Where they lie and how they are strained does not show it.
+  // Sheets of 1.4 m, 0.2 kg and 12 cells on a plane, and on tethers, in single precision: with 16, 64, 256
+  // and 1024 substeps the ratio is 0.008, 0.13, 2 and 32, and at rest they still move at 0.008, 0.02, 0.1 and
+  // 0.3 mm/s (rms; in double they do not). Where they lie and how they are strained does not show it.
   constexpr double most = 10;
   return !matters || !(rounded > most * gained) || gained == 0;
 }
 
 bool RoundingSpeed::whole_suffices() const {
-  // A strip of known membrane stiffness, 1 m long, and cantilevers of 9 cm (three models, 12 and 24 cells) with rounded positions
-  // differ from double precision in elongation and drop by less than 0.0006 where the ratio is below 0.01; at 0.2 by 0.006.
+  // A strip of known membrane stiffness, 1 m long, and cantilevers of 9 cm (three models, 12 and 24 cells)
+  // with rounded positions differ from double precision in elongation and drop by less than 0.0006 where the
+  // ratio is below 0.01; at 0.2 by 0.006.
   constexpr double most = 0.01;
   return rounded <= most * gained;
 }

@@ -1,4 +1,5 @@
-// Which floating-point numbers a scene needs: what single precision can tell apart, against what gravity does in a substep.
+// Which floating-point numbers a scene needs: what single precision can tell apart, against what gravity does
+// in a substep.
 #pragma once
 
 #include "bendlab/solver/precision.hpp"
@@ -7,9 +8,10 @@ namespace bendlab {
 
 struct Scene;
 
-/// A method that keeps_moves_apart keeps in single precision what a substep changes apart from where the cloth is, so that
-/// constraints lose nothing. Effects that move vertices (tethers, obstacles, self-collision, moving pins, …) and other
-/// methods (kang_cho) know positions as one number: these they round, and each rounding is a speed.
+/// A method that keeps_moves_apart keeps in single precision what a substep changes apart from where the
+/// cloth is, so that constraints lose nothing. Effects that move vertices (tethers, obstacles,
+/// self-collision, moving pins, …) and other methods (kang_cho) know positions as one number: these they
+/// round, and each rounding is a speed.
 struct RoundingSpeed {
   double rounded =
       0;  ///< m/s, ε d / h: one rounding in single precision of a coordinate as large as the cloth

@@ -207,8 +207,8 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
           .small_angle = values.number("small_angle")};
 }
 
-// The compiled passes of the effect at that place, under its name. Throws ConfigError for settings that do not go
-// together, or not with this mesh.
+// The compiled passes of the effect at that place, under its name. Throws ConfigError for settings that do
+// not go together, or not with this mesh.
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];

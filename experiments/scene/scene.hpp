@@ -39,17 +39,18 @@ struct Scene {
   QualityThresholds thresholds;
 };
 
-/// The rest mesh that a config describes, generated or read, accepted by its policy for bad triangles, scaled. Throws
-/// MeshError (refused) and RunFileError (unreadable).
+/// The rest mesh that a config describes, generated or read, accepted by its policy for bad triangles,
+/// scaled. Throws MeshError (refused) and RunFileError (unreadable).
 AcceptedMesh rest_mesh_of(const RunConfig& config);
 
 Scene build_scene(const RunConfig& config);
 
-/// What the passes of a listed effect are called in a run: its type, with a number where it is listed more than
-/// once.
+/// What the passes of a listed effect are called in a run: its type, with a number where it is listed more
+/// than once.
 std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t index);
 
-/// Places in scene.effects of those that provably change nothing: idle by their settings, or without a pass here.
+/// Places in scene.effects of those that provably change nothing: idle by their settings, or without a pass
+/// here.
 std::vector<std::size_t> idle_effects(const Scene& scene);
 
 /// Whether an effect of the scene moves vertices itself, besides the constraints.

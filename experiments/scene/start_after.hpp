@@ -1,4 +1,5 @@
-// `/initial/after`: a run that starts where another one ends: the same scene with other settings, coarser for example.
+// `/initial/after`: a run that starts where another one ends: the same scene with other settings, coarser for
+// example.
 #pragma once
 
 #include <atomic>
@@ -12,10 +13,10 @@ namespace bendlab {
 /// How many steps of `/solver/dt` a run of `/duration` takes; a part of a step counts as one.
 std::int64_t step_count(const RunConfig& config);
 
-/// Simulates run_before(), if there is one, until it settles, its duration is over or `stop` is set, and moves the free
-/// vertices of `scene` to where it ends; they start at rest. Between two meshes of the same flat sheet the pose is
-/// interpolated linearly. Throws std::runtime_error if that run diverges, and ConfigError if the meshes have neither
-/// their vertices nor their plane in common.
+/// Simulates run_before(), if there is one, until it settles, its duration is over or `stop` is set, and
+/// moves the free vertices of `scene` to where it ends; they start at rest. Between two meshes of the same
+/// flat sheet the pose is interpolated linearly. Throws std::runtime_error if that run diverges, and
+/// ConfigError if the meshes have neither their vertices nor their plane in common.
 void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 /// Where another run ended, on its own mesh; both are kept by reference.
@@ -24,8 +25,8 @@ struct StartingPose {
   const Positions& positions;  ///< #V by 3, m
 };
 
-/// Moves the free vertices of `scene` there, interpolated as above. Throws ConfigError with `pointer`, the setting that asks
-/// for it, if the meshes don't go together.
+/// Moves the free vertices of `scene` there, interpolated as above. Throws ConfigError with `pointer`, the
+/// setting that asks for it, if the meshes don't go together.
 void start_from(Scene& scene, const StartingPose& start, const std::string& pointer);
 
 }  // namespace bendlab

@@ -1,4 +1,5 @@
-// Physical stiffness: what a sheet bent to unit curvature does, and that calibrated models resist it as they were asked.
+// Physical stiffness: what a sheet bent to unit curvature does, and that calibrated models resist it as they
+// were asked.
 #include "bendlab/bending/calibration.hpp"
 
 #include <algorithm>
@@ -117,8 +118,8 @@ const std::vector<std::pair<std::string_view, Changed>> hinge_models = {
 }  // namespace
 
 TEST_CASE("pairs of a bent lattice shorten as its folds say", "[bending][calibration]") {
-  // C = 4 Σ ½ δ² / area of springs of 1 N/m to ring t alone, over a⁴: a separate computation in arithmetic of the
-  // lattice, printed to five digits.
+  // C = 4 Σ ½ δ² / area of springs of 1 N/m to ring t alone, over a⁴: a separate computation in arithmetic of
+  // the lattice, printed to five digits.
   const std::map<int, double> computed_apart = {{2, 0.15223}, {3, 3.3926}, {4, 27.507}};
   const RestMesh rest(equilateral(1, 1, 32));
   const UnitBend bend(rest);
@@ -141,8 +142,8 @@ TEST_CASE("pairs of a bent lattice shorten as its folds say", "[bending][calibra
 }
 
 TEST_CASE("a lattice bends without strain in any direction", "[bending][calibration]") {
-  // Its discrete Gaussian curvature is the determinant of the second derivatives, whatever the direction; so what is
-  // left at a curvature κ is of order κ⁴: 1/16 at half of it.
+  // Its discrete Gaussian curvature is the determinant of the second derivatives, whatever the direction; so
+  // what is left at a curvature κ is of order κ⁴: 1/16 at half of it.
   const RestMesh rest(equilateral(1, 0.7, 16));
   const UnitBend bend(rest);
   CHECK(bend.membrane_quartic() < 1e-20 * std::pow(rest.mean_edge_length(), 4));
@@ -157,7 +158,8 @@ TEST_CASE("a lattice bends without strain in any direction", "[bending][calibrat
 }
 
 TEST_CASE("the bent sheet's displacements leave the least strain", "[bending][calibration]") {
-  // Any other displacement strains more: moving a vertex costs as much one way as the other, to first order nothing.
+  // Any other displacement strains more: moving a vertex costs as much one way as the other, to first order
+  // nothing.
   const RestMesh rest(delaunay(1, 0.7, 10, 3));
   const UnitBend bend(rest);
   const Vector2 d = direction(0.4);
@@ -235,7 +237,8 @@ TEST_CASE("calibrated springs have the asked stiffness on any lattice", "[bendin
       const double energy = test::energy(constraints, folded_at_rows(rest, curvature));
       ratios.push_back(energy / (2e-9 / 4 * std::pow(curvature, 4) * area_of(rest)));
       INFO(model << ", " << cells << " cells: " << ratios.back());
-      // What a lattice's few directions leave in a sheet six springs wide, and four springs per vertex on 12 cells more.
+      // What a lattice's few directions leave in a sheet six springs wide, and four springs per vertex on 12
+      // cells more.
       const double tolerance = model == "sparse_lod" ? 0.08 : 0.05;
       CHECK_THAT(ratios.back(), WithinRel(1.0, tolerance));
     }
@@ -303,8 +306,9 @@ TEST_CASE("calibrated models have the asked stiffness on irregular sheets", "[be
 }
 
 TEST_CASE("denser springs around pins are as stiff as the rest", "[bending][calibration]") {
-  // Flat up to the last clamped row, from there on folded at every row by κ times what of the sheet is nearest to it (half
-  // a row beyond the clamp). The moment per width at a row is what the energy gains with its angle: C κ³.
+  // Flat up to the last clamped row, from there on folded at every row by κ times what of the sheet is
+  // nearest to it (half a row beyond the clamp). The moment per width at a row is what the energy gains with
+  // its angle: C κ³.
   const RestMesh rest(equilateral(0.24, 0.24, 24));
   constexpr std::size_t clamp = 4, rows = 28;  // 0.24 / (√3/2 · 0.01)
   const Pins pins = make_pins(rest, select_vertices(rest, "bottom"), clamp);

@@ -21,8 +21,8 @@ BendingConstraints choi_ko(const RestMesh& rest, int ring, std::string force = "
   return model.build({rest, make_pins(rest, {}, 0), values});
 }
 
-// Folded along lattice lines `angle` from x, a height h = √3/2 a apart, so that each strip between two stays flat and
-// neighbours meet at the angle κ h.
+// Folded along lattice lines `angle` from x, a height h = √3/2 a apart, so that each strip between two stays
+// flat and neighbours meet at the angle κ h.
 Positions folded_in_strips(const RestMesh& rest, double curvature, double angle) {
   Positions positions = rest.positions();
   const double c = std::cos(angle), s = std::sin(angle);
@@ -39,7 +39,8 @@ Positions folded_in_strips(const RestMesh& rest, double curvature, double angle)
   return positions;
 }
 
-// 2 U / (κ² area) of the pairs in the middle of the lattice, times a / k_b; `per_vertex` of them to each vertex.
+// 2 U / (κ² area) of the pairs in the middle of the lattice, times a / k_b; `per_vertex` of them to each
+// vertex.
 double rigidity(int ring, double per_vertex, double angle, const std::string& force = "exact") {
   const RestMesh rest(equilateral(1, 1, 48));
   const BendingConstraints constraints = choi_ko(rest, ring, force);
@@ -62,13 +63,14 @@ double rigidity(int ring, double per_vertex, double angle, const std::string& fo
 }  // namespace
 
 TEST_CASE("choi_ko's flexural rigidity on the equilateral lattice", "[bending]") {
-  // A pair of length L over n strips of height h ends on a polygon with n equal sides: it shortens by
-  // δ = n² (n² - 1) h⁴ κ² / (24 L) to leading order, and U = 12 k_b δ / L². With h⁴ = 9/16 a⁴ and √3/2 a² to a vertex,
-  // a pair per vertex adds
+  // A pair of length L over n strips of height h ends on a polygon with n equal sides: it shortens by δ = n²
+  // (n² - 1) h⁴ κ² / (24 L) to leading order, and U = 12 k_b δ / L². With h⁴ = 9/16 a⁴ and √3/2 a² to a
+  // vertex, a pair per vertex adds
   //
   //     D = 2 U / (κ² area) = (9/16) (2/√3) n² (n² - 1) / (L/a)³ k_b/a.
   //
-  // That is k_b / b (t² - 1)/t² for a line of t edges in the direction of bending: t = n, L = n h, b = √3/2 a² / L.
+  // That is k_b / b (t² - 1)/t² for a line of t edges in the direction of bending: t = n, L = n h, b = √3/2
+  // a² / L.
   const auto added = [](double n, double length) {
     return 9.0 / 16 * 2 / std::numbers::sqrt3 * n * n * (n * n - 1) / std::pow(length, 3);
   };
@@ -89,8 +91,9 @@ TEST_CASE("choi_ko's flexural rigidity on the equilateral lattice", "[bending]")
 }
 
 TEST_CASE("choi_ko joins the vertices exactly so many edges apart", "[bending]") {
-  // Three by three vertices, diagonals all one way, from (0, 0) to (1, 1) and on: two edges apart are the ends of the
-  // six straight lines of two edges (three rows, three columns), of the diagonal, of the four knight's moves along it
+  // Three by three vertices, diagonals all one way, from (0, 0) to (1, 1) and on: two edges apart are the
+  // ends of the six straight lines of two edges (three rows, three columns), of the diagonal, of the four
+  // knight's moves along it
   // - (0,0)-(1,2), (0,0)-(2,1), (0,1)-(2,2), (1,0)-(2,2) - and the four short antidiagonals: two edges, as no edge
   // crosses their way.
   const RestMesh rest(grid(2, 2, 2, 2, Diagonal::same));

@@ -136,8 +136,8 @@ TEST_CASE("flexural rigidities on the equilateral lattice", "[bending]") {
 }
 
 TEST_CASE("matched hinge models agree near flat", "[bending]") {
-  // Any mesh, any small deflection: θ, 2 sin(θ/2) and |Kx| / |e| are one and the same to first order, so with the
-  // moduli matched (D, 6 k, 4 D, D / 3) energies differ by the square of the largest fold angle.
+  // Any mesh, any small deflection: θ, 2 sin(θ/2) and |Kx| / |e| are one and the same to first order, so with
+  // the moduli matched (D, 6 k, 4 D, D / 3) energies differ by the square of the largest fold angle.
   for (const TriangleMesh& mesh : {delaunay(1, 1, 12, 4), grid(1, 1, 10, 10), equilateral(1, 1, 12)}) {
     const RestMesh rest(mesh);
     double last = 1;
@@ -159,8 +159,8 @@ TEST_CASE("matched hinge models agree near flat", "[bending]") {
 }
 
 TEST_CASE("a curved rest shape stays still", "[bending]") {
-  // No forces: every model that can hold a quarter of a tube, a sleeve and a skirt takes lengths and angles from the
-  // rest shape.
+  // No forces: every model that can hold a quarter of a tube, a sleeve and a skirt takes lengths and angles
+  // from the rest shape.
   TriangleMesh quarter = grid(1, 1, 12, 12, Diagonal::alternating);
   quarter.positions = bent(RestMesh(quarter), pi / 2, 0.4);
   for (const auto& [shape, mesh] :

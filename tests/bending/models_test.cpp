@@ -50,10 +50,12 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
           REQUIRE((a >= 0 && b >= 0 && a < rest.vertex_count() && b < rest.vertex_count()));
           CHECK(a != b);
           CHECK_FALSE((pins.pinned(a) && pins.pinned(b)));
-          // At rest nothing is corrected: the rest length is the distance, or 2 % more where the model wants a push.
-          CHECK_THAT(springs.rest_length[s],
-                     Catch::Matchers::WithinRel(
-                         (model->prestressed ? 1.02 : 1) * (rest.position(a) - rest.position(b)).norm(), 1e-14));
+          // At rest nothing is corrected: the rest length is the distance, or 2 % more where the model wants
+          // a push.
+          CHECK_THAT(
+              springs.rest_length[s],
+              Catch::Matchers::WithinRel(
+                  (model->prestressed ? 1.02 : 1) * (rest.position(a) - rest.position(b)).norm(), 1e-14));
         }
         CHECK(model->build({rest, pins, values}).distance.vertices == springs.vertices);  // a pure function
         CHECK_FALSE(model->summary.empty());

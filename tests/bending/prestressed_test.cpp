@@ -41,7 +41,8 @@ TEST_CASE("springs that push have an energy quadratic in the curvature", "[bendi
 }
 
 TEST_CASE("a spring's linear and cubic part are as its excess says", "[bending]") {
-  // ½ (e L + δ)² - ½ (e L)² = e L δ + ½ δ², δ = L - (2/κ) sin(κ L / 2) along the bend: equal parts at δ = 2 e L.
+  // ½ (e L + δ)² - ½ (e L)² = e L δ + ½ δ², δ = L - (2/κ) sin(κ L / 2) along the bend: equal parts at δ = 2 e
+  // L.
   const RestMesh rest(grid(4, 1, 4, 1));
   const double excess = 0.02, length = 2;
   BendingConstraints one;
@@ -68,8 +69,8 @@ TEST_CASE("calibrated springs that push have the asked rigidity, on irregular me
       sum += energy_over_flat(constraints, rest, curvature, pi * d / directions);
     double area = 0;
     for (const double a : rest.areas()) area += a;
-    // On a smooth cylinder instead of the mesh bent without strain: a pair t edges apart shortens by 1 / (1 - 1/t²)
-    // more, t = 4.
+    // On a smooth cylinder instead of the mesh bent without strain: a pair t edges apart shortens by 1 / (1 -
+    // 1/t²) more, t = 4.
     CHECK_THAT(sum / directions,
                WithinRel(rigidity / 2 * curvature * curvature * area / (1 - 1 / 16.0), 0.02));
   }

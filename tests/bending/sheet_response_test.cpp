@@ -1,4 +1,5 @@
-// What a sheet of hinges answers to small bending, by closed forms on lattices and grids, and by clamped strips.
+// What a sheet of hinges answers to small bending, by closed forms on lattices and grids, and by clamped
+// strips.
 #include "bendlab/bending/sheet_response.hpp"
 
 #include <algorithm>
@@ -52,7 +53,8 @@ BendingConstraints calibrated(std::string_view model, const RestMesh& rest, cons
   return constraints;
 }
 
-// A strip beyond a clamp that is wide against its length, so that it bends to a cylinder whatever Poisson's ratio is.
+// A strip beyond a clamp that is wide against its length, so that it bends to a cylinder whatever Poisson's
+// ratio is.
 struct Strip {
   static constexpr double density = 0.2, told = 1e-3;
   RestMesh rest;
@@ -101,14 +103,16 @@ struct Strip {
 
 TEST_CASE("on alternating diagonals a sheet bent a little keeps three quarters of the cylinder's energy",
           "[bending][calibration]") {
-  // Per area h² of a cell, all hinges ½ θ²: those along the axes are second differences at the vertices of valence 4, κh;
-  // those along the diagonals see √2 κxy h. D = 1, 1 and 2. All vertices of valence 4 shifted by u h/2 against the
-  // others: (κxx h - u)² + (κyy h - u)² + 2 u² per such vertex, least at u = (κxx + κyy) h / 4: D11 = 3/4, D12 = -1/4.
+  // Per area h² of a cell, all hinges ½ θ²: those along the axes are second differences at the vertices of
+  // valence 4, κh; those along the diagonals see √2 κxy h. D = 1, 1 and 2. All vertices of valence 4 shifted
+  // by u h/2 against the others: (κxx h - u)² + (κyy h - u)² + 2 u² per such vertex, least at u = (κxx + κyy)
+  // h / 4: D11 = 3/4, D12 = -1/4.
   const SheetResponse::Answer answer = answer_of(RestMesh(grid(1, 1, 24, 24, Diagonal::alternating)));
   Rigidity told, relaxed;
   told << 1, 0, 0, 0, 1, 0, 0, 0, 2;
   relaxed << 0.75, -0.25, 0, -0.25, 0.75, 0, 0, 0, 2;
-  // The measure fades over ten cells as the square of the way in: over a cell's half it is 1/2 (1/10)² of it curved.
+  // The measure fades over ten cells as the square of the way in: over a cell's half it is 1/2 (1/10)² of it
+  // curved.
   CHECK((answer.as_told - told).cwiseAbs().maxCoeff() < 6e-3 * 2);
   CHECK((answer.relaxed - relaxed).cwiseAbs().maxCoeff() < 6e-3 * 2);
   for (const double angle : {0.0, 0.4, 0.8, 1.2}) {
@@ -120,9 +124,9 @@ TEST_CASE("on alternating diagonals a sheet bent a little keeps three quarters o
 }
 
 TEST_CASE("an equilateral lattice bends as told, with a Poisson ratio of -1/3", "[bending][calibration]") {
-  // A hinge sees (κ_nn - κ_tt / 3) times its height √3/2 a, three directions of hinges: ½ θ² each is the energy of an
-  // isotropic plate with D11 = √3/2, D12 = -D11 / 3, D33 = 2 (1 - ν) D11. A lattice whose vertices are all alike is in
-  // balance with even curvature.
+  // A hinge sees (κ_nn - κ_tt / 3) times its height √3/2 a, three directions of hinges: ½ θ² each is the
+  // energy of an isotropic plate with D11 = √3/2, D12 = -D11 / 3, D33 = 2 (1 - ν) D11. A lattice whose
+  // vertices are all alike is in balance with even curvature.
   const SheetResponse::Answer answer = answer_of(RestMesh(equilateral(1, 1, 24)));
   Rigidity plate;
   plate << 1, -1.0 / 3, 0, -1.0 / 3, 1, 0, 0, 0, 8.0 / 3;
@@ -191,16 +195,17 @@ TEST_CASE("weighted hinges of an irregular sheet have nearly one rigidity at bot
 
 TEST_CASE("a clamped strip that bends a little has the rigidity that it was told to have there",
           "[bending][calibration]") {
-  // Half a row of the clamp: hinges at its edge have twice their stiffness, and the strip begins there. What is left is
-  // of the order of a share of a cell in the length, 3 % on nine cells.
+  // Half a row of the clamp: hinges at its edge have twice their stiffness, and the strip begins there. What
+  // is left is of the order of a share of a cell in the length, 3 % on nine cells.
   const TriangleMesh mesh = grid(0.12, 0.3, 12, 30, Diagonal::alternating);
   CHECK_THAT(Strip(mesh, Deflection::small).share(), WithinRel(1.0, 0.03));
   CHECK_THAT(Strip(mesh, Deflection::large).share(), WithinRel(0.75, 0.04));
 }
 
 TEST_CASE("a clamped strip vibrates at the frequency of its static rigidity", "[bending][calibration]") {
-  // ω² = 12.3624 B / ρ L⁴ and a tip that sinks by ρ g L⁴ / 8 B: ω² tip / g = 1.54530, whatever B, ρ and L are. Let go
-  // from its shape under gravity, which is the first mode's within 1 %, and followed by its part in it.
+  // ω² = 12.3624 B / ρ L⁴ and a tip that sinks by ρ g L⁴ / 8 B: ω² tip / g = 1.54530, whatever B, ρ and L
+  // are. Let go from its shape under gravity, which is the first mode's within 1 %, and followed by its part
+  // in it.
   Strip strip(grid(0.12, 0.06, 12, 6, Diagonal::alternating), Deflection::large);
   const Positions still = strip.equilibrium();
   strip.input.positions = still;

@@ -16,7 +16,8 @@ using Catch::Matchers::WithinRel;
 
 constexpr double pi = std::numbers::pi;
 
-// A lattice with rows along x, folded by the same angle at every row: strips stay flat and edges keep their length.
+// A lattice with rows along x, folded by the same angle at every row: strips stay flat and edges keep their
+// length.
 Positions folded_at_rows(const RestMesh& rest, double curvature, double row_height) {
   Positions positions = rest.positions();
   const double lowest = positions.col(1).minCoeff(), turn = curvature * row_height;
@@ -66,14 +67,16 @@ double anisotropy(const DistanceConstraints& springs, const RestMesh& rest) {
 }  // namespace
 
 TEST_CASE("ring springs have the energy that a folded lattice shortens them by", "[bending]") {
-  // W = C κ⁴ / 4 with C = c k a⁴: springs of rest length l over n rows of height h shorten by n² (n² - 1) h⁴ κ² / (24 l);
-  // summed over the 3 t springs per vertex (a separate computation in arithmetic of the lattice; the same sum below).
+  // W = C κ⁴ / 4 with C = c k a⁴: springs of rest length l over n rows of height h shorten by n² (n² - 1) h⁴
+  // κ² / (24 l); summed over the 3 t springs per vertex (a separate computation in arithmetic of the lattice;
+  // the same sum below).
   const double h = std::numbers::sqrt3 / 2;
   const std::map<int, double> computed_apart = {{2, 0.15223}, {3, 3.3926}, {4, 27.507}, {5, 135.77}};
   const RestMesh rest(equilateral(1, 1, 64));
   const double a = rest.mean_edge_length(), curvature = 0.02 / a;
   for (const auto& [t, coefficient] : computed_apart) {
-    // By hand: of the ring's 6 t vertices those above, and half of those level with, the centre (which do not shorten).
+    // By hand: of the ring's 6 t vertices those above, and half of those level with, the centre (which do not
+    // shorten).
     double sum = 0;
     for (int n = 1; n <= t; ++n)
       for (int place = 0; place <= (n == t ? t : 1); ++place) {
@@ -156,7 +159,8 @@ TEST_CASE("sparse_lod springs are as soft as they shorten little", "[bending]") 
   const DistanceConstraints springs = sparse_springs(rest, 4);
   REQUIRE(springs.softness.size() == springs.size());
   const double radius = 4 * rest.mean_edge_length();
-  // An arc of length l at curvature κ has a chord shorter by l³ κ² / 24; squared and over the softness, the same for all.
+  // An arc of length l at curvature κ has a chord shorter by l³ κ² / 24; squared and over the softness, the
+  // same for all.
   for (std::size_t s = 0; s < springs.size(); ++s)
     CHECK_THAT(std::pow(springs.rest_length[s], 6) / springs.softness[s],
                WithinRel(std::pow(radius, 6), 1e-12));

@@ -15,7 +15,8 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 using Law = ArcSpring::Law;
 
-// P L²/k_b = (κL)² / (sinc y - cos y) at r/L = sinc y, y found by Brent's method in SciPy; to the digits printed.
+// P L²/k_b = (κL)² / (sinc y - cos y) at r/L = sinc y, y found by Brent's method in SciPy; to the digits
+// printed.
 struct TableRow {
   double ratio, push;
 };
@@ -99,7 +100,8 @@ TEST_CASE("a buckled segment's force is the slope of its energy", "[constraints]
   for (const Law law : {Law::exact, Law::polynomial})
     for (const double length : {0.02, 3.0})
       for (const double ratio : {0.05, 0.3, 0.7, 0.95, 0.999}) {
-        // Central differences over 10⁻⁵ L: error 10⁻¹⁰ of the third derivative, rounding 10⁻¹⁶/10⁻⁵ of the energy.
+        // Central differences over 10⁻⁵ L: error 10⁻¹⁰ of the third derivative, rounding 10⁻¹⁶/10⁻⁵ of the
+        // energy.
         const auto energy = [&](double r) { return ArcSpring::energy((r - 1) * length, {length}, law); };
         const double slope = (energy(ratio + 1e-5) - energy(ratio - 1e-5)) / (2e-5 * length);
         CHECK_THAT(-slope * length * length, WithinRel(ArcSpring::push(ratio, law), 1e-7));

@@ -1,5 +1,5 @@
-// No correction from rounding: whatever the pose and whichever corners are pinned, a projection is finite, moves no corner
-// farther than its bound, keeps momentum, and does not increase what it is to decrease.
+// No correction from rounding: whatever the pose and whichever corners are pinned, a projection is finite,
+// moves no corner farther than its bound, keeps momentum, and does not increase what it is to decrease.
 #include <functional>
 #include <tuple>
 
@@ -58,7 +58,8 @@ std::array<Vector3, N> after(const std::array<Vector3, N>& now, const std::array
   return p;
 }
 
-// `bound`: sizes that a corner may move. `error(c, p)`: |C| of the constraint c at p, or nothing where it is not looked at.
+// `bound`: sizes that a corner may move. `error(c, p)`: |C| of the constraint c at p, or nothing where it is
+// not looked at.
 template <class Real, std::size_t N>
 void check_moves(
     const Poses<N>& poses, const std::vector<std::array<Vector3, N>>& all, double bound, Road road,
@@ -165,7 +166,8 @@ TEMPLATE_TEST_CASE("a triangle's projections are bounded", "[constraints]", floa
           set_stiffness(batch, compliant, 4 * batch.a.size());
           const bool published_shear = term == 2 && form == StrainForm::normalised;
           CAPTURE(unit, compliant, static_cast<int>(form), term);
-          // Stretch along a direction is linear in the corners up to the length of f. Other terms are not, and may overshoot.
+          // Stretch along a direction is linear in the corners up to the length of f. Other terms are not,
+          // and may overshoot.
           const auto error = [&](std::size_t c, const std::array<Vector3, 3>& p) -> std::optional<double> {
             if (term > 1 || form == StrainForm::green) return std::nullopt;
             const auto s = stretch_constraint<double>(p, list.inverse_rest[c], term, StrainForm::normalised);

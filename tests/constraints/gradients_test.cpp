@@ -124,7 +124,8 @@ TEST_CASE("hinge gradients agree with differences", "[constraints]") {
     const double a = test::uniform(random, 0.2, 2), b = test::uniform(random, 0.2, 2);
     const std::array<double, 6> k = {a, b, -0.6 * (a + b), -0.4 * (a + b), 0.3, 1};  // sum 0
     for (const auto law : {QuadraticBend::Law::norm, QuadraticBend::Law::energy}) {
-      // K annihilates translations; moments vanish only where K x0 = 0, as for the cotangents of a flat hinge.
+      // K annihilates translations; moments vanish only where K x0 = 0, as for the cotangents of a flat
+      // hinge.
       const Constraint<4> constraint = [&](const Corners<4>& x) { return QuadraticBend::value(x, k, law); };
       const Corners<4> expected = difference_gradient(constraint, p);
       const ConstraintValue<double, 4> c = constraint(p);

@@ -145,7 +145,8 @@ TEMPLATE_TEST_CASE("kernels agree with the reference to rounding", "[constraints
 
 namespace {
 
-// Calls check(batch) for every batch that a scene may hold, with the rest shape by which collapsed elements open.
+// Calls check(batch) for every batch that a scene may hold, with the rest shape by which collapsed elements
+// open.
 template <class Real, class Check>
 void for_batches(const Crumpled<Real>& cloth, const Check& check) {
   const auto with_rest = [&](auto batch) {
@@ -172,7 +173,8 @@ std::vector<Crumpled<Real>> collapsed_cloths() {
     // Not along warp or weft, of which the other would be rounding noise.
     cloths[1].points[at].set(Vector3(rest.x() + 0.5 * rest.y(), 0, 0).cast<Real>());
     cloths[2].points[at].set(((rest.x() - rest.y()) * Vector3(0.5, 0.25, -1)).cast<Real>());
-    // A neighbour: two opposite vertices of a hinge at one point would fold it by ±π, of a sign that rounding decides.
+    // A neighbour: two opposite vertices of a hinge at one point would fold it by ±π, of a sign that rounding
+    // decides.
     if (v % 7 == 3)
       cloths[3].points[at].set(
           cloths[3].points[static_cast<std::size_t>(cloths[3].rest.one_ring()[v].front())].vector());
@@ -263,7 +265,8 @@ TEMPLATE_TEST_CASE("a triangle at a point opens to its rest shape", "[constraint
       points[static_cast<std::size_t>(v)] = {Real(0.5), Real(0.25), Real(1), 1};
     }
     batch.rest_points = rest.data();
-    // The first projection opens it along warp and weft at rest; what these disturb of each other the others mend.
+    // The first projection opens it along warp and weft at rest; what these disturb of each other the others
+    // mend.
     for (int i = 0; i < 40; ++i) project(points.data(), batch, 0, 1, Real(1));
     for (const auto& [a, b] : {std::pair{0u, 1u}, {1u, 2u}, {2u, 0u}})
       CHECK_THAT((points[a].vector() - points[b].vector()).norm(),

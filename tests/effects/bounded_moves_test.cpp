@@ -1,5 +1,6 @@
-// No correction from rounding, of the effects that move vertices: whatever the pose and the pins, each move is finite and
-// bounded, keeps what the effect promises to keep, and does not increase what it is to decrease.
+// No correction from rounding, of the effects that move vertices: whatever the pose and the pins, each move
+// is finite and bounded, keeps what the effect promises to keep, and does not increase what it is to
+// decrease.
 #include "bendlab/effects/obstacle.hpp"
 #include "tests/catch.hpp"
 #include "tests/effects/one_pass.hpp"
@@ -136,8 +137,8 @@ TEMPLATE_TEST_CASE("the pushes of a ball on a triangle are each bounded", "[effe
       const double size = std::max(size_of_pose(all.now[c], all.now[c]), radius + thickness);
       CAPTURE(c, size, moves.farthest);
       REQUIRE(moves.finite);
-      // A corner is pushed by itself, then with two edges and with the face, each time by two sizes of what has become of the
-      // triangle: 2, 3 × 2, 3 × 6 and 3 × 18 times as large at most.
+      // A corner is pushed by itself, then with two edges and with the face, each time by two sizes of what
+      // has become of the triangle: 2, 3 × 2, 3 × 6 and 3 × 18 times as large at most.
       REQUIRE(moves.farthest <= 54 * size + 4 * epsilon * moves.position);
     }
     CHECK(acted > all.size());

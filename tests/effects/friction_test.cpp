@@ -52,7 +52,8 @@ TEMPLATE_TEST_CASE("a sheet on an incline slides from tan θ = μ on", "[effects
         return (mean(simulation->positions()) - start).dot(downhill(angle));
       };
       CHECK(std::abs(slid(0.98 * mu)) < 1e-5);
-      // Above: half a = g (sin θ - μ cos θ) times t², at 2 % above the angle of friction about 0.02 g μ cos³ θ / 2.
+      // Above: half a = g (sin θ - μ cos θ) times t², at 2 % above the angle of friction about 0.02 g μ cos³
+      // θ / 2.
       CHECK(slid(1.02 * mu) > 0.25 * 0.02 * g * mu * std::pow(1 + mu * mu, -0.5));
     }
 }
@@ -66,8 +67,8 @@ TEMPLATE_TEST_CASE("a sliding sheet accelerates by g (sin θ - μ cos θ)", "[ef
     const auto simulation =
         on_incline<TestType>(rest, angle, {{"static", 1.2 * mu}, {"kinetic", mu}}, iterations, substeps);
     for (int s = 0; s < 60; ++s) REQUIRE(simulation->step());
-    // Symplectic Euler's velocity is exact under a constant force; 2 % leaves room for float, which rounds the
-    // depth of 3e-4 m by 1e-7.
+    // Symplectic Euler's velocity is exact under a constant force; 2 % leaves room for float, which rounds
+    // the depth of 3e-4 m by 1e-7.
     CHECK_THAT(mean(simulation->velocities()).dot(downhill(angle)),
                WithinRel(expected * simulation->time(), 0.02));
   }

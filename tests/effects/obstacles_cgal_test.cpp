@@ -147,8 +147,8 @@ Found dropped(const Obstacle& obstacle, const RestMesh& rest, double friction) {
   }
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   input.positions.rowwise() += Eigen::RowVector3d(0.011, 0.007, obstacle.top + 0.03);
-  // Edges are not followed through a substep: at 4 m/s, the speed of the end, they may move by 17 mm, less than
-  // the smallest obstacle and its thickness, 20 mm + 5 mm.
+  // Edges are not followed through a substep: at 4 m/s, the speed of the end, they may move by 17 mm, less
+  // than the smallest obstacle and its thickness, 20 mm + 5 mm.
   input.settings.iterations = 8, input.settings.substeps = 4;
   input.bending_stiffness.k = 0.1;
   std::vector<Pass<Real>> passes = test::effect_passes<Real>("gravity");

@@ -289,7 +289,8 @@ TEST_CASE("obstacles that share no vertex may stand in any order", "[effects][ob
 }
 
 TEST_CASE("a vertex slides off a sphere as the textbook says", "[effects][obstacles]") {
-  // From rest near the top, without friction: v² = 2 g R (cos θ₀ - cos θ), until it leaves at cos θ = 2/3 cos θ₀.
+  // From rest near the top, without friction: v² = 2 g R (cos θ₀ - cos θ), until it leaves at cos θ = 2/3 cos
+  // θ₀.
   const RestMesh rest = test::vertices(200);
   const double radius = 1, g = 9.81, start = 0.3;
   const auto energy_error = [&](double dt) {

@@ -182,7 +182,8 @@ TEMPLATE_TEST_CASE("a vertex shot at a triangle at 50 m/s stays on its side", "[
     const Corners x = rows(simulation->positions(), edges ? std::array{3, 4, 0, 1} : std::array{3, 0, 1, 2});
     const Vector3 gap = shortest_gap(edges ? Pairing::edge_edge : Pairing::vertex_triangle, x).vector;
     CHECK(gap.dot(turn * Vector3::UnitZ()) > 0);  // on the side it came from
-    // Ten iterations on triangles that turn meanwhile; the dragged edge turns by 45 degrees, away from the other.
+    // Ten iterations on triangles that turn meanwhile; the dragged edge turns by 45 degrees, away from the
+    // other.
     CHECK(gap.norm() >= 0.99 * thickness);
     if (!edges) CHECK(gap.norm() <= 1.01 * thickness);
     CHECK(simulation->passes().back().acted + simulation->passes()[1].acted > 0);
@@ -322,8 +323,8 @@ TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effect
 
 TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[effects][self_collision]",
                    float, double) {
-  // Only the last pass, on displacements that throw layers through each other, substep after substep. With seed
-  // 10 large zones turn far: one more move after the last look would cross layers in the seventh.
+  // Only the last pass, on displacements that throw layers through each other, substep after substep. With
+  // seed 10 large zones turn far: one more move after the last look would cross layers in the seventh.
   const RestMesh rest(grid(1, 1, 16, 16));
   const std::vector<double> mass(static_cast<std::size_t>(rest.vertex_count()), 0.1);
   const double eps = static_cast<double>(std::numeric_limits<TestType>::epsilon());

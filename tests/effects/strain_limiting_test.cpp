@@ -157,8 +157,9 @@ TEST_CASE("strain limiting of a triangle without area is finite and leaves a lin
   }
 }
 
-// Gauss-Seidel on a mesh 10 triangles wide: its error goes down by a constant factor per sweep. A flat sheet that
-// is squeezed could fold over in its plane, where no sweep gets it out again: it is rough by 1 % of its size.
+// Gauss-Seidel on a mesh 10 triangles wide: its error goes down by a constant factor per sweep. A flat sheet
+// that is squeezed could fold over in its plane, where no sweep gets it out again: it is rough by 1 % of its
+// size.
 TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "[effects]", float, double) {
   const RestMesh rest(delaunay(1, 1, 10, 3));
   std::mt19937_64 random(2);

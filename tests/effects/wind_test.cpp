@@ -18,8 +18,8 @@ Value numbers(const Vector3& v) {
   return std::vector<double>{v.x(), v.y(), v.z()};
 }
 
-// Drag and lift of a flat piece of area A whose normal stands at the angle θ to the flow `wind`, |n| = 1:
-// ½ ρ C_D A cos θ |u|² down the wind, ½ ρ C_L A cos θ sin θ |u|² across it, to the side where n points that has
+// Drag and lift of a flat piece of area A whose normal stands at the angle θ to the flow `wind`, |n| = 1: ½ ρ
+// C_D A cos θ |u|² down the wind, ½ ρ C_L A cos θ sin θ |u|² across it, to the side where n points that has
 // n·wind > 0.
 struct Law {
   Vector3 drag = Vector3::Zero(), lift = Vector3::Zero();

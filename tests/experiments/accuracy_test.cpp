@@ -155,8 +155,8 @@ TEST_CASE("accuracy: the solver's error falls with the substeps, by their square
   const double few = error(outcomes[0], "solver_rms"), more = error(outcomes[1], "solver_rms"),
                many = error(outcomes[2], "solver_rms");
   CHECK(few > more);
-  // One iteration of Gauss-Seidel per substep damps as a step of Euler backward does, with a compliance that is farther
-  // from the stated one by the substep's square: between 64 and 256 substeps by about 16.
+  // One iteration of Gauss-Seidel per substep damps as a step of Euler backward does, with a compliance that
+  // is farther from the stated one by the substep's square: between 64 and 256 substeps by about 16.
   const double order = std::log(more / many) / std::log(4.0);
   INFO("order " << order);
   CHECK(order > 1.5);
@@ -326,8 +326,8 @@ TEST_CASE("accuracy: a run that diverged has no errors") {
 }
 
 TEST_CASE("accuracy: motion is compared at common times, its energy too") {
-  // A free sheet without gravity that nothing but its own velocity moves: both fly as they started, the reference from a
-  // start that is twice as fast, so that they part by v t: at 0.1, 0.2, 0.3 s.
+  // A free sheet without gravity that nothing but its own velocity moves: both fly as they started, the
+  // reference from a start that is twice as fast, so that they part by v t: at 0.1, 0.2, 0.3 s.
   const Results results;
   const RunOutcome outcome = results.run_one(
       R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [], "material": {"density": 2},
@@ -375,9 +375,9 @@ TEST_CASE("accuracy: a run's id follows its references, and only where it has so
 }
 
 TEST_CASE("accuracy: what the solver holds is counted") {
-  // By hand: a sheet of 3 × 3 vertices and 8 triangles, none pinned. In single precision a point is 4 floats; there are three
-  // arrays of points, three of what these numbers do not hold (four where moves are apart: 64 substeps), the rest shape, and
-  // masses of double precision, and that is less than all.
+  // By hand: a sheet of 3 × 3 vertices and 8 triangles, none pinned. In single precision a point is 4 floats;
+  // there are three arrays of points, three of what these numbers do not hold (four where moves are apart: 64
+  // substeps), the rest shape, and masses of double precision, and that is less than all.
   const auto bytes = [](const std::string& settings) {
     const std::string config = R"({"name": "memory", "bending": {"model": "crossover"}, )" + settings + "}";
     const Scene scene = build_scene(parse_experiment(config, "test").runs.front());
@@ -385,10 +385,11 @@ TEST_CASE("accuracy: what the solver holds is counted") {
   };
   CHECK(bytes(R"("mesh": {"cells": 2})") > 9 * (7 * 16 + 8));
   CHECK(bytes(R"("mesh": {"cells": 2}, "solver": {"substeps": 64})") > 9 * (8 * 16 + 8));
-  // Where padding no longer counts, four times the cloth takes four times as much. By hand, bytes per vertex in single and in
-  // double precision: points 112 and 128 (seven arrays of floats, eight where moves are apart, four of doubles) and a mass of 8;
-  // two triangles of 3 indices and 4 numbers, 56 and 88; three springs, each with an index and a quarter and a length, 27 and
-  // 39; their order, 20. So 223 or 239, and 283.
+  // Where padding no longer counts, four times the cloth takes four times as much. By hand, bytes per vertex
+  // in single and in double precision: points 112 and 128 (seven arrays of floats, eight where moves are
+  // apart, four of doubles) and a mass of 8; two triangles of 3 indices and 4 numbers, 56 and 88; three
+  // springs, each with an index and a quarter and a length, 27 and 39; their order, 20. So 223 or 239, and
+  // 283.
   const double small = bytes(R"("mesh": {"cells": 40})"), large = bytes(R"("mesh": {"cells": 80})");
   CHECK_THAT(large / small, WithinRel(4, 0.15));
   const double in_double = bytes(R"("mesh": {"cells": 80}, "solver": {"precision": "double"})");

@@ -59,8 +59,9 @@ struct Imaginary {
   }
 };
 
-// Two models that converge with the square of the substeps, one of them to a cloth that is off by 3 %; iterations help
-// as their root; single precision rounds the finest settings off; a, the better one, costs twice as much.
+// Two models that converge with the square of the substeps, one of them to a cloth that is off by 3 %;
+// iterations help as their root; single precision rounds the finest settings off; a, the better one, costs
+// twice as much.
 const Imaginary machine{.error = [](const Setting& s) -> std::optional<double> {
                           const double solved =
                               std::min(0.5, 2 / std::pow(s.substeps, 2) / std::sqrt(s.iterations));
@@ -397,7 +398,8 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
     CHECK(on_ruins == 0);
   }
 
-  // The same where ruins are not compared; what is between a ruin and a fit one is tried for the time it saves.
+  // The same where ruins are not compared; what is between a ruin and a fit one is tried for the time it
+  // saves.
   torn.error = [](const Setting& s) { return s.substeps < 16 ? std::optional<double>() : machine.error(s); };
   Search search({"a"}, {.error = 0.1}, {});
   CHECK(search.may_be_stretched({"a", 8}));

@@ -36,7 +36,8 @@ bool in_one_of(const std::vector<CoverRow>& rows, const CoverTuple& tuple) {
   return std::ranges::any_of(rows, [&](const CoverRow& row) { return has(row, tuple); });
 }
 
-// Calls visit(tuple) for every combination of values of `strength` axes from `from` on, each added to `tuple`.
+// Calls visit(tuple) for every combination of values of `strength` axes from `from` on, each added to
+// `tuple`.
 template <class Visit>
 void for_each_tuple(const Sizes& sizes, std::size_t strength, std::size_t from, CoverTuple& tuple,
                     const Visit& visit) {
@@ -165,9 +166,9 @@ TEST_CASE("cover: the same arguments give the same rows, another seed others", "
   CHECK(rows(1) != rows(2));
 }
 
-// At least the product of the largest axes is needed. Published sizes of the method it follows: 17 rows for the pairs of 13
-// axes of three values, 10 axes of two values in 12 rows for triples or fewer is optimal; a greedy search may take a quarter
-// more.
+// At least the product of the largest axes is needed. Published sizes of the method it follows: 17 rows for
+// the pairs of 13 axes of three values, 10 axes of two values in 12 rows for triples or fewer is optimal; a
+// greedy search may take a quarter more.
 TEST_CASE("cover: few rows, in little time", "[cover]") {
   const auto start = std::chrono::steady_clock::now();
   CHECK(covering_rows(plain, {3, 1}, anything, most).rows.size() <= 12 * 9 * 7 * 5 / 4);

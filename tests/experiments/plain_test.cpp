@@ -1,5 +1,5 @@
-// The plain matrix: of every tenth of its runs, whether what it did can be, and if not, whether the program said so. And the
-// same scenes in two units.
+// The plain matrix: of every tenth of its runs, whether what it did can be, and if not, whether the program
+// said so. And the same scenes in two units.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -211,8 +211,8 @@ std::vector<std::string> silently_wrong(const std::string& name) {
 }  // namespace
 
 TEST_CASE("plain: hinges leave a hanging sheet where it is in the first step", "[plain]") {
-  // It starts as it hangs: within a step of h forces and speed move a vertex by v h + g h². The hinges between pinned
-  // corners once threw their free one by 170 km.
+  // It starts as it hangs: within a step of h forces and speed move a vertex by v h + g h². The hinges
+  // between pinned corners once threw their free one by 170 km.
   const std::string model = GENERATE("dihedral", "bridson", "discrete_shells");
   const std::string precision = GENERATE("single", "double");
   for (const int cells : {2, 12, 24}) {
@@ -237,7 +237,8 @@ TEST_CASE("plain: no tenth run is wrong in silence", "[plain]") {
   CHECK(silently_wrong(name) == std::vector<std::string>());
 }
 
-// A length of 1/1024 changes exponents only: not a bit may differ, if no length is compared with a constant of its own.
+// A length of 1/1024 changes exponents only: not a bit may differ, if no length is compared with a constant
+// of its own.
 TEST_CASE("plain: the same cloth in two units does the same, bit for bit", "[plain]") {
   const Experiment small = plain("millimetres"), large = plain("millimetres_in_metres");
   REQUIRE(small.runs.size() == large.runs.size());

@@ -1,5 +1,5 @@
-// What a run file says of its constraints: all of them, in the order in which the solver takes them, and a hash that
-// changes with whatever makes them another list.
+// What a run file says of its constraints: all of them, in the order in which the solver takes them, and a
+// hash that changes with whatever makes them another list.
 #include "experiments/run/run_header.hpp"
 
 #include <algorithm>

@@ -33,8 +33,8 @@ std::string problem(const std::string& settings) {
 }  // namespace
 
 TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond its outline") {
-  // Nothing acts on the run before: it ends as it starts, turned by 30 degrees, which is linear. The outlines of the two
-  // lattices differ by half a row.
+  // Nothing acts on the run before: it ends as it starts, turned by 30 degrees, which is linear. The outlines
+  // of the two lattices differ by half a row.
   for (const char* generator : {"equilateral", "grid", "delaunay", "disc"}) {
     const std::string mesh =
         std::string(R"("duration": 0.1, "effects": [], "pins": {"vertices": []}, "mesh": {"cells": 31,
@@ -53,8 +53,8 @@ TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond it
       worst = std::max(worst, (scene.input.positions.row(v).transpose() - turned).norm());
     }
     INFO(generator << ": " << worst);
-    // A metre is rounded to 1e-16; 6 steps of ten rounds of some ten projections each add at most 600 of that, and linear
-    // extrapolation by up to two edges multiplies it by less than ten.
+    // A metre is rounded to 1e-16; 6 steps of ten rounds of some ten projections each add at most 600 of
+    // that, and linear extrapolation by up to two edges multiplies it by less than ten.
     CHECK(worst < 1e-12);
   }
 }
@@ -83,8 +83,9 @@ TEST_CASE("an equilibrium does not depend on where the search for it started") {
     REQUIRE(simulation->settled());
     return simulation->positions().col(2).minCoeff();
   };
-  // The last step of a settled search moves the cloth by at most 1e-6 of its size, 0.26 m, and a next one would by less:
-  // two searches end within 5.2e-7 m of each other, of a sag of more than half the length, 0.115 m.
+  // The last step of a settled search moves the cloth by at most 1e-6 of its size, 0.26 m, and a next one
+  // would by less: two searches end within 5.2e-7 m of each other, of a sag of more than half the length,
+  // 0.115 m.
   CHECK_THAT(tip(strip + R"(, "initial": {"after": ["/mesh/cells=8"]})"),
              Catch::Matchers::WithinRel(tip(strip), 5e-6));
 }

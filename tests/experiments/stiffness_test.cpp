@@ -50,14 +50,15 @@ TEST_CASE("A cantilever says how stiff it is", "[command line]") {
   // A hinge on the last pinned row spans a row on either side: half a row more.
   CHECK_THAT(strip.at("effective_length").get<double>(), WithinRel(11.5 * row, 1e-6));
   CHECK_THAT(strip.at("exclude").get<double>(), WithinRel(2 * row, 1e-6));
-  // D = 1 / compliance. Eleven rows, 800 projections a step and free sides that bend the other way too leave some per
-  // cent, in the fit more.
+  // D = 1 / compliance. Eleven rows, 800 projections a step and free sides that bend the other way too leave
+  // some per cent, in the fit more.
   CHECK_THAT(strip.at("flexural_rigidity").get<double>(), WithinRel(1e-3, 0.05));
   CHECK_THAT(strip.at("fit_exponent").get<double>(), WithinAbs(1, 0.15));
   CHECK_THAT(strip.at("fit_B").get<double>(), WithinRel(1e-3, 0.15));
   CHECK(strip.at("settling").get<double>() < 0.05);
   CHECK(strip.at("profile").size() == 10);
-  // The file keeps single precision, the summary was made before: 10⁻⁷ of a coordinate is 10⁻⁵ of a curvature.
+  // The file keeps single precision, the summary was made before: 10⁻⁷ of a coordinate is 10⁻⁵ of a
+  // curvature.
   for (const auto& [name, column] : {std::pair{"stiffness_flexural_rigidity", "flexural_rigidity"},
                                      {"stiffness_quartic", "quartic"},
                                      {"stiffness_fit_exponent", "fit_exponent"},

@@ -153,8 +153,9 @@ TEST_CASE("a sound mesh is the same under every policy", "[mesh][bad]") {
 
 namespace {
 
-// 4 by 4 unit cells, two triangles each; of these triangle 12, inside, is turned around. Then what each policy leaves out:
-// two copies, a repeated vertex, three indices out of range. Last a cap on the edge of triangle 0 at the boundary.
+// 4 by 4 unit cells, two triangles each; of these triangle 12, inside, is turned around. Then what each
+// policy leaves out: two copies, a repeated vertex, three indices out of range. Last a cap on the edge of
+// triangle 0 at the boundary.
 //
 //  5 ------ 6
 //  |  1   / |
@@ -185,7 +186,8 @@ PolygonSoup damaged_lattice() {
   return soup;
 }
 
-// The sum of the counts in the notes that begin with a remedy, which has no digits: "left out: 2 triangles with …".
+// The sum of the counts in the notes that begin with a remedy, which has no digits: "left out: 2 triangles
+// with …".
 int told(const AcceptedMesh& accepted, const std::string& remedy) {
   int count = 0;
   for (const std::string& note : accepted.notes)
@@ -329,7 +331,8 @@ TEST_CASE("what has no area still has mass and a place in the membrane", "[mesh]
   const RestMesh rest(mesh);
   const std::vector<double> mass = lumped_masses(rest, 1);
   for (const double m : mass) CHECK(m > 0);
-  // Areas ½, ½ and ¼; the first five sixths of a mean mass for the sixth vertex is what its sound triangle gives.
+  // Areas ½, ½ and ¼; the first five sixths of a mean mass for the sixth vertex is what its sound triangle
+  // gives.
   const double mean = (0.5 + 0.5 + 0.25) / 6;
   CHECK_THAT(mass[4], WithinRel(0.01 * mean, 1e-12));
   CHECK_THAT(mass[5], WithinRel(0.25 / 3, 1e-12));

@@ -58,7 +58,8 @@ TEST_CASE("flaws: each is what its name says, and nothing else", "[mesh]") {
     CHECK(found.size() == 1);
     return found.count(kind) == 1 ? found.at(kind) : 0;
   };
-  // Scattered stars on 16² cells: two apart, so at most one in 9 of the 15² interior vertices, and at least one in 49.
+  // Scattered stars on 16² cells: two apart, so at most one in 9 of the 15² interior vertices, and at least
+  // one in 49.
   const std::size_t fewest = 225 / 49, most = 225 / 9;
   const auto in_range = [&](std::size_t count) { return count >= fewest && count <= most; };
   CHECK(in_range(only("degenerate", zero_area)));

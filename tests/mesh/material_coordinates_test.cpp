@@ -60,8 +60,8 @@ TEST_CASE("a warp at right angles to a triangle falls back to its first edge", "
 }
 
 TEST_CASE("no stretch has a gradient of rounding at a corner that it does not move", "[mesh]") {
-  // A triangle's side on a tube's circle is weft where the warp runs along the tube: the third corner has no part in
-  // its stretch. A rounding error there throws that corner to infinity when the side is pinned.
+  // A triangle's side on a tube's circle is weft where the warp runs along the tube: the third corner has no
+  // part in its stretch. A rounding error there throws that corner to infinity when the side is pinned.
   for (const TriangleMesh& mesh : {tube(0.45, 0.13, 0.3, 120), tube(0.3, 0.3, 1, 12)}) {
     const std::vector<InverseRest> inverses = inverse_rest_from_warp(mesh, Vector3::UnitZ());
     for (const InverseRest& q : inverses)

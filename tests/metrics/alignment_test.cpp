@@ -36,8 +36,9 @@ TEST_CASE("alignment: rigid motions cost nothing, and a flat sheet's mirror imag
 }
 
 TEST_CASE("alignment: a mirrored solid stays away by what no turn brings back", "[metrics]") {
-  // The covariance of a ball's mirror image has the singular values s, s, s' with one sign wrong: the best rotation
-  // leaves 4 Σ x² of the axis with the least extent. The octahedral ball is alike along x, y and z, so that is 4/3 r².
+  // The covariance of a ball's mirror image has the singular values s, s, s' with one sign wrong: the best
+  // rotation leaves 4 Σ x² of the axis with the least extent. The octahedral ball is alike along x, y and z,
+  // so that is 4/3 r².
   const double radius = 0.5;
   const RestMesh rest(sphere(radius, 6));
   const double mirrored =
@@ -46,7 +47,8 @@ TEST_CASE("alignment: a mirrored solid stays away by what no turn brings back", 
 }
 
 TEST_CASE("alignment: what a uniform stretch leaves", "[metrics]") {
-  // Stretched by s about its centre each vertex is (s - 1) times its distance from the centre away; no rotation helps.
+  // Stretched by s about its centre each vertex is (s - 1) times its distance from the centre away; no
+  // rotation helps.
   const RestMesh rest(grid(2, 1, 8, 4));
   const Eigen::RowVector3d mean = rest.positions().colwise().mean();
   const double spread = std::sqrt((rest.positions().rowwise() - mean).rowwise().squaredNorm().mean());

@@ -40,8 +40,8 @@ Positions draped(const Reach& reach) {
 TEST_CASE("drape: circles", "[metrics]") {
   const Vector3 down = -Vector3::UnitZ();
   CHECK_THAT(drape_of(specimen(), table(), specimen().positions(), down).coefficient, WithinAbs(1, 1e-6));
-  // Shadows of radius 9, 11, 13 cm are 0, 27.8 and 61.1 % of the ring between 9 and 15 cm. The table is a polygon of 216
-  // corners, the specimen one of 360, in 3 600 directions: 1e-4.
+  // Shadows of radius 9, 11, 13 cm are 0, 27.8 and 61.1 % of the ring between 9 and 15 cm. The table is a
+  // polygon of 216 corners, the specimen one of 360, in 3 600 directions: 1e-4.
   for (const auto& [radius, expected] : {std::pair{0.09, 0.0}, {0.11, 0.2778}, {0.13, 0.6111}}) {
     const Drape drape = drape_of(specimen(), table(), draped([r = radius](double) { return r; }), down);
     CHECK_THAT(drape.coefficient, WithinAbs(expected, 4e-4));

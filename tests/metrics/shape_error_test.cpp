@@ -53,8 +53,8 @@ TEST_CASE("shape error: a sheet that is shifted is as far away everywhere", "[me
 }
 
 TEST_CASE("shape error: every part of the cloth counts by its area, not by its vertices", "[metrics]") {
-  // The left half has cells a quarter as wide as the right one's; only the right half moves, in proportion to its
-  // distance u from the middle: ∫ u² du over [0, 1/2] is 1/24 of a sheet of area 1.
+  // The left half has cells a quarter as wide as the right one's; only the right half moves, in proportion to
+  // its distance u from the middle: ∫ u² du over [0, 1/2] is 1/24 of a sheet of area 1.
   TriangleMesh mesh = grid(1, 1, 50, 10);
   for (Eigen::Index v = 0; v < mesh.vertex_count(); ++v)
     if (double& x = mesh.positions(v, 0); x < 0.3 - 1e-9)
@@ -85,7 +85,8 @@ TEST_CASE("shape error: nothing is left after the best turn about the vertical, 
     CHECK_THAT(left(nearest_turn(reference, pose, share, centre, -up)), WithinAbs(0, rounding));
     CHECK_THAT(left(nearest_motion(reference, pose, share)), WithinAbs(0, rounding));
   }
-  // What no turn about the vertical mends: one about another axis through the centre, but a rigid motion does.
+  // What no turn about the vertical mends: one about another axis through the centre, but a rigid motion
+  // does.
   const Positions tilted = turned(pose, 0.5, Vector3::UnitX(), centre);
   CHECK(shape_error(pose, nearest_turn(tilted, pose, share, centre, up).moved(tilted), share).rms > 0.1);
   CHECK_THAT(shape_error(pose, nearest_motion(tilted, pose, share).moved(tilted), share).rms,
@@ -108,9 +109,9 @@ TEST_CASE("shape error: the best turn is better than its neighbours", "[metrics]
 TEST_CASE("shape error: two spheres are as far apart as their radii", "[metrics]") {
   const double radius = 0.5, apart = 0.03;
   const TriangleMesh small = sphere(radius, 10), large = sphere(radius + apart, 14);
-  // A vertex of the large one lies at most the sagitta farther from the small one's flat triangles: one with edges of up to
-  // e has its middle e²/6r below the sphere. An octahedron's edge is √2 r long, a tenth of it in the middle of a face, which
-  // is r/√3 from the centre, becomes √3 times as long as it is blown up.
+  // A vertex of the large one lies at most the sagitta farther from the small one's flat triangles: one with
+  // edges of up to e has its middle e²/6r below the sphere. An octahedron's edge is √2 r long, a tenth of it
+  // in the middle of a face, which is r/√3 from the centre, becomes √3 times as long as it is blown up.
   const double edge = std::numbers::sqrt2 * std::numbers::sqrt3 * radius / 10,
                sagitta = edge * edge / 6 / radius;
   const double distance = hausdorff_distance(small, large);
@@ -121,7 +122,8 @@ TEST_CASE("shape error: two spheres are as far apart as their radii", "[metrics]
 }
 
 TEST_CASE("shape error: a surface that reaches farther than the other is seen from both sides", "[metrics]") {
-  // The wide sheet holds the narrow one: only seen from the wide one is there a distance, 0.5 at its short sides.
+  // The wide sheet holds the narrow one: only seen from the wide one is there a distance, 0.5 at its short
+  // sides.
   const TriangleMesh wide = grid(2, 1, 10, 5), narrow = grid(1, 1, 7, 7);
   CHECK_THAT(hausdorff_distance(wide, narrow), WithinAbs(0.5, rounding));
   CHECK_THAT(hausdorff_distance(narrow, wide), WithinAbs(0.5, rounding));

@@ -24,8 +24,8 @@ struct CurvePoint {
   double gamma, reach, drop;  // Γ, W/L, H/L
 };
 
-// Ten rows of the curve computed for this project by collocation (scipy's solve_bvp, tolerance 1e-10), which agrees
-// with shooting by DOP853 to ten digits.
+// Ten rows of the curve computed for this project by collocation (scipy's solve_bvp, tolerance 1e-10), which
+// agrees with shooting by DOP853 to ten digits.
 constexpr CurvePoint linear_curve[] = {
     {1.00000000e-02, 0.9999991071, 0.0012499984}, {5.01187234e-02, 0.9999775736, 0.0062646437},
     {1.99526231e-01, 0.9996448313, 0.0249283786}, {1.00000000e+00, 0.9912463953, 0.1234714020},
@@ -34,8 +34,9 @@ constexpr CurvePoint linear_curve[] = {
     {1.99526231e+03, 0.0322767134, 0.9867209813}, {1.00000000e+04, 0.0142608898, 0.9941099339},
 };
 
-// Ten rows of the curve of m = C κ³ (θ'³' = -Γ (1 - s) cos θ), computed by shooting with DOP853; minimising the energy
-// of a chain of 400 links agrees to five digits. From Γ = 178 on the free end hangs exactly straight.
+// Ten rows of the curve of m = C κ³ (θ'³' = -Γ (1 - s) cos θ), computed by shooting with DOP853; minimising
+// the energy of a chain of 400 links agrees to five digits. From Γ = 178 on the free end hangs exactly
+// straight.
 constexpr CurvePoint cubic_curve[] = {
     {1.00000000e-03, 0.9994551293, 0.0297509922}, {1.00000000e-02, 0.9974757815, 0.0639965627},
     {1.00000000e-01, 0.9883869536, 0.1368868325}, {1.00000000e+00, 0.9482195963, 0.2854808190},
@@ -44,8 +45,8 @@ constexpr CurvePoint cubic_curve[] = {
     {1.00000000e+05, 0.0710349236, 0.9641622489}, {1.00000000e+06, 0.0396239115, 0.9799786779},
 };
 
-// The middle line of a strip of length 1 and m = κ^p / Γ under unit weight, by the midpoint rule from the clamp on,
-// with the clamp's moment found by bisection: neither the method nor the direction of the program.
+// The middle line of a strip of length 1 and m = κ^p / Γ under unit weight, by the midpoint rule from the
+// clamp on, with the clamp's moment found by bisection: neither the method nor the direction of the program.
 struct Curve {
   std::vector<double> x, z;  // at equal steps of s, z downward
 
@@ -94,7 +95,8 @@ struct Strip {
   std::vector<char> pinned;
 };
 
-// `edge` of the clamp and `last` pinned vertices as x from the mesh's left end; the free end zigzags by `zigzag`.
+// `edge` of the clamp and `last` pinned vertices as x from the mesh's left end; the free end zigzags by
+// `zigzag`.
 Strip strip(std::string name, TriangleMesh mesh, double edge, double last, double zigzag = 0) {
   auto x = mesh.positions.col(0).array();
   x -= x.minCoeff() + edge;
@@ -106,8 +108,8 @@ Strip strip(std::string name, TriangleMesh mesh, double edge, double last, doubl
   return result;
 }
 
-// The same strip on every kind of mesh, about 48 edges long. Clamped where the rows are along it, a lattice has an edge
-// that zigzags by half an edge, as its free end does.
+// The same strip on every kind of mesh, about 48 edges long. Clamped where the rows are along it, a lattice
+// has an edge that zigzags by half an edge, as its free end does.
 std::vector<Strip> strips() {
   constexpr double cell = 1.0 / 50, along = 1.0 / 50, across = 1.0 / 44,
                    row = across * std::numbers::sqrt3 / 2;
@@ -143,7 +145,8 @@ std::string refusal(const RestMesh& rest, std::vector<int> pins, int ring,
 }  // namespace
 
 TEST_CASE("curves of the hanging strip", "[stiffness]") {
-  // The tables have ten decimals: 4e-8 of the smallest drop, and the cubic law's Γ goes with up to the fourth power.
+  // The tables have ten decimals: 4e-8 of the smallest drop, and the cubic law's Γ goes with up to the fourth
+  // power.
   for (const CurvePoint& point : linear_curve) {
     const HangingStrip strip = hanging_strip(BendingLaw::linear, point.drop / point.reach);
     CHECK_THAT(strip.gamma, WithinRel(point.gamma, 1e-6));
@@ -157,8 +160,9 @@ TEST_CASE("curves of the hanging strip", "[stiffness]") {
   // ASTM D1388: a strip whose chord falls by 41.5° is twice its bending length long, Γ = 8; exactly 8.0042.
   CHECK_THAT(hanging_strip(BendingLaw::linear, std::tan(41.5 * std::numbers::pi / 180)).gamma,
              WithinAbs(8.004, 0.005));
-  // Small loads: H/L = Γ/8 and (3/8) (Γ/2)^(1/3), the next order is of the size (H/W)². Large loads: the moment only
-  // acts at the clamp, H/W = √(Γ/2) and W/L = 1.2408 Γ^(-1/4), the next order of the size 1 / (H/W).
+  // Small loads: H/L = Γ/8 and (3/8) (Γ/2)^(1/3), the next order is of the size (H/W)². Large loads: the
+  // moment only acts at the clamp, H/W = √(Γ/2) and W/L = 1.2408 Γ^(-1/4), the next order of the size 1 /
+  // (H/W).
   for (const double ratio : {1e-5, 1e-3}) {
     CHECK_THAT(hanging_strip(BendingLaw::linear, ratio).gamma, WithinRel(8 * ratio, 1e-5));
     CHECK_THAT(hanging_strip(BendingLaw::cubic, ratio).gamma,
@@ -178,8 +182,8 @@ TEST_CASE("curves of the hanging strip", "[stiffness]") {
 }
 
 TEST_CASE("the curve of springs goes on smoothly where the free end begins to hang straight", "[stiffness]") {
-  // Around Γ = 178 the description of the free end changes; the curve's slope is between its neighbours' there, in
-  // steps that are small against its bend and large against the error 1e-7.
+  // Around Γ = 178 the description of the free end changes; the curve's slope is between its neighbours'
+  // there, in steps that are small against its bend and large against the error 1e-7.
   double before = 0, last = 0;
   for (double ratio = 1.5; ratio < 2.6; ratio *= 1.002) {
     const double gamma = std::log(hanging_strip(BendingLaw::cubic, ratio).gamma);
@@ -220,9 +224,10 @@ TEST_CASE("a strip laid on the curve of springs has their law", "[stiffness]") {
   }
 }
 
-// Rigid links between rows h = 1 / links apart, with the moment per width m = κ^p / Γ at each row, κ = turn / h, the
-// clamp's too: what hinges on rows of a lattice, or springs over two rows, are. Its balance follows link by link from the
-// free end; the angle there is the one that leaves the clamp horizontal. Angles of the links, from the clamp on.
+// Rigid links between rows h = 1 / links apart, with the moment per width m = κ^p / Γ at each row, κ = turn /
+// h, the clamp's too: what hinges on rows of a lattice, or springs over two rows, are. Its balance follows
+// link by link from the free end; the angle there is the one that leaves the clamp horizontal. Angles of the
+// links, from the clamp on.
 std::vector<double> chain_in_balance(const std::vector<double>& stiffness_of_row, double gamma, double p) {
   const int links = static_cast<int>(stiffness_of_row.size());
   const double h = 1.0 / links;
@@ -263,19 +268,20 @@ TEST_CASE("a chain of rigid links in balance gives back its hinges", "[stiffness
     for (const double gamma : {1.0, 10.0}) {
       INFO("p " << p << ", gamma " << gamma);
       const StripStiffness stiffness = measured_chain(std::vector<double>(25, 1.0), gamma, p);
-      // The moment is that of the chain's own weight, so the fit is exact, but for slices a hair off the rows.
+      // The moment is that of the chain's own weight, so the fit is exact, but for slices a hair off the
+      // rows.
       CHECK_THAT(stiffness.fit.exponent, WithinAbs(p, 1e-5));
       CHECK_THAT(stiffness.fit.coefficient * gamma, WithinRel(1, 1e-5));
       CHECK(stiffness.fit.residual < 1e-5);
-      // Half a row behind the clamp's edge leaves an error of second order in h = 1/25; without it B and C are 8 and 15 %
-      // off.
+      // Half a row behind the clamp's edge leaves an error of second order in h = 1/25; without it B and C
+      // are 8 and 15 % off.
       CHECK_THAT((p == 1 ? stiffness.flexural_rigidity : stiffness.quartic) * gamma, WithinRel(1, 0.005));
     }
 }
 
 TEST_CASE("rows that take turns at being stiffer do not hide the law", "[stiffness]") {
-  // The chain of before with every second hinge 1.5 times as stiff: in series 1.2 on average, 2 % more as the geometric
-  // mean √1.5, and a residual of a fifth if each row stood for itself.
+  // The chain of before with every second hinge 1.5 times as stiff: in series 1.2 on average, 2 % more as the
+  // geometric mean √1.5, and a residual of a fifth if each row stood for itself.
   constexpr int links = 49;
   std::vector<double> stiffness_of_row(links);
   for (int row = 0; row < links; ++row)
@@ -287,8 +293,8 @@ TEST_CASE("rows that take turns at being stiffer do not hide the law", "[stiffne
 }
 
 TEST_CASE("a strip that bends across too shows the bending along it", "[stiffness]") {
-  // Across: κ_y = 0.3 lowers the sides more than the middle, and with them every second row, which is an edge wider. Were
-  // the rows taken whole, the curvature along would jump by more than itself from row to row.
+  // Across: κ_y = 0.3 lowers the sides more than the middle, and with them every second row, which is an edge
+  // wider. Were the rows taken whole, the curvature along would jump by more than itself from row to row.
   const Curve curve = heavy_curve(1, 1);
   const auto all = strips();
   const Strip& strip = *std::ranges::find(all, "lattice, rows across", &Strip::name);
@@ -329,7 +335,8 @@ TEST_CASE("stiffness does not depend on place, direction and units of length", "
 }
 
 TEST_CASE("a clamp that gives way behind its edge makes a strip longer", "[stiffness]") {
-  // The curve of Γ = 1 begins a hundredth of its length behind the edge; without the offset B would be 4 % off.
+  // The curve of Γ = 1 begins a hundredth of its length behind the edge; without the offset B would be 4 %
+  // off.
   constexpr double offset = 0.01;
   const Curve curve = heavy_curve(1, 1);
   const Strip strip = strips().front();
@@ -360,7 +367,8 @@ TEST_CASE("curvatures near rounding, the clamp and the free end are not fitted",
   CHECK(fitted({}).front() < 0.03);
   CHECK(fitted({.exclude = 0.1}).front() > 0.1);
   CHECK(fitted({.exclude = 0.1}).back() < 0.9);
-  // At Γ = 1 the curvature goes from about 0.49 to 0 as (1 - s)²: a rounding of 0.12 h² / 80 leaves the first half.
+  // At Γ = 1 the curvature goes from about 0.49 to 0 as (1 - s)²: a rounding of 0.12 h² / 80 leaves the first
+  // half.
   const double row = 1.0 / 48;
   CHECK_THAT(fitted({.rounding = 0.12 * row * row / 80}).back(), WithinAbs(0.5, 0.03));
   CHECK(fitted({.rounding = 1}).empty());

@@ -1,4 +1,5 @@
-// What the solver makes of a told stiffness, against single constraints, a sweep that is solved by hand, and strips.
+// What the solver makes of a told stiffness, against single constraints, a sweep that is solved by hand, and
+// strips.
 #include "bendlab/constraints/effective_stiffness.hpp"
 
 #include <Eigen/Dense>
@@ -157,8 +158,9 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
     for (int v = 0; v < rest.vertex_count(); ++v) positions.push_back(scale * bent.row(v).transpose());
     return effective_stiffness(constraints, {positions, at_rest, free, h, 1e-12}).bending_share().value();
   };
-  // C is κ² r³ / 24. The edges on the cylinder are chords, shorter than arcs by 1/t² of it, which counts for the membrane:
-  // with springs of t edges the share is 1 / (1 - 1/t²), which is 4/3 for two, and those of one edge have no say.
+  // C is κ² r³ / 24. The edges on the cylinder are chords, shorter than arcs by 1/t² of it, which counts for
+  // the membrane: with springs of t edges the share is 1 / (1 - 1/t²), which is 4/3 for two, and those of one
+  // edge have no say.
   CHECK(share(1) > 1);
   CHECK(share(1) < 1.4);
   // A membrane that lengthens by 10⁻³, more than springs shorten (10⁻³ of t²/24), bends no less.

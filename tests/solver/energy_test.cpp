@@ -8,8 +8,8 @@ namespace {
 
 constexpr double membrane_compliance = 1e-3;  // m/N
 
-// Springs of 100 N/m; for the others a flexural rigidity of the order of 10⁻⁴ N m, a stiff cotton. (Far stiffer ones
-// are not converged in a step, and what they lack counts as energy: |C|² / 2α.)
+// Springs of 100 N/m; for the others a flexural rigidity of the order of 10⁻⁴ N m, a stiff cotton. (Far
+// stiffer ones are not converged in a step, and what they lack counts as energy: |C|² / 2α.)
 double bending_compliance(const BendingModel& model) {
   return model.springs_only ? 1e-2 : 1e4;
 }
@@ -29,7 +29,8 @@ double total_energy(const SimulationInput& input, const Simulation& simulation) 
 }  // namespace
 
 TEST_CASE("energy without driving never rises above its start", "[solver]") {
-  // A sheet swings down from its corner; XPBD, where elastic energy means something. Single steps may rise: counted.
+  // A sheet swings down from its corner; XPBD, where elastic energy means something. Single steps may rise:
+  // counted.
   const RestMesh rest(grid(1, 1, 12, 12));
   const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
   std::string counts;
@@ -52,8 +53,8 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
         last = now, highest = std::max(highest, now);
       }
       INFO(model->name << (damped ? ", damped" : ""));
-      // v += h g, then x += h v loses ½ m g² h² a step to the exact fall, and solving constraints dissipates: nothing
-      // above the start but rounding.
+      // v += h g, then x += h v loses ½ m g² h² a step to the exact fall, and solving constraints dissipates:
+      // nothing above the start but rounding.
       CHECK(highest <= start + 1e-9 * scale);
       counts += std::string(model->name) + (damped ? " (damped) " : " ") + std::to_string(rises) + ", ";
     }

@@ -32,9 +32,9 @@ std::unique_ptr<Simulation> balanced(const SimulationInput& input, int steps = 4
   return simulation;
 }
 
-// A strip of length `length` beyond a clamp of two rows of an equilateral lattice that lie along the clamp, with a
-// hinge energy whose flexural rigidity is `rigidity`. As wide as long, and hardly stretchable: else it curls up across
-// its length along the free sides, and B is less than D there.
+// A strip of length `length` beyond a clamp of two rows of an equilateral lattice that lie along the clamp,
+// with a hinge energy whose flexural rigidity is `rigidity`. As wide as long, and hardly stretchable: else it
+// curls up across its length along the free sides, and B is less than D there.
 struct Strip {
   RestMesh rest;
   Pins pins;
@@ -111,8 +111,8 @@ TEST_CASE("a mass on a spring hangs m g / k below its rest length", "[solver]") 
 }
 
 TEST_CASE("a hanging sheet without bending is a catenary", "[solver]") {
-  // Sag of an inextensible chain of length L between supports d apart at L / d = 1.25: with 2 a sinh(d / 2a) = L it is
-  // a (cosh(d / 2a) - 1) = 0.3318 d.
+  // Sag of an inextensible chain of length L between supports d apart at L / d = 1.25: with 2 a sinh(d / 2a)
+  // = L it is a (cosh(d / 2a) - 1) = 0.3318 d.
   const RestMesh rest(grid(1.25, 0.2, 40, 6));
   std::vector<int> ends = select_vertices(rest, "left");
   for (const int v : select_vertices(rest, "right")) ends.push_back(v);
@@ -130,8 +130,8 @@ TEST_CASE("a hanging sheet without bending is a catenary", "[solver]") {
 }
 
 TEST_CASE("a cantilever of hinges hangs as the heavy elastica", "[solver]") {
-  // H/W of the heavy elastica at Γ = ρ g L³ / B = 1, 10, 100 (solved to 1e-10 by two methods). The clamp acts half a
-  // row behind the last pinned one.
+  // H/W of the heavy elastica at Γ = ρ g L³ / B = 1, 10, 100 (solved to 1e-10 by two methods). The clamp acts
+  // half a row behind the last pinned one.
   const std::array<std::array<double, 2>, 3> curve = {{{1, 0.124562}, {10, 1.0668}, {100, 5.8881}}};
   for (const auto& [gamma, expected] : curve) {
     Strip strip(24, 1);
@@ -141,8 +141,8 @@ TEST_CASE("a cantilever of hinges hangs as the heavy elastica", "[solver]") {
     REQUIRE(found->settled());
     const Vector3 tip = strip.tip(found->positions());
     const double start = strip.rest.box_max().x() - length;
-    // What is left of curling at the sides shrinks as the fourth root of the membrane's compliance, whether that is
-    // 1e-6, 1e-7 or 1e-8 m/N: 1 to 2 % of H/W at Γ = 1. Bent farther the strip does not curl.
+    // What is left of curling at the sides shrinks as the fourth root of the membrane's compliance, whether
+    // that is 1e-6, 1e-7 or 1e-8 m/N: 1 to 2 % of H/W at Γ = 1. Bent farther the strip does not curl.
     const double ratio = -tip.z() / (tip.x() - start) / expected;
     CHECK_THAT(ratio, WithinAbs(1, gamma < 5 ? 0.02 : 0.01));
   }
@@ -185,8 +185,8 @@ TEST_CASE("a standing strip buckles where Greenhill says", "[solver]") {
     REQUIRE(found->settled());
     return std::abs(strip.tip(found->positions()).x()) / length;
   };
-  // B is the flexural rigidity D where the sheet cannot curl across, and D (1 - ν²) with ν = -1/3 (a lattice of hinges)
-  // where it can: the strip buckles between 6.97 and 7.837.
+  // B is the flexural rigidity D where the sheet cannot curl across, and D (1 - ν²) with ν = -1/3 (a lattice
+  // of hinges) where it can: the strip buckles between 6.97 and 7.837.
   CHECK(leans(6.5) < 1e-3);  // straight but for the imperfection of 2e-5, at most 15 times
   CHECK(leans(8.5) > 0.2);
 }

@@ -1,4 +1,5 @@
-// How far a substep may fly freely: velocity gradients and numbers of parts by closed forms, and what it is for.
+// How far a substep may fly freely: velocity gradients and numbers of parts by closed forms, and what it is
+// for.
 #include "bendlab/solver/flight.hpp"
 
 #include <cmath>

@@ -277,8 +277,8 @@ TEST_CASE("kang_cho: the solution of the implicit system is missed by O(h⁵)", 
 }
 
 TEST_CASE("kang_cho: backward Euler itself is missed by O(h²), O(h³) where only along changes", "[solver]") {
-  // v = v0 + h M⁻¹ f(x + h v), by fixed-point iteration, which contracts at these steps. What `along` leaves out is
-  // h · h K_across (v0 + Δv) / m: O(h²) with velocities at the start, O(h³) without.
+  // v = v0 + h M⁻¹ f(x + h v), by fixed-point iteration, which contracts at these steps. What `along` leaves
+  // out is h · h K_across (v0 + Δv) / m: O(h²) with velocities at the start, O(h³) without.
   const auto error = [](bool moving, double h) {
     SimulationInput input = crumpled_sheet({0}, h);
     if (!moving) input.velocities.setZero();
@@ -299,8 +299,8 @@ TEST_CASE("kang_cho: backward Euler itself is missed by O(h²), O(h³) where onl
 TEST_CASE("kang_cho: momentum is kept by a single spring and not by a cloth", "[solver]") {
   SimulationInput pair = two_masses(0.3, 1.7, 250, 0.8, 1.1, 0.02);
   CHECK(momentum_gained(pair) <= 1e-15 * momentum_exchanged(pair));
-  // Σ m Δv = Σ_j (1 - G² 1)_j p_j, and G² 1 differs between vertices unless κ ≪ m: a free cloth gains momentum from
-  // nothing, at second order in κ / m.
+  // Σ m Δv = Σ_j (1 - G² 1)_j p_j, and G² 1 differs between vertices unless κ ≪ m: a free cloth gains
+  // momentum from nothing, at second order in κ / m.
   const auto share = [](double h) {
     const SimulationInput input = crumpled_sheet({}, h);
     return momentum_gained(input) / momentum_exchanged(input);
@@ -327,8 +327,8 @@ TEST_CASE("kang_cho: across its springs a sheet falls freely, at rest it stays a
 }
 
 TEST_CASE("kang_cho: a chain hangs as statics says, at any step", "[solver]") {
-  // Spring i carries the weight below it: its extension is α m g (n - i). Equilibrium is a fixed point because the
-  // weight is part of p.
+  // Spring i carries the weight below it: its extension is α m g (n - i). Equilibrium is a fixed point
+  // because the weight is part of p.
   const int n = 5;
   const double alpha = 1e-2, m = 0.1;
   SimulationInput input;
@@ -402,8 +402,8 @@ TEST_CASE("kang_cho: a stiff spring is stable at steps where explicit Euler dive
 }
 
 TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]") {
-  // A taut string of one mass between two pins, plucked sideways: each half has tension T and length l, and what
-  // `along` leaves to explicit integration is the stiffness 2 T / l. Stable for h² 2 T / l < 4 m.
+  // A taut string of one mass between two pins, plucked sideways: each half has tension T and length l, and
+  // what `along` leaves to explicit integration is the stiffness 2 T / l. Stable for h² 2 T / l < 4 m.
   const double m = 1, k = 100, rest = 0.5, l = 1, tension = k * (l - rest),
                critical = std::sqrt(4 * m * l / (2 * tension));
   SimulationInput input;

@@ -279,7 +279,8 @@ TEST_CASE("divergence names the farthest vertex and the most stretched triangle"
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "none");
   input.strain_stiffness.warp = input.strain_stiffness.weft = input.strain_stiffness.shear = 0;
   input.velocities = Positions::Zero(rest.vertex_count(), 3);
-  // Corner 0 of a grid split by `same` has triangles (0, 1, 6) and (0, 6, 5); 10⁶ sizes are 1.4e6 m, a step is 1/60 s.
+  // Corner 0 of a grid split by `same` has triangles (0, 1, 6) and (0, 6, 5); 10⁶ sizes are 1.4e6 m, a step
+  // is 1/60 s.
   input.velocities(0, 2) = 6e8;
   input.velocities(7, 2) = 3e8;
   const auto simulation = make_simulation<double>(input, {});
@@ -307,8 +308,8 @@ TEMPLATE_TEST_CASE("a collapsed sheet opens to its rest shape", "[solver]", floa
           test::effect_passes<TestType>("viscous_drag", rest, make_pins(rest, {}, 0), "coefficient", 1.0));
       for (int step = 0; step < 240; ++step) REQUIRE(simulation->step());
       const StretchMeter meter(rest, make_pins(rest, {}, 0));
-      // A collapsed sheet's is 1. It opens within a step, with velocities that crumple it, and nothing smooths what was
-      // folded over: half is what that leaves (0.16 to 0.51), shear as published 36 to 190.
+      // A collapsed sheet's is 1. It opens within a step, with velocities that crumple it, and nothing
+      // smooths what was folded over: half is what that leaves (0.16 to 0.51), shear as published 36 to 190.
       CHECK(meter.summarise(meter.measure(simulation->positions())).mean_strain < 0.7);
     }
 }

@@ -98,8 +98,8 @@ TEMPLATE_TEST_CASE("a hanging strip keeps its length with 4096 substeps", "[solv
 
 TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 substeps", "[solver]", float,
                    double) {
-  // Lumped masses make it ρ g L² / 2Y for any number of cells; 1 / Y = 0.01 m/N. Of two columns of cells, because one is not
-  // symmetric.
+  // Lumped masses make it ρ g L² / 2Y for any number of cells; 1 / Y = 0.01 m/N. Of two columns of cells,
+  // because one is not symmetric.
   Strip strip(2, 8, 256, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
@@ -111,7 +111,8 @@ TEMPLATE_TEST_CASE("a membrane of known stiffness has its elongation with 256 su
 }
 
 TEST_CASE("single precision loses no more than rounding of the constraints", "[solver]") {
-  // The same sheet in both precisions for 0.1 s: positions agree to some digits of an edge, however many substeps.
+  // The same sheet in both precisions for 0.1 s: positions agree to some digits of an edge, however many
+  // substeps.
   const RestMesh rest(grid(1, 1, 6, 6, Diagonal::alternating));
   const Pins pins = make_pins(rest, {0, 6}, 0);
   for (const int substeps : {1, 16, 256}) {
@@ -129,8 +130,8 @@ TEST_CASE("single precision loses no more than rounding of the constraints", "[s
 
 TEST_CASE("projections on rounded positions do where a substep moves the cloth by far more than a last digit",
           "[solver]") {
-  // A membrane that hangs still, on its road there and at rest. Eight substeps of 1/60 s move 1 m of cloth by 400 last digits;
-  // the experiments keep them apart from 15 on.
+  // A membrane that hangs still, on its road there and at rest. Eight substeps of 1/60 s move 1 m of cloth by
+  // 400 last digits; the experiments keep them apart from 15 on.
   Strip strip(2, 8, 8, 2);
   strip.input.strain_stiffness.kind = StiffnessKind::compliance;
   strip.input.strain_stiffness.compliance = 0.01;
@@ -167,7 +168,8 @@ TEST_CASE("a pin that moves is where it was put, to the last digit", "[solver]")
 }
 
 TEST_CASE("an effect that moves vertices sees whole positions in single precision", "[solver]") {
-  // On tethers a strip without a membrane keeps its length: the tether works on positions, the solver on displacements.
+  // On tethers a strip without a membrane keeps its length: the tether works on positions, the solver on
+  // displacements.
   Strip strip(1, 4, 16, 1);
   strip.input.strain = {};
   const auto simulation = simulation_with<float>(strip.input, {"gravity", "tethers"}, strip.rest, strip.pins);

@@ -26,7 +26,8 @@ Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins);
 ///
 ///     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
 ///
-/// A place's share is that of the moment there, s (1 - s) on a line that bends evenly; a held part does not bend.
+/// A place's share is that of the moment there, s (1 - s) on a line that bends evenly; a held part does not
+/// bend.
 class PairSpans {
  public:
   /// `held` is held_triangles(), `plane` UnitBend's; all are kept by reference.

@@ -140,10 +140,10 @@ class Calibration {
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
   }
 
-  // Hinges that fold less in the relaxed sheet than in the cylinder are what it relaxes by; the energy that it gains falls
-  // with their stiffness (it is convex in it, and this its gradient). What the cylinder then lacks comes back evenly.
-  // Measured on irregular sheets: after 8 rounds the difference is half of what it was, and more change nothing. Grids
-  // get direction-dependent by it: there the hinges stay as they were.
+  // Hinges that fold less in the relaxed sheet than in the cylinder are what it relaxes by; the energy that
+  // it gains falls with their stiffness (it is convex in it, and this its gradient). What the cylinder then
+  // lacks comes back evenly. Measured on irregular sheets: after 8 rounds the difference is half of what it
+  // was, and more change nothing. Grids get direction-dependent by it: there the hinges stay as they were.
   void agree(const SheetResponse& response, const std::vector<double>& energy) {
     constexpr int rounds = 8, refits = 2;
     const std::vector<double> before(linear_.factors().begin(), linear_.factors().end());
@@ -225,8 +225,8 @@ class Calibration {
     return facts;
   }
 
-  // In the sheet's plane; on a rest shape that is not flat each in its own, averaged over directions because their axes
-  // have nothing in common.
+  // In the sheet's plane; on a rest shape that is not flat each in its own, averaged over directions because
+  // their axes have nothing in common.
   template <class Energy>
   void add_hinge(StiffnessFit& fit, double& softness, const std::array<int, 4>& vertices,
                  const Energy& energy) {
@@ -271,7 +271,8 @@ class Calibration {
     }
   }
 
-  // `energy` of its shortening. A spring along an edge belongs to the membrane, and one between pins to nothing.
+  // `energy` of its shortening. A spring along an edge belongs to the membrane, and one between pins to
+  // nothing.
   template <class Energy>
   void add_pair(StiffnessFit& fit, double& softness, const std::array<int, 2>& pair, const UnitBend& bend,
                 const PairSpans& spans, const Energy& energy) {
@@ -300,7 +301,8 @@ class Calibration {
       const auto [a, b] = list.vertices[c];
       const double length = (rest_.position(a) - rest_.position(b)).norm(),
                    push = list.rest_length[c] - length;
-      // Its energy is ½ (push + δ)², of which the first power of δ resists: what pushes has a moment linear in κ.
+      // Its energy is ½ (push + δ)², of which the first power of δ resists: what pushes has a moment linear
+      // in κ.
       if (linear && push > at_rest * length)
         add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return push * std::max(0.0, shorter) / list.softness[c]; });

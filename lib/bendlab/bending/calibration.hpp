@@ -5,15 +5,16 @@
 //     ½ B κ²    where hinges, arcs or springs that push resist (moment B κ per width), B in N m,
 //     ¼ C κ⁴    where springs at rest do (moment C κ³), C in N m³.
 //
-// The energy of each constraint in the bent sheet is known in advance (unit_bend.hpp), and so is its moment at each
-// point of its line. calibrate() finds stiffnesses for which the energy of each vertex is that of its area, in every
-// direction. Springs that end at free edges, denser springs around pins and the directions of the mesh limit how well
-// that goes. Triangles whose corners are all pinned do not bend; a constraint that reaches into them is bent less.
+// The energy of each constraint in the bent sheet is known in advance (unit_bend.hpp), and so is its moment
+// at each point of its line. calibrate() finds stiffnesses for which the energy of each vertex is that of its
+// area, in every direction. Springs that end at free edges, denser springs around pins and the directions of
+// the mesh limit how well that goes. Triangles whose corners are all pinned do not bend; a constraint that
+// reaches into them is bent less.
 //
-// Between its vertices a sheet need not bend to a cylinder. At large deflections a membrane that hardly stretches forces
-// it to, and B is that of the cylinder. At small deflections the sheet finds shapes with less energy
-// (sheet_response.hpp), and B is smaller. Hinges on an equilateral lattice have one B for both. On other meshes the two
-// differ, and the target says at which of them B holds:
+// Between its vertices a sheet need not bend to a cylinder. At large deflections a membrane that hardly
+// stretches forces it to, and B is that of the cylinder. At small deflections the sheet finds shapes with
+// less energy (sheet_response.hpp), and B is smaller. Hinges on an equilateral lattice have one B for both.
+// On other meshes the two differ, and the target says at which of them B holds:
 //
 //     hinges, all alike          B at small / at large deflections
 //     equilateral lattice        1
@@ -22,10 +23,10 @@
 //     grid, same diagonal        1, but the direction matters: 0.46 to 2.0 times the mean
 //     irregular (delaunay)       0.92 to 0.94; 0.97 where both are asked for
 //
-// A spring averages the curvature over its length. The membrane has to hold springs that push: with a membrane of
-// 10⁻⁷ m/N strips of 24 cells measure 0.70 to 0.84 of B at small deflections (1.6 on one diagonal) and 0.92 to 1.31 at
-// large ones. Arcs push only when something shortens them: below a curvature of about 20 √(B / Y) / L² the membrane
-// stretches instead, and arcs have no linear stiffness.
+// A spring averages the curvature over its length. The membrane has to hold springs that push: with a
+// membrane of 10⁻⁷ m/N strips of 24 cells measure 0.70 to 0.84 of B at small deflections (1.6 on one
+// diagonal) and 0.92 to 1.31 at large ones. Arcs push only when something shortens them: below a curvature of
+// about 20 √(B / Y) / L² the membrane stretches instead, and arcs have no linear stiffness.
 #pragma once
 
 #include <array>
@@ -51,12 +52,13 @@ struct CalibrationTarget {
   Deflection deflection = Deflection::large;
 };
 
-/// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts: what the
-/// model's own stiffnesses were multiplied by, how evenly the energy is spread, what the membrane resists by itself.
-/// Throws std::invalid_argument where the target is not of the kind that the constraints need, and for springs in a
-/// rest shape that is not flat or in which they are not at rest. Of hinges in a flat rest shape facts say how much of B
-/// the sheet has at small and at large deflections; where the target asks for another deflection than large, it throws
-/// for other constraints, another rest shape and a sheet without enough vertices inside.
+/// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts:
+/// what the model's own stiffnesses were multiplied by, how evenly the energy is spread, what the membrane
+/// resists by itself. Throws std::invalid_argument where the target is not of the kind that the constraints
+/// need, and for springs in a rest shape that is not flat or in which they are not at rest. Of hinges in a
+/// flat rest shape facts say how much of B the sheet has at small and at large deflections; where the target
+/// asks for another deflection than large, it throws for other constraints, another rest shape and a sheet
+/// without enough vertices inside.
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target);
 

@@ -17,8 +17,8 @@ struct Levels {
   int n = 3;               ///< of pinned vertices
 };
 
-/// Ω = |AABB_max - AABB_min| / 2 · 0.5, m = max(Ω / e_avg · 0.1 + 1, 1), n = 2 m + 1, times the multiplier. Given a radius,
-/// m is the nearest whole number of edges in it; without a denser zone at pins n = m.
+/// Ω = |AABB_max - AABB_min| / 2 · 0.5, m = max(Ω / e_avg · 0.1 + 1, 1), n = 2 m + 1, times the multiplier.
+/// Given a radius, m is the nearest whole number of edges in it; without a denser zone at pins n = m.
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values);
 
 /// #V: `pinned_level` where the vertex counts as pinned, `free_level` elsewhere.

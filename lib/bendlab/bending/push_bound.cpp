@@ -9,9 +9,10 @@
 namespace bendlab {
 namespace {
 
-// Of m / h² per projection. Measured on sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps, excess 0.1 and 1:
-// growth over T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to 1.2 on alternating diagonals, 0.6
-// where both cross; 10 iterations hold up to 1.4 times as much as ten of one.
+// Of m / h² per projection. Measured on sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps,
+// excess 0.1 and 1: growth over T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to
+// 1.2 on alternating diagonals, 0.6 where both cross; 10 iterations hold up to 1.4 times as much as ten of
+// one.
 constexpr double membrane_of_one_projection = 1;
 
 double bounded(double excess, double growth) {

@@ -1,14 +1,15 @@
 // Springs that push in the flat sheet, and a solver that can't hold them.
 //
-// With the forces f, springs of length L put the tension T = Σ f L / 2A (N/m) on the membrane. A membrane that is projected
-// n times per substep h resists like one of a stiffness of about n m / h², m a vertex's mass, however stiff it was
-// told to be. So the sheet grows by
+// With the forces f, springs of length L put the tension T = Σ f L / 2A (N/m) on the membrane. A membrane
+// that is projected n times per substep h resists like one of a stiffness of about n m / h², m a vertex's
+// mass, however stiff it was told to be. So the sheet grows by
 //
 //     G = T h² / (n m)     where the springs keep pushing,     1 / (1/excess + 1/G)     at most by their excess,
 //
-// and where that is more than a few percent, vertices are thrown over their neighbours. The push in the flat sheet is the
-// same for every excess (calibration makes it so): a smaller one lets go sooner. So it is made as small as bounds the
-// growth; the moment is then linear up to a smaller curvature, which an unconverged sheet does not show.
+// and where that is more than a few percent, vertices are thrown over their neighbours. The push in the flat
+// sheet is the same for every excess (calibration makes it so): a smaller one lets go sooner. So it is made
+// as small as bounds the growth; the moment is then linear up to a smaller curvature, which an unconverged
+// sheet does not show.
 #pragma once
 
 #include <optional>
@@ -19,8 +20,8 @@
 
 namespace bendlab {
 
-/// 1; below what gravity does to a sheet at such substeps. Measured with an excess of 1: sheets that would grow by 0.06 and
-/// more may be torn apart, up to 0.05 none was.
+/// 1; below what gravity does to a sheet at such substeps. Measured with an excess of 1: sheets that would
+/// grow by 0.06 and more may be torn apart, up to 0.05 none was.
 inline constexpr double tolerated_growth = 0.04;
 
 /// What a solver makes of springs that push.
@@ -34,9 +35,10 @@ struct PushBound {
   int substeps_factor = 1;  ///< how many times as many substeps hold the told excess
 };
 
-/// `springs` as calibrated (forces at a compliance of 1), `mass` #V in kg, `substep` in s, `projections` of each constraint in
-/// it. Makes the excess of all springs as small as keeps the growth within `tolerated_growth`, at the same push in the
-/// rest shape; changes no bit where that holds already. Nothing where no spring pushes.
+/// `springs` as calibrated (forces at a compliance of 1), `mass` #V in kg, `substep` in s, `projections` of
+/// each constraint in it. Makes the excess of all springs as small as keeps the growth within
+/// `tolerated_growth`, at the same push in the rest shape; changes no bit where that holds already. Nothing
+/// where no spring pushes.
 std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh& rest,
                                     std::span<const double> mass, double substep, int projections);
 

@@ -27,7 +27,8 @@ std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
   return depth;
 }
 
-// Where the sheet ends or is not free: corners of edges with one triangle, pins, corners of triangles without area.
+// Where the sheet ends or is not free: corners of edges with one triangle, pins, corners of triangles without
+// area.
 std::vector<int> ends(const RestMesh& rest, const Pins& pins) {
   std::vector<char> end(pins.is_pinned);
   std::vector<std::array<int, 2>> edges;
@@ -65,8 +66,8 @@ Eigen::RowVector3d angle(const HeightStencil& stencil, const Heights& z) {
   return sum;
 }
 
-// Vertices in `unknown` (their number there, else -1) move to where the forces on them are zero. False where nothing
-// resists that some of them move.
+// Vertices in `unknown` (their number there, else -1) move to where the forces on them are zero. False where
+// nothing resists that some of them move.
 bool relax(std::span<const HeightStencil> stencils, std::span<const double> factor,
            const std::vector<int>& unknown, Eigen::Index unknowns, Heights& z) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -129,7 +130,8 @@ SheetResponse::SheetResponse(const RestMesh& rest, const Pins& pins, std::span<c
     for (int c = 0; c < 3; ++c)
       area_[static_cast<std::size_t>(rest.triangles()(t, c))] +=
           rest.areas()[static_cast<std::size_t>(t)] / 3;
-  // Fades out before what is held: a repeating pattern that the rim cuts through counts with whole cells, nearly.
+  // Fades out before what is held: a repeating pattern that the rim cuts through counts with whole cells,
+  // nearly.
   for (const int depth : depth_) {
     const double inside = depth < std::numeric_limits<int>::max() ? std::max(0, depth - held_depth - 1) : 0;
     window_.push_back(inside * inside);
@@ -167,8 +169,8 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
     answer.relaxed += weight * here.transpose() * here;
     answer.as_told += weight * before.transpose() * before;
   }
-  // The rim holds the sheet a little off, so that inside it is bent otherwise than there: by what the best quadratic
-  // surface through it says.
+  // The rim holds the sheet a little off, so that inside it is bent otherwise than there: by what the best
+  // quadratic surface through it says.
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 3> right = Eigen::Matrix<double, 6, 3>::Zero();
   double area = 0;

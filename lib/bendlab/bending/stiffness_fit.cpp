@@ -51,9 +51,9 @@ void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   for (double& factor : factor_) factor *= sum > 0 ? target / sum : 1;
 }
 
-// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: what a constraint gives to a
-// vertex in a direction is multiplied by what is wanted there over what is there, and its new energy is the sum. Keeps
-// f positive and, of the many solutions, near the model's own proportions.
+// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: what a constraint
+// gives to a vertex in a direction is multiplied by what is wanted there over what is there, and its new
+// energy is the sum. Keeps f positive and, of the many solutions, near the model's own proportions.
 void StiffnessFit::improve(const std::vector<double>& wanted) {
   // Saves rounds: what alone would be right at once keeps half its error, what is slow becomes faster.
   constexpr double over_relaxation = 1.5;
@@ -106,8 +106,8 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
 }
 
 void StiffnessFit::fit(const std::vector<double>& wanted) {
-  // Measured on lattices, grids and irregular sheets: more rounds change the energy by less than 1 %, but switch more
-  // and more springs off.
+  // Measured on lattices, grids and irregular sheets: more rounds change the energy by less than 1 %, but
+  // switch more and more springs off.
   constexpr int rounds = 24;
   factor_.assign(softness_.size(), 1);
   scale_to(wanted);

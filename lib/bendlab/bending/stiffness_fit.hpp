@@ -1,5 +1,5 @@
-// The bending energy of constraints, and the fit of their stiffnesses to a target: the same energy per area at every
-// vertex, in every direction of bending.
+// The bending energy of constraints, and the fit of their stiffnesses to a target: the same energy per area
+// at every vertex, in every direction of bending.
 #pragma once
 
 #include <array>
@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// Directions of bending that stand for all: enough for the energy of any constraint here, whose harmonics are 0, 2, … 8
-/// of the direction's angle.
+/// Directions of bending that stand for all: enough for the energy of any constraint here, whose harmonics
+/// are 0, 2, … 8 of the direction's angle.
 inline constexpr std::size_t bending_directions = 9;
 using ByDirection = std::array<double, bending_directions>;
 
@@ -35,7 +35,8 @@ struct Share {
 };
 using Shares = std::vector<Share>;
 
-/// The constraints that meet one target, and each one's energy at κ = 1: how much in which direction, and whose.
+/// The constraints that meet one target, and each one's energy at κ = 1: how much in which direction, and
+/// whose.
 class StiffnessFit {
  public:
   explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
@@ -43,7 +44,8 @@ class StiffnessFit {
   /// `energy` with the softness as it is. The softness is referred to until meet().
   void add(double& softness, const ByDirection& energy, const Shares& shares);
 
-  /// A constraint without bending energy (a spring along an edge): meet() gives it the median softness of the others.
+  /// A constraint without bending energy (a spring along an edge): meet() gives it the median softness of the
+  /// others.
   void add_idle(double& softness) { idle_.push_back(&softness); }
 
   bool empty() const { return softness_.empty() && idle_.empty(); }
@@ -56,8 +58,8 @@ class StiffnessFit {
     return finish(wanted, usual, name);
   }
 
-  /// meet() in its two steps, between which the factors may be changed: they are of every constraint's stiffness, in the
-  /// order of add().
+  /// meet() in its two steps, between which the factors may be changed: they are of every constraint's
+  /// stiffness, in the order of add().
   void fit(const std::vector<double>& wanted);
   std::vector<BendingFact> finish(const std::vector<double>& wanted, double usual, const std::string& name);
   std::span<double> factors() { return factor_; }

@@ -41,8 +41,8 @@ class TangentPlanes {
   Positions normal_;
 };
 
-// In [0, 1), evenly spread over the vertices and the same everywhere (SplitMix64): where a vertex's directions begin,
-// so that what a lattice lacks at one vertex is not lacking at all.
+// In [0, 1), evenly spread over the vertices and the same everywhere (SplitMix64): where a vertex's
+// directions begin, so that what a lattice lacks at one vertex is not lacking at all.
 double phase(int vertex) {
   std::uint64_t x = static_cast<std::uint64_t>(vertex) + std::uint64_t{0x9e3779b97f4a7c15};
   x = (x ^ (x >> 30)) * std::uint64_t{0xbf58476d1ce4e5b9};
@@ -94,8 +94,9 @@ class Thinned {
     double angle;
   };
 
-  // A ring offers a few directions only, and a lattice the same ones everywhere. Of those near the one aimed at,
-  // the one that makes up for what earlier choices missed; on the other side where the sheet ends on this one.
+  // A ring offers a few directions only, and a lattice the same ones everywhere. Of those near the one aimed
+  // at, the one that makes up for what earlier choices missed; on the other side where the sheet ends on this
+  // one.
   std::vector<Candidate>::iterator choose(std::vector<Candidate>& candidates, double aim,
                                           double reach) const {
     const Harmonics wanted = owed_ + harmonics(aim);

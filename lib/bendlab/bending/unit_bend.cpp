@@ -49,8 +49,8 @@ Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   return g;
 }
 
-// Strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: from the displacements of its corners, and from
-// its slopes.
+// Strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: from the displacements of its
+// corners, and from its slopes.
 struct TriangleBend {
   std::array<int, 3> corner;
   double area;
@@ -83,8 +83,8 @@ TriangleBend triangle_bend(const std::array<int, 3>& corner, const std::vector<V
   return bend;
 }
 
-// The unknowns to hold so that no part of the sheet can move as a whole: a vertex of each connected part, and another's
-// way around it.
+// The unknowns to hold so that no part of the sheet can move as a whole: a vertex of each connected part, and
+// another's way around it.
 std::vector<int> held_unknowns(const RestMesh& rest, const std::vector<Vector2>& plane) {
   std::vector<int> held;
   for (const std::vector<int>& part : connected_parts(rest.one_ring())) {

@@ -1,6 +1,7 @@
-// A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices come, and by
-// which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth cylinder. Its edges keep
-// their lengths, so a pair t edges apart shortens by (1 - 1/t²) of what the chord of a smooth arc does.
+// A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices
+// come, and by which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth
+// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) of what the chord of
+// a smooth arc does.
 #pragma once
 
 #include <array>
@@ -22,12 +23,12 @@ double value_in(const std::array<double, N>& form, const Vector2& direction) {
 using QuadraticForm = std::array<double, 3>;
 using QuarticForm = std::array<double, 5>;
 
-/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of its triangles; x and y of a sheet
-/// that lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
+/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of its triangles; x and y of a
+/// sheet that lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
 std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 
-/// Fold angle at the edge q0 q1 of the triangles with q2 and q3, over κ, in m: z = ½ κ (q·d)² at the four vertices,
-/// each triangle flat.
+/// Fold angle at the edge q0 q1 of the triangles with q2 and q3, over κ, in m: z = ½ κ (q·d)² at the four
+/// vertices, each triangle flat.
 QuadraticForm fold(const std::array<Vector2, 4>& q);
 
 /// The same angle of any small heights of the four vertices, as a sum of them: the weights, in 1/m.
@@ -36,8 +37,8 @@ std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q);
 /// A hinge laid flat: p0, p1 of its edge, then the vertices opposite it.
 std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p);
 
-/// The bent sheet: z = ½ κ (p·d)² at the vertices, linear on every triangle, and the displacements κ² w in the plane
-/// that leave the least strain (von Kármán: ε = sym ∇w + ½ ∇z ∇zᵀ, Σ area |ε|² as small as can be).
+/// The bent sheet: z = ½ κ (p·d)² at the vertices, linear on every triangle, and the displacements κ² w in
+/// the plane that leave the least strain (von Kármán: ε = sym ∇w + ½ ∇z ∇zᵀ, Σ area |ε|² as small as can be).
 class UnitBend {
  public:
   /// Throws std::invalid_argument if the rest shape is not flat.
@@ -51,8 +52,8 @@ class UnitBend {
   /// w in the direction d, over κ², in m³.
   Vector2 displacement(int vertex, const Vector2& direction) const;
 
-  /// What strain is left, because a mesh need not be able to bend without: a membrane of stiffness 1 N/m (energy
-  /// ½ |ε|² per area) has the energy ¼ C κ⁴ per area, averaged over all directions; this is C in m⁴.
+  /// What strain is left, because a mesh need not be able to bend without: a membrane of stiffness 1 N/m
+  /// (energy ½ |ε|² per area) has the energy ¼ C κ⁴ per area, averaged over all directions; this is C in m⁴.
   double membrane_quartic() const { return membrane_quartic_; }
 
  private:

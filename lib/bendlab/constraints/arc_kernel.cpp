@@ -53,8 +53,8 @@ struct PackKernel<ArcSpring> {
   //
   //     load - yielding (1 - ρ) = p(ρ)
   //
-  // where `load` is the push that would hold the segment straight and `yielding` what shortening by L takes off it.
-  // Lanes that need no solution compute one all the same, of a load that has one.
+  // where `load` is the push that would hold the segment straight and `yielding` what shortening by L takes
+  // off it. Lanes that need no solution compute one all the same, of a load that has one.
   template <class Real, Law law>
   BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const std::array<Pack<Real>, 1>& rest,
                                           std::integral_constant<Law, law>, const Pack<Real>& w,
@@ -76,7 +76,8 @@ struct PackKernel<ArcSpring> {
       bent = arc<Real>(load, yielding);
     else
       bent = quartic<Real>(load, yielding);
-    // The last step, in ρ: it is exact to rounding both where the push changes the length much and where little.
+    // The last step, in ρ: it is exact to rounding both where the push changes the length much and where
+    // little.
     const P held = to_push * multiplier;
     const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
     const P buckled = buckles ? step * length * per_w : -value * per_w;
@@ -84,8 +85,8 @@ struct PackKernel<ArcSpring> {
   }
 
  private:
-  // The polynomial law or its derivative, by ascending powers. Element by element: of a list of casts GCC 12 makes
-  // wrong numbers under -frounding-math.
+  // The polynomial law or its derivative, by ascending powers. Element by element: of a list of casts GCC 12
+  // makes wrong numbers under -frounding-math.
   template <class Real, bool derivative>
   static constexpr auto series = [] {
     std::array<Real, ArcSpring::polynomial.size() - derivative> coefficients{};
@@ -114,9 +115,10 @@ struct PackKernel<ArcSpring> {
     return low < highest ? low : broadcast(highest);
   }
 
-  // In z = y²: ρ = 3e - z f and p = 4/e with e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2. Times e, the equation
-  // reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0, falling and convex on the way to its root: Newton's method cannot
-  // run away. After these steps z is right to 10⁻³ (float) and 10⁻⁷ (double), and the last one squares that.
+  // In z = y²: ρ = 3e - z f and p = 4/e with e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2. Times e, the
+  // equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0, falling and convex on the way to its root:
+  // Newton's method cannot run away. After these steps z is right to 10⁻³ (float) and 10⁻⁷ (double), and the
+  // last one squares that.
   template <class Real>
   BENDLAB_INLINE static Bent<Real> arc(const Pack<Real>& load, const Pack<Real>& yielding) {
     using P = Pack<Real>;

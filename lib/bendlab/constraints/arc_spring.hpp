@@ -4,9 +4,9 @@
 //      /       \          r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ², and its ends push apart with
 //     a----r----b         P = -dU/dr = k_b κ² / (sinc y - cos y): 12 k_b/L² straight, 4π² k_b/L² closed.
 //
-// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L²: the force jumps.
-// Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs; change() solves for
-// the multiplier with the jump in it and needs none.
+// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L²: the force
+// jumps. Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs;
+// change() solves for the multiplier with the jump in it and needs none.
 #pragma once
 
 #include <array>
@@ -37,8 +37,8 @@ struct ArcSpring {
   };
   static constexpr std::array<std::string_view, 2> law_names = {"exact", "polynomial"};
 
-  /// -4 p, p as Blender's implicit cloth solver has it (implicit_blender.c, which leaves the factor 4/L² out); by
-  /// ascending powers of r/L.
+  /// -4 p, p as Blender's implicit cloth solver has it (implicit_blender.c, which leaves the factor 4/L²
+  /// out); by ascending powers of r/L.
   static constexpr std::array<double, 5> polynomial = {4 * 9.713, -4 * 23.116, 4 * 39.083, -4 * 34.193,
                                                        4 * 11.541};
 
@@ -65,8 +65,9 @@ struct ArcSpring {
   /// U / k_b, 1/m, at C = r - L.
   static double energy(double value, const std::array<double, 1>& rest, Law law);
 
-  /// Δλ of the exact solution of λ' = h² P(r'), r' = r + w Δλ at C = r - L, where P at r' = L may be anything from 0
-  /// to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` 1 / (k_b h²), λ ≥ 0 pushes. In double for every Real.
+  /// Δλ of the exact solution of λ' = h² P(r'), r' = r + w Δλ at C = r - L, where P at r' = L may be anything
+  /// from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` 1 / (k_b h²), λ ≥ 0 pushes. In double for every
+  /// Real.
   static double change(double value, const std::array<double, 1>& rest, Law law, double w, double alpha,
                        double multiplier);
 
@@ -127,7 +128,8 @@ inline double ArcSpring::change(double value, const std::array<double, 1>& rest,
   if (straight < 0) return -multiplier;
   const double length = rest[0], to_push = alpha * length * length, yielding = to_push * length / w;
   if (to_push * straight <= bent(0, law).push) return -value / w;
-  // In units of L and k_b/L²: push(r') is `straight`'s less what shortening by 1 - r' relieves. It falls as r' grows.
+  // In units of L and k_b/L²: push(r') is `straight`'s less what shortening by 1 - r' relieves. It falls as
+  // r' grows.
   const Bent end = bent(bisected([&](double t) {
                           const Bent at = bent(t, law);
                           return to_push * straight - yielding * (1 - at.ratio) > at.push;

@@ -35,8 +35,9 @@ struct BatchOrder {
   std::size_t run_count() const { return runs.size() - 1; }
 };
 
-/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice. Where they lie
-/// changes nothing, but that a lane whose dummies lie at one point is looked at as if it had collapsed, which takes time.
+/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
+/// Where they lie changes nothing, but that a lane whose dummies lie at one point is looked at as if it had
+/// collapsed, which takes time.
 inline constexpr int dummy_corners = 4;  ///< no constraint has more vertices
 inline constexpr int dummy_points = dummy_corners * max_lanes;
 
@@ -59,8 +60,9 @@ struct DistanceBatch {
 enum class StrainForm {
   normalised,  ///< √S_ii - 1 and S_ij / (|f_i| |f_j|) (SBD 2014, eqs. 14 and 15)
   green,       ///< S_ii - 1 and S_ij (SBD 2014, eqs. 9 and 10)
-  /// Ours: √S_ii - 1, and of shear the angle that lacks to a right one, asin(S_ij / (|f_i| |f_j|)). Its gradient is 1 / |f|
-  /// whatever the angle, where that of the cosine vanishes for parallel warp and weft and a projection overshoots.
+  /// Ours: √S_ii - 1, and of shear the angle that lacks to a right one, asin(S_ij / (|f_i| |f_j|)). Its
+  /// gradient is 1 / |f| whatever the angle, where that of the cosine vanishes for parallel warp and weft and
+  /// a projection overshoots.
   angle,
 };
 inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};

@@ -3,8 +3,8 @@
 namespace bendlab {
 namespace {
 
-// Lanes by which a batch's data is fetched before it is used. A tile begins in the midst of each colour, where
-// the processor has no stream to go on with (measured at a million vertices: 8 % of a spring).
+// Lanes by which a batch's data is fetched before it is used. A tile begins in the midst of each colour,
+// where the processor has no stream to go on with (measured at a million vertices: 8 % of a spring).
 constexpr std::size_t ahead = 512;
 
 // The springs of a pack in the rest shape.
@@ -28,8 +28,8 @@ struct RestEnds {
 //   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n
 //        n = (p_a - p_b) / |p_a - p_b|, of a collapsed spring as in the rest shape: there as if |p_a - p_b| were just
 //        long enough to have a direction
-// A correction is no longer than the spring's own, and its gradient is never rounding: nothing has to be bounded.
-// Returns how far b moves; a has moved.
+// A correction is no longer than the spring's own, and its gradient is never rounding: nothing has to be
+// bounded. Returns how far b moves; a has moved.
 template <class Real, bool compliant>
 BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoints<Real>& b,
                                              const Pack<Real>& rest, Real k, const Pack<Real>& alpha,

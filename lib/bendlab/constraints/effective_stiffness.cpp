@@ -78,8 +78,8 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& st
   return work;
 }
 
-// The Green strain E of the membrane at every place, as a tensor on the rest shape: the mean over the triangles there,
-// weighted by area. No area: there are none.
+// The Green strain E of the membrane at every place, as a tensor on the rest shape: the mean over the
+// triangles there, weighted by area. No area: there are none.
 struct MembraneStrain {
   std::vector<Eigen::Matrix3d> strain;
   std::vector<double> area;  // m²
@@ -201,7 +201,8 @@ bool is_measured(const AppliedWork& work) {
 
 // Work that is done on the cloth where it should be done by it is a share of 0.
 double share_of(const AppliedWork& work) {
-  // Settled strips and sheets had up to 7 times; one that shakes has hundreds, of multipliers that resist no bend.
+  // Settled strips and sheets had up to 7 times; one that shakes has hundreds, of multipliers that resist no
+  // bend.
   constexpr double most = 8;
   const double stiffness = std::max(0.0, work.applied) / work.told;
   if (work.spent == 0 || !(stiffness > 0)) return stiffness;

@@ -21,13 +21,15 @@ struct PackConstraint {
 template <auto... laws>
 struct LawList {};
 
-/// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest, law)`, there the
-/// value to be corrected by, and elsewhere 0 (see ConstraintValue).
+/// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest,
+/// law)`, there the value to be corrected by, and elsewhere 0 (see ConstraintValue).
 ///
-/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at rest, and
-/// `exceeds_rest_size(squared, rest)`, the lanes in which a squared length is larger than that; `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity> evaluate(points,
-/// rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is OneSided also
-/// `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the lanes' Kind::change().
+/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at
+/// rest, and `exceeds_rest_size(squared, rest)`, the lanes in which a squared length is larger than that;
+/// `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity>
+/// evaluate(points, rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is
+/// OneSided also `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the
+/// lanes' Kind::change().
 template <class Kind>
 struct PackKernel;
 
@@ -109,7 +111,8 @@ BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
-// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
+// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none
+// there either.
 template <class Kind, class Real, class Law>
 BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kind::arity> c,
                                                         const std::array<PackPoints<Real>, Kind::arity>& p,
@@ -134,8 +137,8 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   return c;
 }
 
-// False where the constraints have to be projected carefully, because one has collapsed or a corner moved farther than its
-// constraint is long at rest; nothing is changed then.
+// False where the constraints have to be projected carefully, because one has collapsed or a corner moved
+// farther than its constraint is long at rest; nothing is changed then.
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
                                  std::size_t lane, Real compliance_over_h2) {

@@ -15,8 +15,8 @@
 //     static Real rest_size(rest);   // m, a length that is no longer than the constraint at rest, see largest_move
 //   };
 //
-// Its energy is ½ C² / α. A kind with another energy that is free where C ≥ 0 is OneSided: k and damping act on it
-// only where C < 0, and it brings what otherwise follows from ½ C² / α,
+// Its energy is ½ C² / α. A kind with another energy that is free where C ≥ 0 is OneSided: k and damping act
+// on it only where C < 0, and it brings what otherwise follows from ½ C² / α,
 //
 //     static constexpr bool one_sided = true;
 //     static double energy(C, rest, law);                      // where defined; times the compliance

@@ -1,5 +1,6 @@
-// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness (of a OneSided kind its own
-// energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count nothing.
+// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness (of a OneSided kind
+// its own energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count
+// nothing.
 #pragma once
 
 #include "bendlab/constraints/kinds.hpp"

@@ -39,8 +39,8 @@ struct HingeAngle {
                                         const std::array<Real, 4>& rest, Law law);
 };
 
-/// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined where the edge or
-/// a triangle's height has collapsed against the edge's rest length: its strain is what opens it.
+/// θ and ∇θ (Bridson et al. 2003, the modes u_i with the sign reversed: ∇θ = -u_i). Undefined where the edge
+/// or a triangle's height has collapsed against the edge's rest length: its strain is what opens it.
 template <class Real>
 ConstraintValue<Real, 4> hinge_angle(const std::array<Vector3Of<Real>, 4>& p, Real per_rest_edge) {
   const Vector3Of<Real> e = (p[1] - p[0]) * per_rest_edge;

@@ -1,5 +1,6 @@
-// A vector whose memory, when it is large, the system is asked to map in pages of 2 MB: a sweep over a million
-// vertices touches more pages of 4 KB than a processor has translations for (measured: 15 % of a spring).
+// A vector whose memory, when it is large, the system is asked to map in pages of 2 MB: a sweep over a
+// million vertices touches more pages of 4 KB than a processor has translations for (measured: 15 % of a
+// spring).
 #pragma once
 
 #include <sys/mman.h>

@@ -1,5 +1,5 @@
-// Trigonometry on packs, to two or three units in the last place. Polynomials through the Chebyshev nodes of their
-// range, relative error below 2·10⁻⁸ (float) and 4·10⁻¹⁷ (double); Taylor's series of Bessel functions.
+// Trigonometry on packs, to two or three units in the last place. Polynomials through the Chebyshev nodes of
+// their range, relative error below 2·10⁻⁸ (float) and 4·10⁻¹⁷ (double); Taylor's series of Bessel functions.
 #pragma once
 
 #include <array>
@@ -83,8 +83,8 @@ BENDLAB_INLINE Pack<Real> sine(const Pack<Real>& x) {
   return x * detail::polynomial(detail::sine_series<Real>, x * x);
 }
 
-/// Spherical Bessel functions j1(√z) / √z and j2(√z) / z for z in [0, π²]; absolute error two or three units in the
-/// last place of their values 1/3 and 1/15 at 0. With y = √z the first is (sinc y - cos y) / y², and
+/// Spherical Bessel functions j1(√z) / √z and j2(√z) / z for z in [0, π²]; absolute error two or three units
+/// in the last place of their values 1/3 and 1/15 at 0. With y = √z the first is (sinc y - cos y) / y², and
 /// sinc y = 3 j1(y) / y - j2(y).
 template <class Real>
 BENDLAB_INLINE Pack<Real> bessel_1(const Pack<Real>& z) {

@@ -22,12 +22,13 @@ struct alignas(4 * sizeof(Real)) Point {
 template <class Real>
 using Points = LargeArray<Point<Real>>;
 
-/// Where the vertices are, for projections. `moved` alone where `base` is null; else base + moved, and projections change
-/// `moved`. Inverse masses stand in `base` then, and 0 in moved.w.
+/// Where the vertices are, for projections. `moved` alone where `base` is null; else base + moved, and
+/// projections change `moved`. Inverse masses stand in `base` then, and 0 in moved.w.
 ///
-/// The sum is what single precision needs: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps, far below
-/// the last digit of a position near 1 m. Constraints depend on differences, and that of two neighbours' bases is exact to
-/// the last digit of an edge, not of a position; what a substep adds to it is kept apart, to its own last digit.
+/// The sum is what single precision needs: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096
+/// substeps, far below the last digit of a position near 1 m. Constraints depend on differences, and that of
+/// two neighbours' bases is exact to the last digit of an edge, not of a position; what a substep adds to it
+/// is kept apart, to its own last digit.
 template <class Real>
 struct Places {
   const Point<Real>* base = nullptr;

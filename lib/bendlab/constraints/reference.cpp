@@ -54,7 +54,8 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
-// A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if any.
+// A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if
+// any.
 template <class Real, std::size_t N, class ValueAt>
 ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
                                  const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
@@ -121,8 +122,8 @@ void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
-    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever that term has
-    // made of f.
+    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever
+    // that term has made of f.
     const auto start = vectors_of<Real>(p);
     const auto stretch = [&](int axis) {
       const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };

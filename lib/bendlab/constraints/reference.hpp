@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// A corner of a constraint, for projections: the vertex relative to the base of the first corner where places are split,
-/// else as it is.
+/// A corner of a constraint, for projections: the vertex relative to the base of the first corner where
+/// places are split, else as it is.
 template <class Real>
 struct Corner {
   Vector3Of<Real> base;
@@ -155,7 +155,8 @@ std::array<Real, N> inverse_masses(const std::array<Corner<Real>, N>& corners) {
   return w;
 }
 
-/// No corner moves farther than this in one projection, m: of a distance, whose correction is no longer than itself.
+/// No corner moves farther than this in one projection, m: of a distance, whose correction is no longer than
+/// itself.
 template <class Real>
 inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
 
@@ -171,7 +172,8 @@ Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<R
   return change;
 }
 
-/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is not null (α̃ = `compliance_over_h2`).
+/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is not null (α̃ =
+/// `compliance_over_h2`).
 template <class Real, std::size_t N>
 void project_reference(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
                        Real* multiplier, Real compliance_over_h2, Real reach = anywhere<Real>) {

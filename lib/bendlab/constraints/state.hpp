@@ -21,7 +21,8 @@ struct Contact {
   Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
 };
 
-/// Adds to `sum` and returns what the rounded sum lacks, of a number or a vector of them (Knuth 1969, theorem 4.2.2 B).
+/// Adds to `sum` and returns what the rounded sum lacks, of a number or a vector of them (Knuth 1969, theorem
+/// 4.2.2 B).
 template <class Number>
 BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
   const Number before = sum;
@@ -38,8 +39,8 @@ struct State {
   Points<Real> position;  ///< w holds the inverse mass, 1/kg (0: pinned)
   Points<Real> previous;  ///< positions at the start of the substep
   Points<Real> velocity;  ///< m/s
-  /// In single precision under pbd, else empty: what the last digits of positions (between substeps) and velocities do not
-  /// hold. Positions and velocities are these sums.
+  /// In single precision under pbd, else empty: what the last digits of positions (between substeps) and
+  /// velocities do not hold. Positions and velocities are these sums.
   Points<Real> position_remainder, velocity_remainder;
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();

@@ -7,7 +7,8 @@
 namespace bendlab {
 namespace {
 
-// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none there either.
+// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none
+// there either.
 template <class Real, StrainForm form, bool split, class TermOf, class Gradient>
 BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const TermOf& of,
                                            const Corners<Real, split>& t, const StrainBatch<Real>& batch,
@@ -44,8 +45,9 @@ struct TriangleLanes {
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
-  // One projection of one term: PBD with the fraction k, or XPBD. `careful`: collapsed lanes take the gradient of their rest
-  // shape, and no corner moves too far; else `defined` and `way` say whether it has to be.
+  // One projection of one term: PBD with the fraction k, or XPBD. `careful`: collapsed lanes take the
+  // gradient of their rest shape, and no corner moves too far; else `defined` and `way` say whether it has to
+  // be.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
   BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
@@ -87,8 +89,8 @@ struct TriangleLanes {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
   }
 
-  // Whether the triangles have to be projected carefully: one has collapsed, or a corner moved farther than its triangle is
-  // long at rest.
+  // Whether the triangles have to be projected carefully: one has collapsed, or a corner moved farther than
+  // its triangle is long at rest.
   template <bool split>
   BENDLAB_INLINE bool needs_care(const Corners<Real, split>& t) const {
     return any(~defined | (way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
@@ -132,7 +134,8 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   const std::size_t count = batch.order.constraint_of_lane.size();
   Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
-  if constexpr (compliant) {  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|); four times that on S_ii - 1
+  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|); four times that on S_ii - 1
+  if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
     triangles.stretch_alpha = form == StrainForm::green ? 4 * triangles.alpha : triangles.alpha;

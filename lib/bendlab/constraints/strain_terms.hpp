@@ -1,6 +1,6 @@
-// What the strain kernel projects of a triangle: its terms (stretch, shear, area), values and gradients for the lanes of a
-// pack. Part of strain_kernel.cpp, no other includes it; unnamed, because GCC allots registers otherwise to templates that
-// other sources may share.
+// What the strain kernel projects of a triangle: its terms (stretch, shear, area), values and gradients for
+// the lanes of a pack. Part of strain_kernel.cpp, no other includes it; unnamed, because GCC allots registers
+// otherwise to templates that other sources may share.
 #pragma once
 
 #include "bendlab/constraints/elements.hpp"
@@ -19,7 +19,8 @@ BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
 
-// Of split places the corners are what they moved, and the bases' edges stand beside them: so nothing is lost of either.
+// Of split places the corners are what they moved, and the bases' edges stand beside them: so nothing is lost
+// of either.
 template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;
@@ -161,8 +162,8 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, c
   }
 }
 
-// Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise. Angle:
-// C = atan(f1·f2 / |f1 × f2|), ∇C along the same over |f1 × f2|.
+// Normalised: C = cos = f1·f2 / (l1 l2), ∇C along a1 = (f2 - f1·f2 / l1² f1) / (l1 l2) and a2 likewise.
+// Angle: C = atan(f1·f2 / |f1 × f2|), ∇C along the same over |f1 × f2|.
 template <class Real, StrainForm form, bool split>
 BENDLAB_INLINE Term<Real, PerCorner<Real>> shear(const Corners<Real, split>& t, const RestInverse<Real>& q) {
   const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();
@@ -207,7 +208,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
           defined};
 }
 
-// Lanes in which a term is to be corrected along the gradient of the rest shape, and by what: see ConstraintValue.
+// Lanes in which a term is to be corrected along the gradient of the rest shape, and by what: see
+// ConstraintValue.
 template <class Real>
 struct Opening {
   PackMask<Real> lanes;

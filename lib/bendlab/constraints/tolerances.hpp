@@ -17,29 +17,30 @@ inline constexpr Real collapsed_ratio = 16 * std::numeric_limits<Real>::epsilon(
 template <class Real>
 inline constexpr Real parallel_sine_squared = Real(1e-6);
 
-/// S_11 S_22 up to which plain shear of parallel warp and weft opens along its rest shape. Above it the value, |S_12|, is
-/// that of a stretched triangle, and the rest shape's gradient would throw it by as much.
+/// S_11 S_22 up to which plain shear of parallel warp and weft opens along its rest shape. Above it the
+/// value, |S_12|, is that of a stretched triangle, and the rest shape's gradient would throw it by as much.
 template <class Real>
 inline constexpr Real open_product = 4;
 
-/// Σ w|∇C|² over the free corners, as a share of max w · Σ|∇C|² over all, below which a gradient is rounding noise and the
-/// constraint does not act: 64 ε of the whole gradient, squared. A corner gets there whose lever vanishes by geometry (the
-/// only free end of a hinge's edge, where both triangles have their right angle at the other end): C / |∇C| is then noise over
-/// noise, and would throw it anywhere.
+/// Σ w|∇C|² over the free corners, as a share of max w · Σ|∇C|² over all, below which a gradient is rounding
+/// noise and the constraint does not act: 64 ε of the whole gradient, squared. A corner gets there whose
+/// lever vanishes by geometry (the only free end of a hinge's edge, where both triangles have their right
+/// angle at the other end): C / |∇C| is then noise over noise, and would throw it anywhere.
 template <class Real>
 inline constexpr Real least_lever =
     Real(64 * 64) * std::numeric_limits<Real>::epsilon() * std::numeric_limits<Real>::epsilon();
 
-/// No projection moves a corner farther than this many sizes of its constraint (the longest distance between its corners,
-/// at rest or now, whichever is longer). Regular constraints stay below it (a hinge of equilateral triangles that opens by
-/// π moves by 1.1 edges); above it the linear step of a projection says nothing about the constraint.
+/// No projection moves a corner farther than this many sizes of its constraint (the longest distance between
+/// its corners, at rest or now, whichever is longer). Regular constraints stay below it (a hinge of
+/// equilateral triangles that opens by π moves by 1.1 edges); above it the linear step of a projection says
+/// nothing about the constraint.
 inline constexpr int largest_move = 2;
 
 /// The same of the published shear, whose own formula overshoots by up to 1 / sin: see parallel_sine_squared.
 inline constexpr int largest_published_move = 1000;
 
-/// Above this square of its ratio to its rest value an element is not corrected: a billion times too large in float, and
-/// the powers of it that projections take would overflow.
+/// Above this square of its ratio to its rest value an element is not corrected: a billion times too large in
+/// float, and the powers of it that projections take would overflow.
 template <class Real>
 inline constexpr Real overgrown_square = sizeof(Real) == 4 ? Real(1e18) : Real(1e150);
 

@@ -41,7 +41,8 @@ struct Effect {
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);
 
-  /// True where the effect provably changes nothing with these settings, whatever the cloth does; null: never known.
+  /// True where the effect provably changes nothing with these settings, whatever the cloth does; null: never
+  /// known.
   bool (*idle)(const ParameterValues&) = nullptr;
 
   template <class Real>

@@ -1,10 +1,10 @@
 // Friction: Coulomb's law where obstacles push the cloth.
 //
 // Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F that of all
-// friction. What is left of the sliding against the surface is cancelled as long as the total |F| stays within
-// μ_s D; where it does not, |F| becomes μ_k D. Sums over the iterations, not each iteration by itself: the first
-// one pushes most, and what strain and bending move afterwards has to stick too (the same as accumulated
-// impulses, Catto 2005, §4.3).
+// friction. What is left of the sliding against the surface is cancelled as long as the total |F| stays
+// within μ_s D; where it does not, |F| becomes μ_k D. Sums over the iterations, not each iteration by itself:
+// the first one pushes most, and what strain and bending move afterwards has to stick too (the same as
+// accumulated impulses, Catto 2005, §4.3).
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,5 +1,5 @@
-// Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side it
-// came from).
+// Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side
+// it came from).
 //
 // * Vertices go to the nearest point. One asks again only when it has moved by as much as it was away: a
 //   vertex that is far costs a comparison.
@@ -8,8 +8,8 @@
 // * Edges of the cloth against the mesh's ridges, its triangles against the mesh's pointed corners: what lies
 //   near is found once per substep, on the predicted positions.
 //
-// Not covered: edges and triangles are not followed through a substep. One that moves by more than the thickness
-// and half its length in it may cut a corner of the mesh between its vertices.
+// Not covered: edges and triangles are not followed through a substep. One that moves by more than the
+// thickness and half its length in it may cut a corner of the mesh between its vertices.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>

@@ -134,8 +134,8 @@ std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   return seed;
 }
 
-// The vertices that the settings name; all pinned ones where they name none. Throws std::invalid_argument for one
-// that is not in the mesh or not pinned.
+// The vertices that the settings name; all pinned ones where they name none. Throws std::invalid_argument for
+// one that is not in the mesh or not pinned.
 std::set<int> named_vertices(const EffectInput& input) {
   std::set<int> named;
   const auto add = [&](int vertex, const std::string& setting) {
@@ -198,9 +198,9 @@ class Motion {
   Vector3 axis_, centre_;
 };
 
-// Sets the predicted positions of pinned vertices, which no projection moves, to those of the substep's end, at
-// context.time + h. What prediction made of their velocities is overwritten; `update` derives their velocities from
-// where they were before, for whatever asks how fast a pin moves.
+// Sets the predicted positions of pinned vertices, which no projection moves, to those of the substep's end,
+// at context.time + h. What prediction made of their velocities is overwritten; `update` derives their
+// velocities from where they were before, for whatever asks how fast a pin moves.
 template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
   const Motion motion(input.parameters);

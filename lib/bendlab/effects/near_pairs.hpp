@@ -19,8 +19,9 @@ struct NearPair {
   double target;   ///< m, how far apart it should be: the thickness, or half of the rest distance where less
 };
 
-/// Finds the pairs that can come nearer than a part of their target while each vertex goes straight from where
-/// the substep started to a place within a margin of where it is now. All of these are found, and few others:
+/// Finds the pairs that can come nearer than a part of their target while each vertex goes straight from
+/// where the substep started to a place within a margin of where it is now. All of these are found, and few
+/// others:
 ///
 /// * boxes around each triangle's way, in a tree: n log n at most, n where the cloth is smooth. What all
 ///   vertices share of their motion is left out: cloth in free fall sweeps no space;
@@ -28,9 +29,9 @@ struct NearPair {
 /// * two elements that some axis or their gap's normal keeps apart both at the start and at the end were apart
 ///   all the way.
 ///
-/// Half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded to a
-/// diameter of the thickness before a pair is pushed; neighbours at rest never are. A pair that has a common
-/// vertex or touches at rest (a seam) is none.
+/// Half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded to
+/// a diameter of the thickness before a pair is pushed; neighbours at rest never are. A pair that has a
+/// common vertex or touches at rest (a seam) is none.
 ///
 /// The order of the pairs depends on the mesh alone.
 template <class Real>

@@ -53,7 +53,8 @@ inline Vector3 direction_of(const ParameterValues& values, std::string_view name
   return v.normalized();
 }
 
-/// The longest edge that obstacles reckon with, m: cloth stretched beyond this may be missed between vertices.
+/// The longest edge that obstacles reckon with, m: cloth stretched beyond this may be missed between
+/// vertices.
 inline double longest_edge(const RestMesh& rest) {
   constexpr double largest_stretch = 1.5;
   double longest = 0;
@@ -90,7 +91,8 @@ class Step {
   /// How far the velocity takes it.
   const Vector& advance() const { return advance_; }
 
-  /// How far the obstacle takes what is at `start` at the start of the substep: R(ωh) about the pivot, and on.
+  /// How far the obstacle takes what is at `start` at the start of the substep: R(ωh) about the pivot, and
+  /// on.
   Vector carried(const Vector& start) const {
     const Vector turned = axis_.cross(Vector(start - pivot_));
     return advance_ + sine_ * turned + versine_ * axis_.cross(turned);
@@ -115,8 +117,8 @@ void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex
 }
 
 /// Moves points of the cloth Σ weight·vertex by `depth` along `normal`, by a push of each free vertex in
-/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives. Where the point lies next to
-/// pinned corners, the free ones have next to no weight: see least_lever and largest_move.
+/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives. Where the point lies
+/// next to pinned corners, the free ones have next to no weight: see least_lever and largest_move.
 template <class Real, std::size_t corners>
 void push_together(PassContext<Real>& context, const Step<Real>& step,
                    const std::array<std::size_t, corners>& vertices, const std::array<Real, corners>& weights,

@@ -107,8 +107,8 @@ class RoundObstacle {
          contacts_used_);
   }
 
-  // Where the way from outside enters, by Newton's method on the distance, which is convex along it: a tangent
-  // stays below, so no step passes the surface, and once the distance grows the way has missed it.
+  // Where the way from outside enters, by Newton's method on the distance, which is convex along it: a
+  // tangent stays below, so no step passes the surface, and once the distance grows the way has missed it.
   void push_fast(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core, std::size_t v,
                  const Vector& from) const {
     constexpr int most_steps = 32;  // quadratic; where it grazes, a step quarters the height

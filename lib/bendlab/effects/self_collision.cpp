@@ -14,17 +14,17 @@
 //   as a rigid body with all it meets, until nothing does (Provot 1997; Bridson et al. 2002, §7.4: impact
 //   zones).
 //
-// Guaranteed, where the substep starts without an intersection: none at its end, whatever the step, speed
-// and iterations, as long as pins do not push through each other. Not guaranteed: the thickness itself, where
+// Guaranteed, where the substep starts without an intersection: none at its end, whatever the step, speed and
+// iterations, as long as pins do not push through each other. Not guaranteed: the thickness itself, where
 // iterations are few; that a start with intersections is undone (each pair stays on its side); what other
-// constraints wanted, obstacles included, where the last look moves a vertex; that a triangle does not turn over
-// within its own plane, through a line.
+// constraints wanted, obstacles included, where the last look moves a vertex; that a triangle does not turn
+// over within its own plane, through a line.
 //
 // Cost grows about as the number of vertices while layers move less than a few edges against each other in a
 // substep; beyond that the boxes around the ways overlap and it grows faster. Substeps are the remedy.
 //
-// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is given
-// time to come apart, as it would shoot apart else.
+// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is
+// given time to come apart, as it would shoot apart else.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -56,7 +56,8 @@ constexpr std::array parameters = {
 // s: a pair that is nearer than its target comes apart by the target in this time.
 constexpr double recovery_time = 0.02;
 // A pair has met where it is this part of its target apart, or this part of its distance at the start if that
-// is less: what is near already may come nearer by a little only, or rounding would have it after a few substeps.
+// is less: what is near already may come nearer by a little only, or rounding would have it after a few
+// substeps.
 constexpr double meeting = 0.05, meeting_of_start = 0.8;
 // A pair that met is moved back to this part of its target, or to its distance at the start.
 constexpr double moved_back = 0.5;

@@ -1,16 +1,17 @@
 // Strain limiting: no triangle is stretched or squeezed beyond bounds.
 //
 // F = P Q⁻¹ maps a triangle's material coordinates to space; its singular values σ₁ ≥ σ₂ are the principal
-// stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ, which follows from
-// FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. That leaves open where the triangle goes as a rigid
-// piece: its centre of mass stays, for its linear momentum, and it turns in its plane by the angle at which
-// Σ m r × r' = 0, for its angular momentum; neither changes a stretch. So one projection is exact for any
-// masses. Pins are infinite masses: one pinned corner is what the triangle is placed about. Of two, the edge
-// between lies where it must, the free corner alone moves, and the bounds are met after several projections, if
-// that edge allows.
+// stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ, which follows
+// from FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. That leaves open where the triangle goes as a
+// rigid piece: its centre of mass stays, for its linear momentum, and it turns in its plane by the angle at
+// which Σ m r × r' = 0, for its angular momentum; neither changes a stretch. So one projection is exact for
+// any masses. Pins are infinite masses: one pinned corner is what the triangle is placed about. Of two, the
+// edge between lies where it must, the free corner alone moves, and the bounds are met after several
+// projections, if that edge allows.
 //
-// Triangle by triangle, each sees what the ones before it did. A few sweeps settle what neighbours disagree on; a
-// whole sheet that is too long takes as many as the square of its width in triangles, as with any such sweep.
+// Triangle by triangle, each sees what the ones before it did. A few sweeps settle what neighbours disagree
+// on; a whole sheet that is too long takes as many as the square of its width in triangles, as with any such
+// sweep.
 #include <algorithm>
 #include <array>
 #include <cmath>

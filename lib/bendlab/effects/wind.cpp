@@ -9,13 +9,13 @@
 // largest where the air flows along the cloth, and jumps to its opposite as the cloth turns through that
 // position. With c (Keckeisen et al. 2004) it goes through zero there.
 //
-// An explicit impulse h F of a strong wind on a light triangle would throw it beyond the air's velocity, more in
-// each substep. So a triangle takes its force to no more than where it does it good: with m, the part of its
-// corners' masses that is its own, |u + s h F / m| is least at s = m |u| D / (h (D² + L²)), D and L being the
-// sizes of drag and lift; the impulse is h F times the smaller of s and 1. Then |u| does not grow. A vertex's
-// change is the mean of what its triangles would do as free pieces, weighted by mass, so (Jensen's inequality)
-// the kinetic energy relative to a steady uniform wind does not grow either in a free cloth, whatever h.
-// Where s ≥ 1, that is for (D² + L²) / D ≤ m |u| / h, the force is the law's, exactly.
+// An explicit impulse h F of a strong wind on a light triangle would throw it beyond the air's velocity, more
+// in each substep. So a triangle takes its force to no more than where it does it good: with m, the part of
+// its corners' masses that is its own, |u + s h F / m| is least at s = m |u| D / (h (D² + L²)), D and L being
+// the sizes of drag and lift; the impulse is h F times the smaller of s and 1. Then |u| does not grow. A
+// vertex's change is the mean of what its triangles would do as free pieces, weighted by mass, so (Jensen's
+// inequality) the kinetic energy relative to a steady uniform wind does not grow either in a free cloth,
+// whatever h. Where s ≥ 1, that is for (D² + L²) / D ≤ m |u| / h, the force is the law's, exactly.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -147,7 +147,8 @@ class Wind {
     }
   }
 
-  // All triangles see the velocities from before: their order does not matter but for rounding, and it is fixed.
+  // All triangles see the velocities from before: their order does not matter but for rounding, and it is
+  // fixed.
   void operator()(PassContext<Real>& context) {
     State<Real>& state = context.state;
     std::fill(impulse_.begin(), impulse_.end(), Vector::Zero());

@@ -34,8 +34,8 @@ class Failure : public std::runtime_error {
 /// The Failure that the library's error stack of this thread describes.
 Failure last_failure();
 
-/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread, and lets it convert a NaN
-/// as a fill value.
+/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread, and
+/// lets it convert a NaN as a fill value.
 class Lock {
  public:
   Lock();
@@ -151,8 +151,8 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
 }
 
 /// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
-/// never written read as NaN: on a full disk a dataset may have grown without its values. Not compressed: gzip
-/// saves 30 % of a moving cloth's frames and costs more time than all metrics together.
+/// never written read as NaN: on a full disk a dataset may have grown without its values. Not compressed:
+/// gzip saves 30 % of a moving cloth's frames and costs more time than all metrics together.
 class Series {
  public:
   struct Layout {

@@ -40,21 +40,21 @@ struct AcceptedMesh {
   bool renumbered = false;         ///< vertices have other indices than in the soup
 };
 
-/// The soup as a mesh that can be simulated. Throws std::invalid_argument with every problem and its first offenders
-/// where the policy refuses it.
+/// The soup as a mesh that can be simulated. Throws std::invalid_argument with every problem and its first
+/// offenders where the policy refuses it.
 AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy);
 
-/// #T: triangles with zero area as diagnose() has it (see zero_area_thickness). None in a mesh that was accepted by
-/// `refuse` or `repair`.
+/// #T: triangles with zero area as diagnose() has it (see zero_area_thickness). None in a mesh that was
+/// accepted by `refuse` or `repair`.
 std::vector<char> triangles_without_area(const TriangleMesh& mesh);
 
-/// The height that a degenerate triangle's rest shape is given: 1/1000 of its longest edge, at least 10⁻⁵ of the
-/// mesh's size. Large against a float's rounding of positions (3·10⁻⁸ of the size: 0.3 % of this height), small against
-/// the triangles around, which it disturbs by no more than itself.
+/// The height that a degenerate triangle's rest shape is given: 1/1000 of its longest edge, at least 10⁻⁵ of
+/// the mesh's size. Large against a float's rounding of positions (3·10⁻⁸ of the size: 0.3 % of this height),
+/// small against the triangles around, which it disturbs by no more than itself.
 inline constexpr double regular_height_of_edge = 1e-3, regular_height_of_size = 1e-5;
 
-/// The soup with one vertex per place, no zero areas, manifold and oriented alike (see the table above). Triangles keep
-/// their texture coordinates. Indices have to be in range and points finite.
+/// The soup with one vertex per place, no zero areas, manifold and oriented alike (see the table above).
+/// Triangles keep their texture coordinates. Indices have to be in range and points finite.
 PolygonSoup repaired(const PolygonSoup& soup);
 
 }  // namespace bendlab

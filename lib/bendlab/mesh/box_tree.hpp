@@ -1,4 +1,5 @@
-// Which of many boxes overlap, and what is nearest to a point: a binary tree of boxes, built once, its boxes renewed as the elements move.
+// Which of many boxes overlap, and what is nearest to a point: a binary tree of boxes, built once, its boxes
+// renewed as the elements move.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,8 +44,8 @@ class BoxTree {
     if (leaves_ > 0) inside(1, action);
   }
 
-  /// The least squared_distance(i) of the elements i from `point`; only those are looked at whose box is nearer than the
-  /// nearest so far. Infinite without elements.
+  /// The least squared_distance(i) of the elements i from `point`; only those are looked at whose box is
+  /// nearer than the nearest so far. Infinite without elements.
   template <class SquaredDistance>
   double least_squared_distance(const Vector3& point, const SquaredDistance& squared_distance) const {
     double least = std::numeric_limits<double>::infinity();

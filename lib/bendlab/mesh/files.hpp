@@ -32,12 +32,12 @@ class MeshFileError : public std::runtime_error {
 /// points become one vertex. Vertices and indices are not checked. Throws MeshFileError.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
-/// A mesh that can be simulated, by the policy of bad_triangles.hpp. Throws MeshFileError with every problem that the
-/// policy refuses.
+/// A mesh that can be simulated, by the policy of bad_triangles.hpp. Throws MeshFileError with every problem
+/// that the policy refuses.
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy);
 
-/// Only one that diagnose() finds nothing wrong with, without isolated vertices. `notes`, if given, receives what was
-/// left out.
+/// Only one that diagnose() finds nothing wrong with, without isolated vertices. `notes`, if given, receives
+/// what was left out.
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes .obj (with texture coordinates), .ply or .off as text that reads back to the same numbers. Throws

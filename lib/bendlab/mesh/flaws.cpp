@@ -105,7 +105,8 @@ std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   return stars;
 }
 
-// Moves the vertex of every star to where `place` puts it: place(vertex, the two others of one of its triangles).
+// Moves the vertex of every star to where `place` puts it: place(vertex, the two others of one of its
+// triangles).
 template <class Place>
 TriangleMesh with_moved(TriangleMesh mesh, Place place) {
   for (const Star& star : scattered_stars(mesh)) {

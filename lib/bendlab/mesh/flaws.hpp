@@ -9,8 +9,8 @@
 
 namespace bendlab {
 
-/// The names that with_flaw() knows, "none" first. About every twentieth vertex, triangle or edge is hit, where nothing else is
-/// said:
+/// The names that with_flaw() knows, "none" first. About every twentieth vertex, triangle or edge is hit,
+/// where nothing else is said:
 ///
 ///   needles             an interior vertex moved towards a neighbour, until 10⁻³ of a triangle's longer edge is left
 ///   caps                an interior vertex moved to an edge of its star, which it then sees at 179.9 degrees
@@ -28,8 +28,8 @@ std::span<const std::string_view> mesh_flaws();
 /// Throws std::invalid_argument for another name, and for a mesh with texture coordinates.
 TriangleMesh with_flaw(TriangleMesh mesh, std::string_view flaw);
 
-/// The same mesh with its vertices and triangles numbered at random; equal seeds give equal meshes on every platform. Texture
-/// coordinates are refused as above.
+/// The same mesh with its vertices and triangles numbered at random; equal seeds give equal meshes on every
+/// platform. Texture coordinates are refused as above.
 TriangleMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed);
 
 }  // namespace bendlab

@@ -48,19 +48,19 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
 /// from the centre outward, each ring from angle 0.
 TriangleMesh disc(double radius, int rings);
 
-/// A sleeve or skirt: the side of a cylinder or cone frustum around z, open at both ends, without a seam, normals
-/// outward. Rows of `cells` (at least 3) vertices on circles, every second row turned by half a cell:
+/// A sleeve or skirt: the side of a cylinder or cone frustum around z, open at both ends, without a seam,
+/// normals outward. Rows of `cells` (at least 3) vertices on circles, every second row turned by half a cell:
 ///
 ///     +---+---+---+       radius_top at z = height / 2
 ///    / \ / \ / \ /        Radii go from row to row by one factor, and as many rows as bring the triangles
 ///   +---+---+---+         nearest to equilateral: all triangles of a frustum are similar.
 ///
-/// Numbered row by row from the bottom, each from angle 0 or half a cell. A triangle's first edge lies along its
-/// circle.
+/// Numbered row by row from the bottom, each from angle 0 or half a cell. A triangle's first edge lies along
+/// its circle.
 TriangleMesh tube(double radius, double radius_top, double height, int cells);
 
-/// A closed ball: an octahedron with its edges split into `cells` and its vertices brought to `radius`, normals outward.
-/// 4 cells² + 2 vertices, 8 cells² triangles.
+/// A closed ball: an octahedron with its edges split into `cells` and its vertices brought to `radius`,
+/// normals outward. 4 cells² + 2 vertices, 8 cells² triangles.
 TriangleMesh sphere(double radius, int cells);
 
 }  // namespace bendlab

@@ -23,8 +23,9 @@ struct RestTriangle {
     if (least_height > 0) regularise(least_height);
   }
 
-  // Draws the three points to their line and moves the one between the others off it by the height; points at one place
-  // first become a line of that length. Which way is as good as any other: the first axis that is not the line's.
+  // Draws the three points to their line and moves the one between the others off it by the height; points at
+  // one place first become a line of that length. Which way is as good as any other: the first axis that is
+  // not the line's.
   void regularise(double height) {
     std::array<Vector3, 3> corner = {Vector3::Zero(), e1, e2};
     std::size_t apex = 0;  // opposite the longest edge
@@ -58,8 +59,9 @@ struct RestTriangle {
     return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
   }
 
-  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). Across the opposite edge
-  // a corner's part is zero, and has to be exactly: where that edge is pinned, a projection divides by it.
+  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). Across the
+  // opposite edge a corner's part is zero, and has to be exactly: where that edge is pinned, a projection
+  // divides by it.
   static void snap(double& b, double& c) {
     constexpr double rounding = 1e-9;  // of the column's largest entry
     const double limit = rounding * std::max(std::abs(b), std::abs(c));

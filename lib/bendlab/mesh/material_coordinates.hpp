@@ -18,8 +18,8 @@ inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"
 using InverseRest = std::array<double, 4>;
 
 /// One per triangle, the warp axis being `warp_direction` projected into the triangle's rest plane (where it
-/// is perpendicular to the plane, the triangle's first edge). A degenerate triangle has the Q⁻¹ of one that was given a
-/// height (see bad_triangles.hpp), across an arbitrary side of its line.
+/// is perpendicular to the plane, the triangle's first edge). A degenerate triangle has the Q⁻¹ of one that
+/// was given a height (see bad_triangles.hpp), across an arbitrary side of its line.
 std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction);
 
 /// One per triangle, the warp axis being the texture's u direction in the rest plane; stretched textures are

@@ -1,5 +1,5 @@
-// A triangle mesh as a surface to keep away from: nearest points with their side, crossings, what lies in a box.
-// Queries go through CGAL's AABB tree; the same object may be asked by one thread at a time.
+// A triangle mesh as a surface to keep away from: nearest points with their side, crossings, what lies in a
+// box. Queries go through CGAL's AABB tree; the same object may be asked by one thread at a time.
 #pragma once
 
 #include <array>

@@ -41,7 +41,8 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   return rim;
 }
 
-// The border of what lies around the vertex nearest to the centre: vertices within the radius that have a neighbour outside.
+// The border of what lies around the vertex nearest to the centre: vertices within the radius that have a
+// neighbour outside.
 std::vector<int> circle_vertices(const RestMesh& rest) {
   const Vector2 extent = (rest.box_max() - rest.box_min()).head<2>();
   const double radius = 0.25 * extent.minCoeff() + relative_tolerance * rest.size();

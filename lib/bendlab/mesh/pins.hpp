@@ -17,17 +17,18 @@ struct Pins {
   bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
 };
 
-/// Pins `seeds`, their first `rings` rings (0: the seeds alone; the paper pins 1) and what lies within `distance` (m,
-/// straight through the rest shape) of a seed or of an edge between two.
-/// Throws std::out_of_range for a seed that is not a vertex.
+/// Pins `seeds`, their first `rings` rings (0: the seeds alone; the paper pins 1) and what lies within
+/// `distance` (m, straight through the rest shape) of a seed or of an edge between two. Throws
+/// std::out_of_range for a seed that is not a vertex.
 Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
 
 /// Vertices by name: `upper_right`, `upper_left`, `lower_right`, `lower_left` (the vertex nearest to that
 /// corner of the rest box's x-y face), `top`, `bottom`, `left`, `right` (all vertices within 10⁻⁶ of the size
-/// of that side), `centre` (nearest to the centre of the box), `top_rim`, `bottom_rim` (all vertices at the largest
-/// or smallest z, the ends of a tube), `circle` (the outermost vertices within a quarter of the box's smaller x-y extent of
-/// the `centre`), `interior` (four, nearest to 0.3 and 0.7 of the box's width and height). Throws std::invalid_argument for another name, and for a rim of a flat mesh,
-/// because that is every vertex.
+/// of that side), `centre` (nearest to the centre of the box), `top_rim`, `bottom_rim` (all vertices at the
+/// largest or smallest z, the ends of a tube), `circle` (the outermost vertices within a quarter of the box's
+/// smaller x-y extent of the `centre`), `interior` (four, nearest to 0.3 and 0.7 of the box's width and
+/// height). Throws std::invalid_argument for another name, and for a rim of a flat mesh, because that is
+/// every vertex.
 std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
 
 /// The names that select_vertices() knows.

@@ -65,8 +65,8 @@ double separation_along(const Vector3& normal, Pairing pairing, const Corners& x
                                              : std::min(at[0], at[1]) - std::max(at[2], at[3]);
 }
 
-// Along the gap's normal the elements' vertices are as far apart as the gap, or farther: until two of them are
-// nearly the separation apart, nothing can happen.
+// Along the gap's normal the elements' vertices are as far apart as the gap, or farther: until two of them
+// are nearly the separation apart, nothing can happen.
 std::optional<Gap> first_contact(Pairing pairing, const Corners& start, const Corners& end,
                                  double separation) {
   const std::size_t second = pairing == Pairing::vertex_triangle ? 1 : 2;

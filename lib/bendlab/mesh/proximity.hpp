@@ -23,9 +23,9 @@ struct Gap {
 /// The shortest gap (Ericson, Real-Time Collision Detection, §5.1.5 and §5.1.9). Elements may be degenerate.
 Gap shortest_gap(Pairing pairing, const Corners& x);
 
-/// How far the first element's vertices lie beyond the second's along a unit `normal`, at least. If the normal
-/// is that of the gap at the start, and all four go straight from there to x, the gap is never shorter than
-/// the less of what it was and this: each difference along the normal changes evenly.
+/// How far the first element's vertices lie beyond the second's along a unit `normal`, at least. If the
+/// normal is that of the gap at the start, and all four go straight from there to x, the gap is never shorter
+/// than the less of what it was and this: each difference along the normal changes evenly.
 double separation_along(const Vector3& normal, Pairing pairing, const Corners& x);
 
 /// The gap at the first moment found at which it is not longer than `separation`, while all four go

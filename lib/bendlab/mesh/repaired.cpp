@@ -26,8 +26,9 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// CGAL's repair of a soup renumbers what it leaves alone and knows no texture, and a NaN in a point that nothing uses
-// merges points that differ; its remove_degenerate_faces() sees no area only where it is exactly zero.
+// CGAL's repair of a soup renumbers what it leaves alone and knows no texture, and a NaN in a point that
+// nothing uses merges points that differ; its remove_degenerate_faces() sees no area only where it is exactly
+// zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
@@ -93,8 +94,8 @@ class Mender {
     thickness_ = box.isEmpty() ? 0 : zero_area_thickness * box.diagonal().norm();
   }
 
-  // A thin triangle with a short edge: its ends are united. Else a vertex m lies on the longest edge: the triangles
-  // beyond that edge are split at m, and the thin one, which they now cover, goes.
+  // A thin triangle with a short edge: its ends are united. Else a vertex m lies on the longest edge: the
+  // triangles beyond that edge are split at m, and the thin one, which they now cover, goes.
   //
   //      a --- m --- b          a --- m --- b
   //        \       /     ->       \   |   /
@@ -142,8 +143,8 @@ class Mender {
     triangles_.push_back(second);
   }
 
-  // CGAL doubles vertices where the surface branches, touches itself in a point or cannot be oriented, and reverses
-  // triangles; their order stays.
+  // CGAL doubles vertices where the surface branches, touches itself in a point or cannot be oriented, and
+  // reverses triangles; their order stays.
   PolygonSoup oriented() const {
     using Point = CGAL::Simple_cartesian<double>::Point_3;
     std::vector<Point> points;

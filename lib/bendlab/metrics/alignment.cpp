@@ -62,7 +62,8 @@ RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span
   return {rotation, to_mean - rotation * from_mean};
 }
 
-// Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b) of the parts across the axis: the largest where φ is its angle.
+// Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b) of the parts across the axis: the largest where φ is
+// its angle.
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis) {
   double cosine = 0, sine = 0;

@@ -36,7 +36,8 @@ Areas areas_of(const RestMesh& rest, const Pins& pins) {
   return areas;
 }
 
-// Where a segment from `a` to `b`, as seen from the origin, crosses the directions: farther ones replace nearer.
+// Where a segment from `a` to `b`, as seen from the origin, crosses the directions: farther ones replace
+// nearer.
 void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const double per_direction = 2 * pi / directions, start = std::atan2(a.y(), a.x());
   const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));

@@ -12,9 +12,10 @@
 //
 //   φ' = κ(m),   m' = t sin φ,   m(0) = 0,   until φ = π/2, the clamp, at t = L;   Γ = L^(p+2)
 //
-// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve, without shooting, and
-// a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. A soft strip of the cubic law hangs exactly straight up to
-// some t₀, φ = 0, because a curvature costs nothing to first order; then t₀ takes the place of the angle.
+// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve, without
+// shooting, and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. A soft strip of the cubic law hangs
+// exactly straight up to some t₀, φ = 0, because a curvature costs nothing to first order; then t₀ takes the
+// place of the angle.
 
 namespace bendlab {
 namespace {
@@ -34,8 +35,8 @@ State derivative(BendingLaw law, const State& y, double length_rate) {
           std::sin(y[angle]) * length_rate, std::cos(y[angle]) * length_rate};
 }
 
-// One step of the classical Runge-Kutta method over `step` of a variable of which `length_rate(variable, state)`
-// is dt / d variable.
+// One step of the classical Runge-Kutta method over `step` of a variable of which `length_rate(variable,
+// state)` is dt / d variable.
 template <class LengthRate>
 State runge_kutta(BendingLaw law, const State& y, double variable, double step, LengthRate length_rate) {
   const auto slope = [&](double part, const State& from) {
@@ -49,8 +50,8 @@ State runge_kutta(BendingLaw law, const State& y, double variable, double step, 
   return next;
 }
 
-// The free end: its angle to the vertical, or the length that hangs straight. One number: a smaller one, a softer
-// strip.
+// The free end: its angle to the vertical, or the length that hangs straight. One number: a smaller one, a
+// softer strip.
 struct FreeEnd {
   double angle = 0, straight = 0;
 };

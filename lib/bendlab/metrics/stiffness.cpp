@@ -26,7 +26,8 @@ Vector3 row(const Positions& positions, int vertex) {
   return positions.row(vertex).transpose();
 }
 
-// The edge of a triangle whose ends are pinned while its third vertex is free, so that the free part lies left of it.
+// The edge of a triangle whose ends are pinned while its third vertex is free, so that the free part lies
+// left of it.
 struct ClampEdge {
   int from, to;
 };
@@ -48,8 +49,8 @@ std::vector<ClampEdge> clamp_edges(const RestMesh& rest, std::span<const char> i
   return edges;
 }
 
-// The direction near `guess` in which a rectangle's sides run: its box is the smallest. (Of a clamp's edge that zigzags
-// the ends can be at different s, which turns the guess.)
+// The direction near `guess` in which a rectangle's sides run: its box is the smallest. (Of a clamp's edge
+// that zigzags the ends can be at different s, which turns the guess.)
 Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3& down) {
   const Vector3 sideways = down.cross(guess);
   const auto turned = [&](double angle) -> Vector3 {
@@ -68,8 +69,8 @@ Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3&
   return turned(0.5 * (low + high));
 }
 
-// Where the free end is, on average over the width: it may zigzag by less than an edge. The triangles' edges there,
-// each triangle's taken around in the same sense, cancel but for the outline's.
+// Where the free end is, on average over the width: it may zigzag by less than an edge. The triangles' edges
+// there, each triangle's taken around in the same sense, cancel but for the outline's.
 double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector3& across) {
   const double from = *std::ranges::max_element(s) - 0.75 * rest.mean_edge_length();
   double width = 0, sum = 0;
@@ -96,8 +97,9 @@ std::vector<double> distinct(std::vector<double> s, double apart) {
   return kept;
 }
 
-// Where the slices go: on the rows of vertices between clamp and free end, if there are rows, about an edge apart, else
-// evenly. Every second row is left out where rows are closer than that, so that all slices cut the triangles alike.
+// Where the slices go: on the rows of vertices between clamp and free end, if there are rows, about an edge
+// apart, else evenly. Every second row is left out where rows are closer than that, so that all slices cut
+// the triangles alike.
 std::vector<double> stations(const std::vector<double>& s, double length, double edge) {
   std::vector<double> rows;
   for (const double each : s)
@@ -137,8 +139,8 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
-// Of three slices in a row, a mean with the weights 1/4, 1/2, 1/4 of the logarithms: it takes out what goes up and down
-// from row to row, and leaves every power law as it is.
+// Of three slices in a row, a mean with the weights 1/4, 1/2, 1/4 of the logarithms: it takes out what goes
+// up and down from row to row, and leaves every power law as it is.
 MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
   MomentCurvatureFit result;
   std::vector<double> log_k, log_m;
@@ -265,7 +267,8 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Through the triangles, at a hair's breadth from s so that no vertex lies on it; what lies between `low` and `high`.
+// Through the triangles, at a hair's breadth from s so that no vertex lies on it; what lies between `low` and
+// `high`.
 StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
   const double line = s + hair * (length_ - 2 * s);

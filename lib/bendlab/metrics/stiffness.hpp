@@ -1,17 +1,18 @@
-// How stiff a cantilever strip is, read off its shape: a flat strip, clamped horizontally along one side, that hangs
-// under its own weight.
+// How stiff a cantilever strip is, read off its shape: a flat strip, clamped horizontally along one side,
+// that hangs under its own weight.
 //
 //     pinned   s = 0                         s = L        s along the strip at rest, θ downward
 //   |////////|-----------------------------------|
 //            ^ clamp's edge                  free end
 //
-// Two ways that need each other's control. The free end alone: H/W on the curve of a strip with m = B κ or m = C κ³
-// (elastica.hpp). And the whole shape: its weight gives the moment m(s) at every s by statics, whatever resists it,
-// so that m against the curvature κ(s) says what law that is.
+// Two ways that need each other's control. The free end alone: H/W on the curve of a strip with m = B κ or m
+// = C κ³ (elastica.hpp). And the whole shape: its weight gives the moment m(s) at every s by statics,
+// whatever resists it, so that m against the curvature κ(s) says what law that is.
 //
-// The middle line is the mean over the width on slices s = const through the triangles, about one per edge and on
-// the rows of vertices where the mesh has rows. All slices take the same band of the width: rows of a lattice take turns
-// at being an edge wider, and a sheet that is bent one way bends a little the other way too, most at its sides.
+// The middle line is the mean over the width on slices s = const through the triangles, about one per edge
+// and on the rows of vertices where the mesh has rows. All slices take the same band of the width: rows of a
+// lattice take turns at being an edge wider, and a sheet that is bent one way bends a little the other way
+// too, most at its sides.
 #pragma once
 
 #include <limits>
@@ -29,8 +30,8 @@ struct StripLoad {
 };
 
 struct StripOptions {
-  /// How far behind the clamp's edge the strip begins to bend, m. A bending constraint that spans the edge gives way
-  /// on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
+  /// How far behind the clamp's edge the strip begins to bend, m. A bending constraint that spans the edge
+  /// gives way on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
   double clamp_offset = 0;
   double exclude = 0;  ///< m from clamp and free end where m(κ) is not fitted: as far as a constraint reaches
   double rounding = 0;  ///< m, error of a coordinate; curvatures that it could make are not fitted
@@ -45,8 +46,9 @@ struct ProfileRow {
   bool fitted = false;   ///< whether κ and m enter the fit
 };
 
-/// ln m = ln c + p ln κ by least squares over the fitted rows, each the mean of the logarithms of three neighbours with
-/// weights 1/4, 1/2, 1/4: a lattice's rows take turns at being stiffer. NaN where they are fewer than three.
+/// ln m = ln c + p ln κ by least squares over the fitted rows, each the mean of the logarithms of three
+/// neighbours with weights 1/4, 1/2, 1/4: a lattice's rows take turns at being stiffer. NaN where they are
+/// fewer than three.
 struct MomentCurvatureFit {
   double exponent = std::numeric_limits<double>::quiet_NaN();     ///< p: 1 linear, 3 springs
   double coefficient = std::numeric_limits<double>::quiet_NaN();  ///< c, N m^p
@@ -56,7 +58,8 @@ struct MomentCurvatureFit {
   int samples = 0;                                                ///< triples of neighbours
 };
 
-/// Numbers from H/W are NaN where the strip has not dropped, or hangs straight down (H/W outside 10⁻⁶ to 500).
+/// Numbers from H/W are NaN where the strip has not dropped, or hangs straight down (H/W outside 10⁻⁶ to
+/// 500).
 struct StripStiffness {
   double length = 0;             ///< L, m, of the free part at rest
   double width = 0;              ///< m, mean of the free part
@@ -80,15 +83,15 @@ struct StripStiffness {
 
 class StiffnessMeter {
  public:
-  /// `is_pinned` #V. Throws std::invalid_argument, with what is missing, where this is no clamped strip: it has to lie
-  /// flat across gravity, its pins to hold one whole side, and nothing else.
+  /// `is_pinned` #V. Throws std::invalid_argument, with what is missing, where this is no clamped strip: it
+  /// has to lie flat across gravity, its pins to hold one whole side, and nothing else.
   StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
 
   /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
   std::span<const double> along() const { return s_; }
 
-  /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument where they are not finite or the clamp is
-  /// not where it is at rest.
+  /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument where they are not finite or the
+  /// clamp is not where it is at rest.
   StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
   /// H/W alone, of a strip that may still move. Throws as measure().

@@ -28,8 +28,8 @@ class StretchMeter {
  public:
   StretchMeter(const RestMesh& rest, const Pins& pins);
 
-  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN where a position is not finite. A degenerate
-  /// rest triangle (see bad_triangles.hpp) has none: 1 for whatever becomes of it.
+  /// #T principal stretches of the cloth at `positions` (#V by 3, m); NaN where a position is not finite. A
+  /// degenerate rest triangle (see bad_triangles.hpp) has none: 1 for whatever becomes of it.
   std::vector<PrincipalStretches> measure(const Positions& positions) const;
   StretchSummary summarise(std::span<const PrincipalStretches> stretches) const;
 

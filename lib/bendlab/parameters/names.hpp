@@ -1,4 +1,5 @@
-// An enumeration's table of names stands beside it, in its order; text and enumerator become each other by that table.
+// An enumeration's table of names stands beside it, in its order; text and enumerator become each other by
+// that table.
 #pragma once
 
 #include <algorithm>

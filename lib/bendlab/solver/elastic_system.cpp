@@ -42,8 +42,8 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
           (slope(c + step / 2) - slope(c - step / 2)) / step / alpha};
 }
 
-// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding. C of two points is their distance
-// less a constant.
+// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding. C of two points is
+// their distance less a constant.
 template <std::size_t N, class Evaluate>
 Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
   if constexpr (N == 2) {
@@ -72,8 +72,8 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
   return 0.5 * (result + result.transpose());
 }
 
-// ½ |Kx|² of a flat rest shape is the sum of the squares of three linear functions. |Kx| itself has no second derivative
-// where it is zero, which is where flat parts of a sheet are.
+// ½ |Kx|² of a flat rest shape is the sum of the squares of three linear functions. |Kx| itself has no second
+// derivative where it is zero, which is where flat parts of a sheet are.
 bool is_sum_of_squares(const ElementList<QuadraticBend>& list, std::size_t c) {
   return list.law == QuadraticBend::Law::norm && list.rest[c][4] <= 1e-9 * list.rest[c][5];
 }

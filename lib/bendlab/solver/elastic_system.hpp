@@ -1,13 +1,13 @@
-// The elastic energy of a scene's constraints as a function of its free vertices, with gradient and Hessian: what
-// XPBD approaches when it converges, and what a static equilibrium minimises together with its loads.
+// The elastic energy of a scene's constraints as a function of its free vertices, with gradient and Hessian:
+// what XPBD approaches when it converges, and what a static equilibrium minimises together with its loads.
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
-// C and ∇C are the oracle's (reference.hpp), so every kind of constraint has its equilibrium; ∇²C is the central
-// difference of ∇C, which is exact to about ten digits and decides only how fast Newton's method converges.
-// A term's multiplier is its ψ'(C), or an estimate of it.
-// A kind that is OneSided has its own ψ. Where its force jumps (ArcSpring straight), it falls to 0 over `ramp` of
-// its length instead: Newton's method needs a tangent.
+// C and ∇C are the oracle's (reference.hpp), so every kind of constraint has its equilibrium; ∇²C is the
+// central difference of ∇C, which is exact to about ten digits and decides only how fast Newton's method
+// converges. A term's multiplier is its ψ'(C), or an estimate of it. A kind that is OneSided has its own ψ.
+// Where its force jumps (ArcSpring straight), it falls to 0 over `ramp` of its length instead: Newton's
+// method needs a tangent.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -30,7 +30,8 @@ class ElasticSystem {
   int unknowns() const { return 3 * free_count_; }
   std::size_t term_count() const;
   std::size_t memory_bytes() const;  ///< its lists of constraints, and the Hessian
-  /// Of each vertex, its number among the free ones, or -1. Unknowns 3 i to 3 i + 2 are the free vertex i's x, y, z.
+  /// Of each vertex, its number among the free ones, or -1. Unknowns 3 i to 3 i + 2 are the free vertex i's
+  /// x, y, z.
   const std::vector<int>& free_index() const { return free_index_; }
 
   double energy(const Positions& positions) const;             ///< J; positions #V by 3, m
@@ -41,7 +42,8 @@ class ElasticSystem {
   /// With these for ψ'(C) in the second part. Lower triangle, N/m; valid until the next call.
   const Eigen::SparseMatrix<double>& hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
 
-  /// Multipliers with which the Hessian has no negative eigenvalue: those of lengths where they pull, 0 elsewhere.
+  /// Multipliers with which the Hessian has no negative eigenvalue: those of lengths where they pull, 0
+  /// elsewhere.
   Eigen::VectorXd convex(Eigen::VectorXd multipliers) const;
 
   /// A move by `step` (unknowns, m) to first order: ψ'(C) + ψ''(C) ∇C·step of each term.

@@ -48,8 +48,8 @@ struct SpringPack {
   }
 };
 
-// W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity. So is every pivot: what rounding
-// takes below that (a stiff spring's entries drown the mass) is put back, which keeps W positive.
+// W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity. So is every pivot: what
+// rounding takes below that (a stiff spring's entries drown the mass) is put back, which keeps W positive.
 template <class Real>
 struct Factors {
   Pack<Real> l10, l20, l21, inverse0, inverse1, inverse2;

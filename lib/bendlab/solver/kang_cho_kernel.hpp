@@ -1,5 +1,5 @@
-// The hot loops of the step of Kang & Cho (kang_cho.hpp): every vertex sums its own springs, all lanes of a pack at
-// once.
+// The hot loops of the step of Kang & Cho (kang_cho.hpp): every vertex sums its own springs, all lanes of a
+// pack at once.
 #pragma once
 
 #include "bendlab/constraints/state.hpp"
@@ -23,8 +23,8 @@ struct ImplicitSystem {
   ImplicitSystem(std::size_t slice_count, std::size_t point_count);
 };
 
-/// Fills the system of the vertices of slices [first, last). `external`: the velocities that the scene's forces would
-/// give in this step, or null. `substep` is h in s.
+/// Fills the system of the vertices of slices [first, last). `external`: the velocities that the scene's
+/// forces would give in this step, or null. `substep` is h in s.
 template <class Real>
 void assemble(ImplicitSystem<Real>& system, const State<Real>& state, const Point<Real>* external,
               const SpringRows<Real>& springs, AcrossTangent<Real> across, Real substep, std::size_t first,

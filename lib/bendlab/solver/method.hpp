@@ -1,5 +1,6 @@
-// The interface of a solver method: what one step does to a cloth. A new method is one file in methods/, one line in
-// methods.def, one test and one config; what it can and cannot take is said here, for the config's rules and for scenes.
+// The interface of a solver method: what one step does to a cloth. A new method is one file in methods/, one
+// line in methods.def, one test and one config; what it can and cannot take is said here, for the config's
+// rules and for scenes.
 #pragma once
 
 #include <memory>
@@ -39,12 +40,13 @@ struct Method {
   bool springs_only = false;  ///< takes bending models that are made of springs alone
   /// Why every stiffness has to be a compliance above 0; empty: it may be k as well.
   std::string_view needs_compliance = {};
-  /// Constraints are projected one after another: effects may act among them, and springs may push only as hard as the
-  /// projections of a substep can hold.
+  /// Constraints are projected one after another: effects may act among them, and springs may push only as
+  /// hard as the projections of a substep can hold.
   bool projects = false;
   bool has_motion = true;       ///< a step goes on in time; else it is one towards an equilibrium
   bool keeps_momentum = false;  ///< Σ m v changes by forces alone, but for rounding
-  /// Single precision keeps what a substep changes apart from where the cloth is; else it rounds whole positions.
+  /// Single precision keeps what a substep changes apart from where the cloth is; else it rounds whole
+  /// positions.
   bool keeps_moves_apart = false;
   MakeSimulation<float> make_float = nullptr;  ///< null: not in single precision
   MakeSimulation<double> make_double = nullptr;

@@ -1,4 +1,5 @@
-// A scene as a solver method sees it, and a simulation as its callers see it, whatever the method (method.hpp).
+// A scene as a solver method sees it, and a simulation as its callers see it, whatever the method
+// (method.hpp).
 #pragma once
 
 #include <array>
@@ -90,8 +91,9 @@ struct SimulationInput {
   const Method* method = &default_method();
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
-  /// Single precision: a substep moves the cloth by little more than the last digit of its positions, so that a method that
-  /// can (Method::keeps_moves_apart) should keep moves apart from them, which takes up to a fifth more time. See Places.
+  /// Single precision: a substep moves the cloth by little more than the last digit of its positions, so that
+  /// a method that can (Method::keeps_moves_apart) should keep moves apart from them, which takes up to a
+  /// fifth more time. See Places.
   bool moves_apart = true;
 };
 
@@ -132,26 +134,27 @@ class Simulation {
       const = 0;  ///< the step plan, in the order of a substep
   /// Seconds that threads beside the calling one spent on passes so far.
   virtual double helper_seconds() const = 0;
-  /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one). Of a method
-  /// that does not project, how often it looked at each.
+  /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
+  /// Of a method that does not project, how often it looked at each.
   virtual std::uint64_t projections() const = 0;
   /// Substeps so far, those that a method made of others among them.
   virtual std::uint64_t substeps() const = 0;
-  /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their multipliers, and what
-  /// else it solves with (a matrix, its factor at its largest). Without the effects' and the scene's own lists.
+  /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their
+  /// multipliers, and what else it solves with (a matrix, its factor at its largest). Without the effects'
+  /// and the scene's own lists.
   virtual std::size_t memory_bytes() const = 0;
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
   /// Of the kind with that Kind::name; throws as kind_place() does.
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;
-  /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has, of a method that
-  /// knows. Takes up to about ten sweeps' time.
+  /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has, of a
+  /// method that knows. Takes up to about ten sweeps' time.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 };
 
-/// A simulation by input.method in single (Real = float) or double precision, with the passes of the scene's effects.
-/// Throws std::invalid_argument for what the method cannot do.
+/// A simulation by input.method in single (Real = float) or double precision, with the passes of the scene's
+/// effects. Throws std::invalid_argument for what the method cannot do.
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes);

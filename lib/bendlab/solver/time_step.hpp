@@ -1,5 +1,5 @@
-// What every solver method's step shares: the cloth's state, the plan of passes and their times, the watch for
-// divergence. A method fills in how a substep goes.
+// What every solver method's step shares: the cloth's state, the plan of passes and their times, the watch
+// for divergence. A method fills in how a substep goes.
 #pragma once
 
 #include "bendlab/solver/simulation.hpp"

@@ -1,9 +1,10 @@
 // Springs that push already in the flat sheet: distance springs with a linear bending stiffness.
 //
-// A spring of rest length L (1 + e) between points L apart has the energy ½ (e L + δ)² / α once bending has shortened it
-// by δ = κ² L³ / 24. Its first part in δ, e L δ / α, is quadratic in κ: a moment B κ, where a spring at rest has only
-// ½ δ² / α and the moment C κ³. The two are equal at κ L = sqrt(48 e). The membrane holds the sheet against the push;
-// what it gives way, the sheet grows: by about the share e where strain is projected with k.
+// A spring of rest length L (1 + e) between points L apart has the energy ½ (e L + δ)² / α once bending has
+// shortened it by δ = κ² L³ / 24. Its first part in δ, e L δ / α, is quadratic in κ: a moment B κ, where a
+// spring at rest has only ½ δ² / α and the moment C κ³. The two are equal at κ L = sqrt(48 e). The membrane
+// holds the sheet against the push; what it gives way, the sheet grows: by about the share e where strain is
+// projected with k.
 #include "bendlab/bending/thinned_rings.hpp"
 
 namespace bendlab {

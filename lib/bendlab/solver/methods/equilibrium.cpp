@@ -4,27 +4,28 @@
 //
 //   (H + M / τ²) Δx = f - ∇E,   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
 //
-// λ estimates ψ'(C), the force in a constraint. In a membrane that hardly stretches ψ'(C) itself is a bad estimate away
-// from the solution: a step that turns a triangle by an angle stretches it by the angle squared, and the force of that
-// would hold the next step back. So λ is what the last step aimed at, ψ' + ψ'' ∇C·Δx, as if force and position were
-// both unknowns (the mixed form of Newton's method; at the solution the two agree). A step is as long as it stretches
-// no triangle by more than `stretch_per_step` beyond what it aimed at.
+// λ estimates ψ'(C), the force in a constraint. In a membrane that hardly stretches ψ'(C) itself is a bad
+// estimate away from the solution: a step that turns a triangle by an angle stretches it by the angle
+// squared, and the force of that would hold the next step back. So λ is what the last step aimed at, ψ' + ψ''
+// ∇C·Δx, as if force and position were both unknowns (the mixed form of Newton's method; at the solution the
+// two agree). A step is as long as it stretches no triangle by more than `stretch_per_step` beyond what it
+// aimed at.
 //
-// M / τ² is what an implicit Euler step of length τ from rest has: from afar (a flat sheet has no stiffness across
-// itself) the cloth creeps downhill, and as τ grows the steps become Newton's. Where the matrix is not positive definite
-// (a crumpled cloth; springs that are compressed before the membrane has taken their push) λ counts only where a length
-// pulls, and where that does not help τ shrinks. The last steps are with the whole matrix and without M / τ²: what is
-// found is a minimum, never a saddle.
+// M / τ² is what an implicit Euler step of length τ from rest has: from afar (a flat sheet has no stiffness
+// across itself) the cloth creeps downhill, and as τ grows the steps become Newton's. Where the matrix is not
+// positive definite (a crumpled cloth; springs that are compressed before the membrane has taken their push)
+// λ counts only where a length pulls, and where that does not help τ shrinks. The last steps are with the
+// whole matrix and without M / τ²: what is found is a minimum, never a saddle.
 //
-// A stiff membrane starts softer, and grows stiff in steps of ten once the cloth has found its shape: found at full
-// stiffness from the start, a strip that bends by springs keeps creases that the first steps made.
+// A stiff membrane starts softer, and grows stiff in steps of ten once the cloth has found its shape: found
+// at full stiffness from the start, a strip that bends by springs keeps creases that the first steps made.
 //
-// A step counts as dt of the scene's time; the scene is settled when the last step moved no vertex by more than 1e-6
-// sizes and forces that are left over are at most `equilibrium_tolerance` of the loads, or what the rounding of
-// positions amounts to.
+// A step counts as dt of the scene's time; the scene is settled when the last step moved no vertex by more
+// than 1e-6 sizes and forces that are left over are at most `equilibrium_tolerance` of the loads, or what the
+// rounding of positions amounts to.
 //
-// In double precision. Loads are what the passes of stage `force` do to a cloth at rest; passes of stages `damp` and
-// `velocity` have nothing to do there.
+// In double precision. Loads are what the passes of stage `force` do to a cloth at rest; passes of stages
+// `damp` and `velocity` have nothing to do there.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -60,8 +61,8 @@ constexpr double longest_move = 0.2;            // of the cloth's size, per step
 constexpr double crept = 1e-4;  // of the cloth's size: a step that short leads away from no saddle
 constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
 
-// OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side know better
-// what to do with the cores. (Its build without threads is not safe to call from several.)
+// OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side
+// know better what to do with the cores. (Its build without threads is not safe to call from several.)
 void one_blas_thread() {
   using SetThreads = void (*)(int);
   static const auto set_threads =
@@ -143,8 +144,8 @@ class Equilibrium final : public TimeStep<double> {
       soften(std::max(softness_ / 10, 1.0));
   }
 
-  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would move away from it,
-  // and a softer one may not have the basin in which the cloth lies.
+  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would
+  // move away from it, and a softer one may not have the basin in which the cloth lies.
   void start() {
     inverse_tau_squared_ = 0;
     if (system_.unknowns() == 0) return;
@@ -202,8 +203,8 @@ class Equilibrium final : public TimeStep<double> {
     rounding_ = rounding();
   }
 
-  // Not positive definite: first without what makes it so, then with shorter τ. At a saddle at once with the longest τ
-  // that makes it definite: that leads away from it fastest.
+  // Not positive definite: first without what makes it so, then with shorter τ. At a saddle at once with the
+  // longest τ that makes it definite: that leads away from it fastest.
   void factorise(double) {
     if (settled()) return;
     constexpr int attempts = 100;  // no τ helps where entries are not finite

@@ -12,9 +12,10 @@
 //   p_i  = h f_i + h² Σ_j J_ij (v_j - v_i)
 //   Δv_i = W_i⁻¹ (p_i + h² Σ_j J_ij W_j⁻¹ p_j),   v += Δv,   x += h v
 //
-// f are the springs' forces and, as in the source, the scene's forces: the change of velocity that force passes
-// make is taken back and enters p as m_i times it. So a cloth in equilibrium stays there, whatever h. Damp
-// passes see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on its neighbours.
+// f are the springs' forces and, as in the source, the scene's forces: the change of velocity that force
+// passes make is taken back and enters p as m_i times it. So a cloth in equilibrium stays there, whatever h.
+// Damp passes see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on its
+// neighbours.
 //
 // What the approximation does (G = W⁻¹ h² × the off-diagonal blocks; its eigenvalues lie within (-1, 1)):
 //

@@ -103,7 +103,8 @@ struct Placed {
   }
 };
 
-// Positions that a substep predicts, from `x`, and what their last digits do not hold. Arrays of x, y, z, w in a row.
+// Positions that a substep predicts, from `x`, and what their last digits do not hold. Arrays of x, y, z, w
+// in a row.
 template <class Real>
 void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, Real h,
                      Real* __restrict position, Real* __restrict predicted, Real* __restrict remainder,
@@ -123,8 +124,8 @@ void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __re
   for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
 }
 
-// Velocities at the end of a substep change by what projections changed, so that nothing is lost of them where nothing
-// projects; each with what its rounded number lacks. Arrays of x, y, z, w in a row.
+// Velocities at the end of a substep change by what projections changed, so that nothing is lost of them
+// where nothing projects; each with what its rounded number lacks. Arrays of x, y, z, w in a row.
 template <class Real>
 void update_velocities(const Real* __restrict moved, const Real* __restrict predicted, Real per_substep,
                        Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
@@ -236,8 +237,8 @@ class PbdStep final : public TimeStep<Real> {
     context.substep = whole;
   }
 
-  // By what forces do in a whole substep. Not by velocities: a cloth that is slow to come together would be cut into ever
-  // shorter parts, and each turns the strain that a longer one left into speed.
+  // By what forces do in a whole substep. Not by velocities: a cloth that is slow to come together would be
+  // cut into ever shorter parts, and each turns the strain that a longer one left into speed.
   int parts_of(PassContext<Real>& context) {
     before_forces_ = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
@@ -391,8 +392,8 @@ class PbdStep final : public TimeStep<Real> {
     are_put_ = true;
   }
 
-  // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's fourth number,
-  // never moves.
+  // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's
+  // fourth number, never moves.
   void predict_moves(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -491,9 +492,10 @@ class PbdStep final : public TimeStep<Real> {
   }
 
   double
-      flight_limit_;  // 1: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
-  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it was (see
-  // Places); else whole positions.
+      // 1: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
+      flight_limit_;
+  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it
+  // was (see Places); else whole positions.
   bool on_moves_;
   std::vector<RunRange> strain_tiles_, distance_tiles_;
   std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
@@ -502,7 +504,8 @@ class PbdStep final : public TimeStep<Real> {
   std::vector<std::size_t> pinned_;  // places; single precision
   Points<Real> put_;                 // where effects put these in this substep
   bool are_put_ = false;
-  // In single precision what projections change, as the substep predicts it, and m since its start if they act on moves.
+  // In single precision what projections change, as the substep predicts it, and m since its start if they
+  // act on moves.
   Points<Real> predicted_, moved_;
   double last_substep_ = 0;  // s, a part of a substep where flight_limit cut it; 0: there was none yet
 };
