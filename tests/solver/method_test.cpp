@@ -80,8 +80,8 @@ TEST_CASE("methods: each gives every constraint a place in its order and refuses
 TEST_CASE("methods: each says why its passes are there", "[solver]") {
   for (const Method* method : methods()) {
     const SimulationInput input = sheet_for(*method);
-    auto gravity = test::effect_passes<double>("gravity");
-    for (const PassStatistics& pass : make_simulation<double>(input, std::move(gravity))->passes()) {
+    const auto simulation = make_simulation<double>(input, test::effect_passes<double>("gravity"));
+    for (const PassStatistics& pass : simulation->passes()) {
       INFO(method->name << ": " << pass.name);
       if (pass.name == "bending" || pass.name == "gravity") continue;
       CHECK(std::ranges::find(method->passes, pass.name, &MethodPass::name) != method->passes.end());

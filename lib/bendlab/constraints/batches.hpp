@@ -35,10 +35,11 @@ struct BatchOrder {
   std::size_t run_count() const { return runs.size() - 1; }
 };
 
+/// No constraint has more vertices.
+inline constexpr int dummy_corners = 4;
 /// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
-/// Where they lie changes nothing, but that a lane whose dummies lie at one point is looked at as if it had
-/// collapsed, which takes time.
-inline constexpr int dummy_corners = 4;  ///< no constraint has more vertices
+/// Where they lie changes no result; but a lane whose dummies lie at one point counts as collapsed, and is
+/// projected again with care, which takes time.
 inline constexpr int dummy_points = dummy_corners * max_lanes;
 
 template <class Real>

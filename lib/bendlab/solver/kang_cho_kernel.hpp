@@ -1,4 +1,4 @@
-// The hot loops of the step of Kang & Cho (kang_cho.hpp): every vertex sums its own springs, all lanes of a
+// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, all lanes of a
 // pack at once.
 #pragma once
 
