@@ -1,4 +1,4 @@
-"""Writes the page of accuracy and its cost: index.html and summary.json, one object per run."""
+"""Writes the page of accuracy and its cost: index.html, and summary.json with one object per run."""
 import argparse
 from pathlib import Path
 
@@ -20,16 +20,17 @@ EVERYTHING = "./bendlab reproduce accuracy      # everything, and this page"
 
 
 def main(results, out):
-    """Everything the page needs, from runs below `results` into `out`; returns the sections."""
+    """Writes the page into `out` from the runs below `results`; returns its sections."""
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
     write_objects(out / "summary.json", summary(results))
-    (out / "index.html").write_text(document("bendlab: what does accuracy cost?", body(sections)), encoding="utf-8")
+    (out / "index.html").write_text(document("bendlab: what does accuracy cost?", body(sections)),
+                                    encoding="utf-8")
     return sections
 
 
 def summary(results):
-    """One object per run of configs/accuracy, `on_front` among the runs on its scene."""
+    """One object per run of configs/accuracy. `on_front`: no run of its scene is cheaper and better."""
     single = {config.stem for config in (CONFIGS / "accuracy").glob("*.json")}.difference(*accuracy.FRONTS)
     objects = []
     for configs in [*accuracy.FRONTS, *((name,) for name in sorted(single))]:
@@ -41,17 +42,19 @@ def summary(results):
 
 def body(sections):
     """The page below its head."""
-    parts = ["<h1>What does accuracy cost?</h1>",
-             "<p class='lead'>Every bending model told the same cloth, its distance from that cloth, and the time it takes; where time is spent "
-             "well, and where it is wasted.</p>", measures_html()]
-    parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)]) for section in sections]
+    parts = ["<h1>What does accuracy cost?</h1>", "<p class='lead'>Every bending model simulates one stated "
+             "cloth. The page shows how far each is from that cloth, how much time it takes, and which "
+             "settings use that time well.</p>", measures_html()]
+    parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)])
+              for section in sections]
     parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every run.</p>")
     return "\n".join(parts)
 
 
 def measures_html():
-    """What each error means."""
-    rows = "".join(f"<tr><td class='t'>{escape(name)}</td><td class='t'>{escape(meaning)}</td></tr>" for name, meaning in accuracy.MEANING.items())
+    """The meaning of each error as an HTML table."""
+    rows = "".join(f"<tr><td class='t'>{escape(name)}</td><td class='t'>{escape(meaning)}</td></tr>"
+                   for name, meaning in accuracy.MEANING.items())
     return f"<div class='scroll'><table>{rows}</table></div>"
 
 

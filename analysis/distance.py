@@ -1,4 +1,4 @@
-"""Distances between cloths with the same vertices: (V, 3) arrays in m, or whole groups of runs."""
+"""Distances between cloths with the same vertices, (V, 3) in m, and between groups of runs."""
 from functools import lru_cache
 
 import numpy as np
@@ -9,19 +9,19 @@ BLOCK = 128  # vertices measured at once
 
 
 def rms_distance(a, b):
-    """Root of the mean squared distance between corresponding vertices, m."""
+    """Root mean square distance between corresponding vertices, in m."""
     return float(np.sqrt(((a - b) ** 2).sum(axis=1).mean()))
 
 
 def hausdorff_distance(a, b):
-    """Largest distance from a vertex of either cloth to the nearest vertex of the other, m. Exact between the vertex sets;
-    between the surfaces it is at most half a longest edge too large."""
+    """Largest distance from a vertex of either cloth to the nearest vertex of the other, in m. Exact for the
+    two sets of vertices; for the surfaces it is at most half a longest edge too large."""
     return max(_farthest(a, b), _farthest(b, a))
 
 
 def _farthest(a, b):
-    """max over a of the distance to b. A few vertices of b bound every vertex of a from above; those are then measured
-    exactly, the largest bound first, until no bound is left that could matter."""
+    """Largest distance of a vertex of a to b. A few vertices of b give an upper bound for each vertex of a.
+    Vertices are then measured exactly, largest bound first, until no bound exceeds the largest distance."""
     bound = np.concatenate([_nearest(a[i:i + BLOCK], b[::16]) for i in range(0, len(a), BLOCK)])
     order = np.argsort(-bound)
     farthest = 0.0
@@ -40,9 +40,12 @@ def _nearest(points, others):
 
 
 def between_runs(some, others):
-    """(RMS, Hausdorff) spreads relative to the sheets' size, over all pairs of a run of each group with different seeds. An
-    RMS is the median over the last second, a Hausdorff distance is the last frame's. With `some` twice: how far two runs of
-    the same scene are apart, the yardstick for chaotic sheets."""
+    """(RMS, Hausdorff) spreads in sizes of the sheet, over all pairs of runs, one of each group, with
+    different seeds.
+
+    RMS is the median over the last second, Hausdorff is of the last frame. Given the same group twice, the
+    result is the distance between two runs of one scene: the yardstick for chaotic sheets.
+    """
     rms, hausdorff = [], []
     for i, a in enumerate(some):
         for b in others[i + 1:] if some is others else others:

@@ -1,4 +1,4 @@
-"""Fig. 1: strain constraints with one pinned vertex stretch in a wrong direction at the pin."""
+"""Fig. 1: with strain constraints and one pinned vertex, triangles at the pin get the wrong stretch."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -8,40 +8,47 @@ from report import Claim, Section, Table, figure_main
 
 MODELS = ["none", "crossover"]
 CELLS = [32, 64]
-WRONG = 1.0  # stretch - 1 from which a triangle is called wrong: twice as long as it should be
+WRONG = 1.0  # stretch - 1; above it a triangle is wrong: more than twice its length at rest
 
 
 def main(results, out):
-    """Draws the sheet pinned at one vertex when the pin first fails, whole and at the pin, and how it goes on."""
+    """Draws the sheet and its pin at the first failure of the pin, and the course over time."""
     section = Section("One pinned vertex", "1")
     runs = section.uses(load_experiment(results, "paper/fig1"))
-    groups = {(model, n): select(runs, bending__model=model, mesh__cells=n) for model in MODELS for n in CELLS}
+    groups = {(model, n): select(runs, bending__model=model, mesh__cells=n) for model in MODELS
+              for n in CELLS}
     if runs:
-        section.pictures.append((_pictures(groups, out), "The first frame in which a triangle at the pin (dot) is more than twice "
-                                 "as long as it should be: the whole sheet, and the pin."))
-        section.pictures.append((_curves(groups, out), "How it goes on: median over seeds and their range. Without bending springs "
-                                 "the failure spreads from the pin over the whole sheet."))
+        section.pictures.append((_pictures(groups, out), "The first frame with a triangle at the pin (dot) "
+                                 "that is more than twice its length at rest: the whole sheet, and the pin."))
+        section.pictures.append((_curves(groups, out), "The same runs over time: median and range over "
+                                 "seeds. Without bending springs the failure spreads from the pin over the "
+                                 "whole sheet."))
     pin = {key: summary_spread(group, "pin_max_stretch") - 1 for key, group in groups.items()}
     anywhere = {key: summary_spread(group, "max_stretch") - 1 for key, group in groups.items()}
     mean = {key: summary_spread(group, "mean_strain") for key, group in groups.items()}
-    onset = {key: spread([run.metrics["time"][_onset(run)] for run in group]) for key, group in groups.items()}
-    section.tables.append(Table(
-        "Time of the first failure; the rest: medians over the last second and over seeds",
-        ["model", "N", "pin fails at (s)", "stretch − 1 at the pin", "largest anywhere", "mean strain"],
-        [[style.MODEL_NAMES[model], n, *(style.number(s[model, n].median) for s in (onset, pin, anywhere, mean))]
-         for model, n in groups]))
-    section.claims.append(Claim(
-        "1", "With strain constraints and one pinned corner, the strain at the pin is wrong.",
-        "without bending springs and with crossover springs, at every N, the median stretch − 1 at the pin over the last second "
-        "is above 1: a triangle more than twice as long as it should be",
-        {f"stretch − 1 at the pin, {style.MODEL_NAMES[model]}, N = {n}": pin[model, n].median for model, n in groups}
-        | {f"mean strain, {style.MODEL_NAMES[model]}, N = {n}": mean[model, n].median for model, n in groups},
-        all(s.median > WRONG for s in pin.values()) if all(s.known for s in pin.values()) else None))
+    onset = {key: spread([run.metrics["time"][_onset(run)] for run in group])
+             for key, group in groups.items()}
+    section.tables.append(Table("Time of the first failure (median over seeds); other columns: medians over "
+                                "the last second and over seeds",
+                                ["model", "N", "pin fails at (s)", "stretch − 1 at the pin",
+                                 "largest anywhere", "mean strain"],
+                                [[style.MODEL_NAMES[model], n,
+                                  *(style.number(s[model, n].median) for s in (onset, pin, anywhere, mean))]
+                                 for model, n in groups]))
+    section.claims.append(Claim("1", "With strain constraints and one pinned corner, the strain at the pin "
+                                "is wrong.", "without bending springs and with crossover springs, at every "
+                                "N, the median stretch − 1 at the pin over the last second is above 1: a "
+                                "triangle is more than twice its length at rest",
+                                {f"stretch − 1 at the pin, {style.MODEL_NAMES[model]}, N = {n}": pin[
+                                model, n].median for model, n in groups}
+                                | {f"mean strain, {style.MODEL_NAMES[model]}, N = {n}": mean[model, n].median
+                                   for model, n in groups}, all(s.median > WRONG for s in pin.values())
+                                if all(s.known for s in pin.values()) else None))
     return section
 
 
 def _onset(run):
-    """Number of the first frame in which the pin's stretch is wrong; the last one if it never is."""
+    """Number of the first frame with wrong stretch at the pin; of the last frame if there is none."""
     wrong = np.flatnonzero(run.metrics["pin_max_stretch"] - 1 > WRONG)
     return int(wrong[0]) if len(wrong) else run.frames - 1
 
@@ -60,7 +67,9 @@ def _pictures(groups, out):
             if sample:
                 run, frame = sample
                 style.caption(whole, f"t = {run.metrics['time'][frame]:.2f} s")
-                style.caption(pin, f"at the pin: σ₁ − 1 = {style.number(run.metrics['pin_max_stretch'][frame] - 1)}")
+                style.caption(pin,
+                              "at the pin: σ₁ − 1 = "
+                              f"{style.number(run.metrics['pin_max_stretch'][frame] - 1)}")
             whole.set_title(f"{style.MODEL_NAMES[model]}, N = {n}")
     style.stretch_bar(figure, axes, shrink=0.7, pad=0.01)
     return style.save(figure, out, "fig_1")
@@ -78,7 +87,8 @@ def _curves(groups, out):
             time = group[0].metrics["time"][1:length]
             look = dict(color=style.MODEL_COLOURS[model], linestyle="-" if n == CELLS[-1] else "--")
             panel.plot(time, np.median(curves, axis=0), label=f"{style.MODEL_NAMES[model]}, N = {n}", **look)
-            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=look["color"], alpha=0.15, linewidth=0)
+            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=look["color"], alpha=0.15,
+                               linewidth=0)
         panel.set_ylim(bottom=1e-3)
         style.plain_log(panel)
         panel.set_title(label)

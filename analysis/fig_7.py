@@ -1,4 +1,4 @@
-"""Fig. 7: the tight level n of the pinned vertices times 1, 2 and 4 as a control of the material."""
+"""Fig. 7: the level n of pinned vertices times 1, 2 and 4, as a control of the material."""
 import matplotlib.pyplot as plt
 
 import style
@@ -9,25 +9,28 @@ from report import Claim, Section, Table, figure_main
 
 MULTIPLIERS = [1, 2, 4]
 METRICS = [("drop", 0, "drop below the pin (m)"), ("mean_strain", 0, "mean strain"),
-           ("pin_max_stretch", 1, "stretch − 1 at the pin"), ("max_stretch", 1, "largest stretch − 1 anywhere")]
+           ("pin_max_stretch", 1, "stretch − 1 at the pin"),
+           ("max_stretch", 1, "largest stretch − 1 anywhere")]
 
 
 def main(results, out):
-    """Draws the sheets with n × 1, 2, 4 and their numbers."""
+    """Draws the sheets with n × 1, 2 and 4 and their numbers."""
     section = Section("Another material by scaling n", "7")
     runs = section.uses(load_experiment(results, "paper/fig7"))
     cases = group(runs, lambda run: (damping_rate(run), run.get("/bending/adaptive/n_multiplier")))
     rates = sorted({rate for rate, _ in cases})
     if runs:
-        section.pictures.append((_pictures(cases, rates, out), "n × 1, 2 and 4; typical frames of the last second."))
-        section.pictures.append((_numbers(cases, rates, out), "Medians over the last second and over seeds; bars: smallest and "
-                                 "largest seed."))
+        section.pictures.append((_pictures(cases, rates, out),
+                                 "n × 1, 2 and 4; typical frames of the last second."))
+        section.pictures.append((_numbers(cases, rates, out), "Medians over the last second and over seeds; "
+                                 "bars: smallest and largest seed."))
     rows = [[f"{rate:g}", f"× {k:g}", style.number(summary_spread(some, "model_n").median),
              f"{summary_spread(some, 'springs').median:,.0f}",
              *(_text(summary_spread(some, metric) - offset) for metric, offset, _ in METRICS)]
             for (rate, k), some in sorted(cases.items())]
     section.tables.append(Table("Median over the last second and over seeds (smallest – largest seed)",
-                                ["damping (1/s)", "n", "level n", "springs", *(label for *_, label in METRICS)], rows))
+                                ["damping (1/s)", "n", "level n", "springs",
+                                 *(label for *_, label in METRICS)], rows))
     section.claims += _claims(cases, rates)
     return section
 
@@ -35,7 +38,8 @@ def main(results, out):
 def _pictures(cases, rates, out):
     samples = {key: typical_frame(some) for key, some in cases.items()}
     camera = style.camera_of(samples.values())
-    figure, axes = plt.subplots(len(rates), 3, figsize=(8.6, 3.5 * len(rates)), squeeze=False, layout="compressed")
+    figure, axes = plt.subplots(len(rates), 3, figsize=(8.6, 3.5 * len(rates)), squeeze=False,
+                                layout="compressed")
     for row, rate in enumerate(rates):
         for panel, k in zip(axes[row], MULTIPLIERS):
             some = cases.get((rate, k), [])
@@ -51,8 +55,9 @@ def _numbers(cases, rates, out):
     for panel, (metric, offset, label) in zip(axes, METRICS):
         for rate, colour in zip(rates, style.SEQUENCE):
             spreads = [summary_spread(cases.get((rate, k), []), metric) - offset for k in MULTIPLIERS]
-            style.with_range(panel, MULTIPLIERS, spreads, label=f"damping {rate:g} s⁻¹" if rate else "no damping",
-                             shift=1.03 if rate else 0.97, color=colour, marker="s" if rate else "o")
+            style.with_range(panel, MULTIPLIERS, spreads, label=f"damping {rate:g} s⁻¹" if rate
+                             else "no damping", shift=1.03 if rate else 0.97, color=colour,
+                             marker="s" if rate else "o")
         panel.set_xscale("log", base=2)
         panel.set_xticks(MULTIPLIERS, labels=[f"×{k}" for k in MULTIPLIERS])
         panel.minorticks_off()
@@ -68,7 +73,8 @@ def _text(s):
 
 
 def _claims(cases, rates):
-    whole = [rate for rate in rates if all(summary_spread(cases.get((rate, k), []), "drop").known for k in MULTIPLIERS)]
+    whole = [rate for rate in rates if all(summary_spread(cases.get((rate, k), []), "drop").known
+                                           for k in MULTIPLIERS)]
     shapes, stretches, changed, normal = {}, {}, [], []
     for rate in whole:
         same = max(between_runs(cases[rate, k], cases[rate, k])[0].median for k in MULTIPLIERS)
@@ -81,15 +87,14 @@ def _claims(cases, rates):
                      for metric in ("pin_max_stretch", "max_stretch"))
         for k, p, m in zip(MULTIPLIERS, pin, most):
             stretches[f"n × {k}, damping {rate:g}: at the pin, anywhere"] = [p.median, m.median]
-        normal.append(all(s.median < 1 for s in pin + most) and max(s.median for s in pin[1:]) <= 1.25 * pin[0].median)
-    return [
-        Claim("7", "Scaling n changes the material.",
-              "with and without damping the cloths of n × 1, × 2 and × 4 are more than twice as far apart (RMS) as two seeds of "
-              "the same n", shapes, all(changed) if changed else None),
-        Claim("7", "It does so without abnormal deformation.",
-              "with and without damping no multiplier has a median stretch − 1 of 1 or more anywhere, and × 2 and × 4 stretch at "
-              "the pin at most 1.25 times as much as × 1", stretches, all(normal) if normal else None),
-    ]
+        normal.append(all(s.median < 1 for s in pin + most) and max(s.median for s in pin[1:]) <= 1.25
+                      * pin[0].median)
+    return [Claim("7", "Scaling n changes the material.", "with and without damping, the cloths of n × 1, × "
+                  "2 and × 4 are more than twice as far apart (RMS) as two seeds of the same n", shapes,
+                  all(changed) if changed else None),
+            Claim("7", "It does so without abnormal deformation.", "with and without damping, every "
+                  "multiplier has a median stretch − 1 below 1 everywhere, and stretch − 1 at the pin of × 2 "
+                  "and × 4 is at most 1.25 times that of × 1", stretches, all(normal) if normal else None),]
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""One row per question that the paper leaves open: what each answer does to the sheet."""
+"""One row per question that the paper leaves open: the effect of each answer on the sheet."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -6,14 +6,15 @@ import style
 from load import CONFIGS, at, group, load_experiment, summary_spread
 from report import Section, Table, figure_main
 
-METRICS = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain"), ("drop", 0, "drop (m)")]
+METRICS = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain"),
+           ("drop", 0, "drop (m)")]
 
 
 def main(results, out):
     """Draws and tabulates every ablation of configs/ablations."""
     section = Section("Where the paper is silent", "ablations")
-    section.text = ("Each question that the paper leaves open, with every answer tried. Everything "
-                    "else as in Fig. 5 (no damping), at 64 cells a side, at 32 where it says so.")
+    section.text = ("Each question that the paper leaves open, with several answers. All other settings are "
+                    "those of Fig. 5 without damping, at 64 cells per side, or at 32 if the figure says so.")
     rows, experiments = [], []
     for config in sorted(CONFIGS.glob("ablations/*.json")):
         experiment = load_experiment(results, f"ablations/{config.stem}")
@@ -24,17 +25,18 @@ def main(results, out):
             rows += _rows(config.stem, experiment)
     section.commands.append("./bendlab run configs/ablations/*.json")
     if rows:
-        section.pictures.append((_picture(rows, out), "Median over the last second and over three seeds; bars: smallest and "
-                                 "largest seed. Filled: our default."))
+        section.pictures.append((_picture(rows, out), "Median over the last second and over three seeds; "
+                                 "bars: smallest and largest seed. Filled: our default."))
     columns = ["question", "choice", "N", *(label for *_, label in METRICS), "springs"]
     section.tables.append(Table("Median (smallest – largest seed)", columns,
                                 [[row["question"] if row["first"] else "", row["choice"], row["cells"],
-                                  *(_text(s) for s in row["spreads"]), f"{row['springs']:,.0f}"] for row in rows]))
+                                  *(_text(s) for s in row["spreads"]), f"{row['springs']:,.0f}"]
+                                 for row in rows]))
     return section
 
 
 def _rows(question, experiment):
-    """One row per answer, in the order of the config."""
+    """One row per answer, in the config's order."""
     pointer = next(p for p in experiment.sweep if p != "/initial/seed")
     answers = experiment.sweep[pointer]
     default = at(experiment.settings, pointer, answers[0])
@@ -44,7 +46,8 @@ def _rows(question, experiment):
         some = groups[i]
         rows.append({"question": question.replace("_", " "), "choice": _choice(pointer, answers[i]),
                      "default": answers[i] == default, "first": i == min(groups),
-                     "cells": round((some[0].summary["triangles"] / 2) ** 0.5),  # a mesh from a file has no /mesh/cells
+                     # A mesh file has no /mesh/cells
+                     "cells": round((some[0].summary["triangles"] / 2) ** 0.5),
                      "springs": summary_spread(some, "springs").median,
                      "spreads": [summary_spread(some, metric) - offset for metric, offset, _ in METRICS]})
     return rows
@@ -60,12 +63,14 @@ def _choice(pointer, value):
     if isinstance(value, list):
         return f"{np.degrees(np.arctan2(value[1], value[0])):g}°"
     unit = {"/effects/1/rate": " s⁻¹", "/material/density": " kg/m²"}.get(pointer, "")
-    return {True: "yes", False: "no"}[value] if isinstance(value, bool) else f"{value}{unit}".replace("_", " ")
+    return {True: "yes",
+            False: "no"}[value] if isinstance(value, bool) else f"{value}{unit}".replace("_", " ")
 
 
 def _picture(rows, out):
     heights = np.cumsum([1.0 + (0.55 if row["first"] else 0) for row in rows])
-    figure, axes = plt.subplots(1, len(METRICS), figsize=(10.4, 0.225 * heights[-1] + 0.9), sharey=True, layout="constrained")
+    figure, axes = plt.subplots(1, len(METRICS), figsize=(10.4, 0.225 * heights[-1] + 0.9), sharey=True,
+                                layout="constrained")
     for panel, (index, (_, _, label)) in zip(axes, enumerate(METRICS)):
         for row, y in zip(rows, heights):
             s = row["spreads"][index]

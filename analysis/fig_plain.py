@@ -1,4 +1,4 @@
-"""The plain matrix: how many runs of each value broke a bound, told or in silence, and which pairs of values did."""
+"""The plain matrix: runs that broke a bound, with or without a warning, by value and by pair of values."""
 import itertools
 from collections import Counter
 
@@ -11,19 +11,24 @@ from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS
 from report import Section, Table, figure_main
 
 COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3"}
-NAMES = {SILENT: "wrong in silence", TOLD: "wrong and told", ALARM: "sound, but told implausible", SOUND: "sound"}
+NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
+         ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
-MIXED = ("metres", "millimetres")  # the covering arrays: of each value the others are mixed evenly
-ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel", "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
-         "model": MODELS, "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
-         "height / width": ["0.25", "1", "4"], "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"], "strain form": ["normalised", "green", "angle"],
-         "substeps × iterations": ["1 × 10", "4 × 10", "64 × 1"], "order": ["colour", "mesh", "pins"], "precision": ["single", "double"]}
-FEWEST = 4  # runs that broke a bound, from which on a pair of values is listed
-TWICE = 2.0  # and how many times as many as its two values let expect
+MIXED = ("metres", "millimetres")  # covering arrays: with each value the other settings are mixed evenly
+ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
+                  "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"], "model": MODELS,
+         "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
+         "height / width": ["0.25", "1", "4"],
+         "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"],
+         "strain form": ["normalised", "green", "angle"],
+         "substeps × iterations": ["1 × 10", "4 × 10", "64 × 1"], "order": ["colour", "mesh", "pins"],
+         "precision": ["single", "double"]}
+FEWEST = 4  # runs; a pair of values is listed if at least this many broke a bound
+TWICE = 2.0  # and if they are at least this many times the number expected from its two values
 
 
 def main(results, out):
-    """Draws the shares per value and the table of pairs; every judged run is left in the section's `judged`."""
+    """Draws shares per value and per model and mesh. The section gets judged, covered and twins."""
     section = Section("What fails, and where", "plain")
     section.judged, section.covered, section.twins = [], [], Twins()
     for name in CONFIGS:
@@ -37,19 +42,21 @@ def main(results, out):
     mixed = [one for one in section.judged if one.config in MIXED]
     if mixed:
         section.pictures.append((_shares(mixed, out), _caption(mixed)))
-        section.pictures.append((_models_and_meshes(mixed, out), "Runs that broke a bound, of all runs with this model on this mesh: the darker, the larger "
-                                 "their share. A ring marks runs that were wrong in silence."))
+        section.pictures.append((_models_and_meshes(mixed, out), "Runs that broke a bound, of all runs with "
+                                 "this model on this mesh; darker is a larger share. A ring marks runs that "
+                                 "were wrong without a warning."))
     if section.judged:
         section.tables.append(_table(section.judged))
     return section
 
 
 def coverage(experiment, runs):
-    """(strength, combinations of values that the runs hold, combinations there are, those that are not there)."""
+    """(strength, combinations of values in the runs, all combinations, list of the missing ones)."""
     cover = experiment.settings["cover"]
     strength = cover if isinstance(cover, int) else cover["strength"]
     sweep = experiment.sweep
-    places = [tuple(sweep[pointer].index(swept_value(run.config, pointer, sweep)) for pointer in sweep) for run in runs]
+    places = [tuple(sweep[pointer].index(swept_value(run.config, pointer, sweep)) for pointer in sweep)
+              for run in runs]
     held, wanted, absent = 0, 0, []
     for axes in itertools.combinations(range(len(sweep)), strength):
         there = {tuple(place[axis] for axis in axes) for place in places}
@@ -58,19 +65,21 @@ def coverage(experiment, runs):
         if wanted - held > len(absent):
             pointers = [list(sweep)[axis] for axis in axes]
             every = itertools.product(*(range(len(sweep[pointer])) for pointer in pointers))
-            absent += [tuple((pointer, sweep[pointer][index]) for pointer, index in zip(pointers, point)) for point in every if point not in there]
+            absent += [tuple((pointer, sweep[pointer][index]) for pointer, index in zip(pointers, point))
+                       for point in every if point not in there]
     return strength, held, wanted, absent
 
 
 class Twins:
-    """The runs that are there in two units, and how far apart the two are once the one is scaled to the other."""
+    """Scenes computed in two units of length, and the distance of both runs after scaling."""
 
     def __init__(self):
         self.places, self.pairs, self.apart = {}, 0, []
 
     def add(self, name, experiment, runs):
         for run in runs:
-            place = tuple(experiment.sweep[pointer].index(swept_value(run.config, pointer, experiment.sweep)) for pointer in experiment.sweep)
+            place = tuple(experiment.sweep[pointer].index(swept_value(run.config, pointer, experiment.sweep))
+                          for pointer in experiment.sweep)
             other = self.places.setdefault(place, {})
             other[name] = run
             if len(other) == 2 and same_stiffness(run):
@@ -86,11 +95,13 @@ class Twins:
 
 
 def same_stiffness(run):
-    """Whether both units state the same stiffness: one number for the compliances of springs and of hinges can be scaled as one of them."""
+    """Whether both units state the same stiffness. A compliance scales differently for springs and hinges,
+    and a config has one number for both: it is right for one kind only."""
     if run.get("/bending/stiffness") != "compliance" or run.model == "none":
         return True
     springs = run.get("/bending/compliance") * run.get("/mesh/scale") ** 2 < 1
-    return springs == (run.model in ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "prestressed")) and run.model != "choi_ko"
+    return springs == (run.model in ("crossover", "k_ring", "adaptive", "lod", "sparse_lod",
+                                     "prestressed")) and run.model != "choi_ko"
 
 
 def count(judged, verdict):
@@ -98,23 +109,27 @@ def count(judged, verdict):
 
 
 def _caption(judged):
-    parts = ", ".join(f"{count(judged, verdict)} {NAMES[verdict]}" for verdict in (SOUND, TOLD, SILENT, ALARM))
-    return (f"{len(judged)} runs of the covering arrays: {parts}. A bar is the share of the runs with that value that broke a bound (red: in silence; yellow: told) or were "
-            "told without breaking one (blue); behind the value, of how many runs. The values of the other settings are mixed evenly.")
+    parts = ", ".join(f"{count(judged, verdict)} {NAMES[verdict]}"
+                      for verdict in (SOUND, TOLD, SILENT, ALARM))
+    return (f"{len(judged)} runs of the covering arrays: {parts}. A bar is the share of the runs with that "
+            "value that broke a bound (red: without a warning; yellow: with one), or that were reported "
+            "without breaking one (blue). Beside the bar: this share, and the number of runs with the value. "
+            "The values of all other settings are mixed evenly.")
 
 
 def values_of(judged, axis):
-    """Those that are there, in a reader's order."""
+    """The values of an axis in the runs, in the order of ORDER."""
     values = sorted({one.settings[axis] for one in judged})
     known = ORDER.get(axis, [])
     return sorted(values, key=lambda value: known.index(value) if value in known else len(known))
 
 
 def _shares(judged, out):
-    """A panel per axis, a bar per value."""
+    """Draws one panel per axis with one bar per value."""
     panels = [(axis, values_of(judged, axis)) for axis in AXES]
     columns = [[], [], []]
-    for panel in sorted(panels, key=lambda panel: -len(panel[1])):  # the longest first, each where least is yet
+    # Longest first, each into the shortest column
+    for panel in sorted(panels, key=lambda panel: -len(panel[1])):
         min(columns, key=lambda column: sum(len(values) + 2.2 for _, values in column)).append(panel)
     height = max(sum(len(values) + 2.2 for _, values in column) for column in columns)
     largest = max(sum(one.verdict != SOUND for one in some) / len(some)
@@ -135,35 +150,41 @@ def _shares(judged, out):
                     axes.barh(place, share, left=left, height=0.78, color=COLOURS[verdict], lw=0)
                     left += share
                 axes.text(-0.02 * reach, place, _short(axis, value), ha="right", va="center", fontsize=8)
-                axes.text(left + 0.015 * reach, place, f"{100 * left:.2g} % of {len(some)}" if left else f"{len(some)}", va="center",
-                          fontsize=7, color=style.GREY if not left else style.INK)
+                axes.text(left + 0.015 * reach, place, f"{100 * left:.2g} % of {len(some)}" if left
+                          else f"{len(some)}", va="center", fontsize=7, color=style.GREY if not left
+                          else style.INK)
             place += 2.2
         axes.set_xlim(0, 1.3 * reach), axes.set_ylim(height - 0.8, -0.8)
         axes.set_axis_off()
     handles = [plt.Rectangle((0, 0), 1, 1, color=COLOURS[verdict]) for verdict in (SILENT, TOLD, ALARM)]
-    figure.legend(handles, [NAMES[verdict] for verdict in (SILENT, TOLD, ALARM)], loc="upper center", bbox_to_anchor=(0.5, 0), ncol=3)
+    figure.legend(handles, [NAMES[verdict] for verdict in (SILENT, TOLD, ALARM)], loc="upper center",
+                  bbox_to_anchor=(0.5, 0), ncol=3)
     return style.save(figure, out, "fig_plain_shares")
 
 
 def _short(axis, value):
-    """How a value reads beside its bar; `none` of the pins is no model."""
-    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "") if axis == "model" else str(value)
+    """Text of a value beside its bar."""
+    if axis != "model":
+        return str(value)
+    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "")
 
 
 def _models_and_meshes(judged, out):
-    """How many runs of each model on each mesh broke a bound."""
+    """Draws how many runs of each model on each mesh broke a bound."""
     models, meshes = values_of(judged, "model"), values_of(judged, "mesh")
     cells = group(judged, lambda one: (one.settings["model"], one.settings["mesh"]))
-    share = np.array([[np.mean([one.verdict in WRONG for one in cells[model, mesh]]) if (model, mesh) in cells else np.nan for model in models]
-                      for mesh in meshes])
+    share = np.array([[np.mean([one.verdict in WRONG for one in cells[model, mesh]]) if (model, mesh) in cells
+                       else np.nan for model in models] for mesh in meshes])
     figure, axes = plt.subplots(figsize=(9.6, 0.36 * len(meshes) + 1.3), layout="constrained")
     axes.imshow(share, cmap="OrRd", vmin=0, vmax=max(0.3, np.nanmax(share)), aspect="auto")
     for row, column in itertools.product(range(len(meshes)), range(len(models))):
         some = cells.get((models[column], meshes[row]), [])
         wrong, silent = sum(one.verdict in WRONG for one in some), count(some, SILENT)
         dark = share[row, column] > 0.6 * max(0.3, np.nanmax(share))
-        axes.text(column, row, f"{wrong}/{len(some)}" if some else "–", ha="center", va="center", fontsize=8, color="white" if dark else style.INK if wrong else style.GREY,
-                  bbox=dict(boxstyle="round,pad=0.25", fc="none", ec=COLOURS[SILENT], lw=1.3) if silent else None)
+        axes.text(column, row, f"{wrong}/{len(some)}" if some else "–", ha="center", va="center", fontsize=8,
+                  color="white" if dark else style.INK if wrong else style.GREY,
+                  bbox=dict(boxstyle="round,pad=0.25", fc="none", ec=COLOURS[SILENT], lw=1.3) if silent
+                  else None)
     axes.set_xticks(range(len(models)), [_short("model", model) for model in models], rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.set_yticks(range(len(meshes)), meshes)
@@ -175,7 +196,8 @@ def _models_and_meshes(judged, out):
 
 
 def pairs(judged):
-    """Pairs of values that break more bounds together than either does: (pair, wrong, runs, expected), the strongest first."""
+    """Pairs of values that break more bounds together than either alone: (pair, wrong, runs, expected),
+    strongest first."""
     wrong = [one for one in judged if one.verdict in WRONG]
     if not wrong:
         return []
@@ -195,9 +217,12 @@ def pairs(judged):
 
 
 def _table(judged):
-    rows = [[*one.settings.values(), one.verdict, one.run.status, f"{one.worst.name} {style.number(one.worst.value)}", style.number(one.worst.limit),
-             one.told, f"{one.run.cpu_s:.2f}"] for one in judged if one.verdict != SOUND]
-    return Table("Every run that is not sound", [*AXES, "verdict", "status", "worst number", "its limit", "told", "processor time (s)"], rows)
+    rows = [[*one.settings.values(), NAMES[one.verdict], one.run.status,
+             f"{one.worst.name} {style.number(one.worst.value)}", style.number(one.worst.limit), one.told,
+             f"{one.run.cpu_s:.2f}"] for one in judged if one.verdict != SOUND]
+    return Table("Every run that is not sound",
+                 [*AXES, "verdict", "status", "worst number", "its limit", "warning", "processor time (s)"],
+                 rows)
 
 
 if __name__ == "__main__":

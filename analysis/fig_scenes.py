@@ -1,4 +1,4 @@
-"""Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself, lit and shaded."""
+"""Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself."""
 from dataclasses import dataclass, replace
 
 import matplotlib.pyplot as plt
@@ -13,7 +13,7 @@ from report import Section, Table, figure_main
 
 @dataclass(frozen=True)
 class View:
-    """How a scene is shown."""
+    """Time, colour and direction of a scene's picture."""
 
     time: float  # s
     colour: tuple  # sRGB of the fabric
@@ -32,14 +32,14 @@ SCENES = {
 }
 ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
 DPI = 125  # keeps the sheet below 900 kB
-FOLDER = CONFIGS / "scenes"  # to which mesh files are relative
+FOLDER = CONFIGS / "scenes"  # mesh files are relative to it
 
 
 def main(results, out):
     """Draws a picture of every scene with every swept model."""
     section = Section(f"One cloth, {len(SCENES)} scenes, any bending model", "scenes")
     experiments = {name: load_experiment(results, f"scenes/{name}") for name in SCENES}
-    section.text = "The scenes of configs/scenes, each with four bending models: nothing but /bending/model differs."
+    section.text = "The scenes of configs/scenes with several bending models. Only /bending/model differs."
     shown = {name: experiment for name, experiment in experiments.items() if section.uses(experiment)}
     if shown:
         section.pictures.append((_sheet(shown, out), " ".join(f"{name}: {experiment.settings['description']}"
@@ -49,37 +49,40 @@ def main(results, out):
 
 
 def frame_at(run, time):
-    """The recorded frame nearest to a time, the last one where the run ended before."""
+    """The recorded frame nearest to a time; the last one if the run ended earlier."""
     return int(np.argmin(np.abs(run.metrics["time"] - time)))
 
 
 def clearance(run, frame):
-    """Smallest distance of the cloth from the obstacles, negative where it is within: at the vertices, the middles of edges
-    and of triangles."""
+    """Smallest distance of the cloth from the obstacles, negative inside. Measured at vertices and at the
+    centres of edges and triangles."""
     positions, triangles = run.positions(frame), run.triangles
-    sides = np.unique(np.sort(np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)), axis=0)
+    sides = np.unique(np.sort(np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)),
+                      axis=0)
     points = np.concatenate([positions, positions[sides].mean(axis=1), positions[triangles].mean(axis=1)])
     return obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER)
 
 
 def view_of(samples, view):
-    """The camera of a scene's (run, frame): it frames cloths and obstacles; a level plane is the floor."""
+    """The camera for the samples (run, frame) of a scene: frames cloths and obstacles."""
     run, frame = samples[0]
     solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)[0]
     cloths = [run.positions(frame) for run, frame in samples]
     middle = np.concatenate([np.median(cloths, axis=0), solid]).mean(axis=0)
-    camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth, elevation=view.elevation, aspect=ASPECT)
+    camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth,
+                               elevation=view.elevation, aspect=ASPECT)
     floor = obstacles.floor_of(run.config)
     if floor is None and len(solid) and solid[:, 2].min() <= min(cloth[:, 2].min() for cloth in cloths):
-        floor = solid[:, 2].min()  # what reaches lowest stands on it
+        floor = solid[:, 2].min()  # the lowest obstacle stands on the floor
     return camera if floor is None else replace(camera, floor=floor)
 
 
 def picture(run, frame, camera, view, width=WIDTH):
-    """(h, w, 3) image of a frame with the obstacles where they then are."""
+    """(h, w, 3) image of a frame and its obstacles."""
     solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)
     colours = np.tile(view.colour, (len(run.triangles), 1))
-    return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False, obstacles=solid)
+    return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False,
+                         obstacles=solid)
 
 
 def _sheet(experiments, out):
@@ -91,12 +94,13 @@ def _sheet(experiments, out):
         runs = {model: some[0] for model, some in group(experiment.runs, lambda run: run.model).items()}
         samples = {model: (run, frame_at(run, view.time)) for model, run in runs.items()}
         camera = view_of(list(samples.values()), view)
-        axes[row, 0].text(-0.03, 0.5, name.replace("_", " "), transform=axes[row, 0].transAxes, rotation=90, ha="right", va="center",
-                          fontsize=10.5, fontweight="bold")
+        axes[row, 0].text(-0.03, 0.5, name.replace("_", " "), transform=axes[row, 0].transAxes, rotation=90,
+                          ha="right", va="center", fontsize=10.5, fontweight="bold")
         for panel, model in zip(axes[row], models):
             panel.set_axis_off()
             if model not in samples:
-                panel.text(0.5, 0.5, "no run", ha="center", va="center", color=style.GREY, transform=panel.transAxes)
+                panel.text(0.5, 0.5, "no run", ha="center", va="center", color=style.GREY,
+                           transform=panel.transAxes)
                 continue
             run, frame = samples[model]
             panel.imshow(picture(run, frame, camera, view), interpolation="lanczos")
@@ -108,7 +112,7 @@ def _sheet(experiments, out):
 
 
 def caption(run, frame):
-    """Time and stretch of a frame."""
+    """Time and stretch of a frame as text."""
     time, stretch = run.metrics["time"][frame], run.metrics["max_stretch"][frame]
     text = f"{time:.1f} s, σ₁ up to {style.number(stretch)}"
     if run.status == "implausible":
@@ -117,7 +121,7 @@ def caption(run, frame):
 
 
 def title(experiments):
-    """What holds for all runs, and the worst of them."""
+    """The title: counts over all runs, and the largest stretch."""
     runs = [(name, run) for name, experiment in experiments.items() for run in experiment.runs]
     complete = [(name, run) for name, run in runs if run.complete]
     if not complete:
@@ -125,10 +129,10 @@ def title(experiments):
     needles = sum(run.summary.get("degenerate_triangles", 0) > 0 for _, run in complete)
     entered = sum(clearance(run, run.frames - 1) < 0 for _, run in complete)
     name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
-    return (f"{len(experiments)} scenes, nothing changed but the bending model: {len(complete)} of {len(runs)} runs complete\n"
-            f"At the end {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
-            "Largest stretch, median of the last second: "
-            f"{style.number(worst.summary['max_stretch'])} ({name.replace('_', ' ')}, {style.MODEL_NAMES[worst.model]})")
+    return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
+            f"complete\nLast frame: {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
+            f"Largest stretch, median of the last second: {style.number(worst.summary['max_stretch'])} "
+            f"({name.replace('_', ' ')}, {style.MODEL_NAMES[worst.model]})")
 
 
 def _table(experiments):
@@ -136,14 +140,16 @@ def _table(experiments):
     for name, experiment in experiments.items():
         for run in experiment.runs:
             at = lambda key: style.number(run.summary.get(key, np.nan))
-            rows.append([name, run.model, run.status, at("mean_strain"), at("max_stretch"), at("worst_stretch"),
-                         f"{run.summary.get('degenerate_triangles', 0):.0f}", _off(run), f"{run.cpu_s:.1f}"])
-    return Table("Every run", ["scene", "model", "status", "mean strain", "max σ₁", "worst σ₁ of all frames", "degenerate triangles",
-                               "nearest to an obstacle, all frames (mm)", "processor time (s)"], rows)
+            rows.append([name, run.model, run.status, at("mean_strain"), at("max_stretch"),
+                         at("worst_stretch"), f"{run.summary.get('degenerate_triangles', 0):.0f}", _off(run),
+                         f"{run.cpu_s:.1f}"])
+    return Table("Every run", ["scene", "model", "status", "mean strain", "max σ₁", "worst σ₁ of all frames",
+                               "degenerate triangles", "smallest distance from an obstacle, all frames (mm)",
+                               "processor time (s)"], rows)
 
 
 def _off(run):
-    """The smallest clearance of all frames, mm."""
+    """The smallest clearance of all frames in mm, as text."""
     least = min(clearance(run, frame) for frame in range(run.frames))
     return "–" if np.isinf(least) else f"{1e3 * least:.1f}"
 

@@ -1,4 +1,4 @@
-"""Hard cases × bending models: a matrix of verdicts, and stills of what failed."""
+"""Hard cases × bending models: a matrix of verdicts, and pictures of runs that failed."""
 import itertools
 
 import matplotlib.pyplot as plt
@@ -11,18 +11,18 @@ import style
 from load import MODELS, group, load_experiment, swept_value
 from report import Section, Table, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, judge
-from stability_reasons import reason
+from stability_reasons import explain
 
 COLOURS = {GREEN: "#4da57c", AMBER: "#f0bf4f", RED: "#c8402f"}
 MISSING = "#eceff1"
-MARKS = {AMBER: "–", RED: "×"}  # for those who can't tell the colours
+MARKS = {AMBER: "–", RED: "×"}  # for readers who can't distinguish the colours
 PRECISIONS = ("single", "double")
-STILL, HEAD, FOOT, GAP = 220, 36, 40, 14  # pixels: the picture, text above and below it, and what is between two
+STILL, HEAD, FOOT, GAP = 220, 36, 40, 14  # pixels: picture, text above, text below, gap
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
 def main(results, out):
-    """Draws the matrix and a sheet of stills per section; the section's cells are left in `cells`."""
+    """Draws the matrix and a sheet of pictures per section. The section gets cells and stills."""
     section = Section("What is stable", "stability")
     section.cells, section.stills = cells_of(results, section), {}
     if section.cells:
@@ -36,7 +36,7 @@ def main(results, out):
 
 
 def cells_of(results, section):
-    """(case name, model, precision) → cell of every run that is there."""
+    """(case name, model, precision) → judged cell, for every run that exists."""
     cells, experiments = {}, {}
     for case in CASES:
         for config in (case.config, case.control_config or case.config):
@@ -46,20 +46,20 @@ def cells_of(results, section):
         runs = _at(experiments[case.config], case.where)
         controls = _at(experiments[case.control_config or case.config], case.control)
         for key, run in runs.items():
-            cell = judge(run, controls.get(key), case)
-            cell.why = reason(cell) if cell.verdict != GREEN else ""
-            cells[case.name, *key] = cell
+            cells[case.name, *key] = judge(run, controls.get(key), case)
+    explain(cells)
     return cells
 
 
 def _swept(experiment, pointer, value):
-    """A value of the sweep, or the one at that place of it where values are long."""
+    """A value of the sweep. For /effects, whose values are long, `value` is its index."""
     return experiment.sweep[pointer][value] if pointer == "/effects" else value
 
 
 def _at(experiment, where):
-    """(model, precision) → the run at a place of the sweep."""
-    here = lambda run: all(swept_value(run.config, pointer, experiment.sweep) == _swept(experiment, pointer, value)
+    """(model, precision) → the run at a point of the sweep."""
+    here = lambda run: all(swept_value(run.config, pointer,
+                                       experiment.sweep) == _swept(experiment, pointer, value)
                            for pointer, value in where.items())
     return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
             if run.over and here(run)}
@@ -70,13 +70,14 @@ def count(cells, verdict, model=None):
 
 
 def caption(cells):
-    return (f"{len(cells)} runs: {count(cells, GREEN)} green (pass), {count(cells, AMBER)} amber (stable, not recovered), "
-            f"{count(cells, RED)} red (not a number, flown apart, or momentum or energy gained). Each cell is cut in two: "
-            "upper left single, lower right double precision.")
+    return (f"{len(cells)} runs: {count(cells, GREEN)} green (pass), {count(cells, AMBER)} amber (stable, "
+            f"but not recovered), {count(cells, RED)} red (not a number, flown apart, or momentum or energy "
+            "gained). Each cell has two halves: single precision upper left, double precision lower right.")
 
 
 def _matrix(cells, out):
-    rows = [(title, case) for title, cases in SECTIONS.items() for case in cases if any(key[0] == case.name for key in cells)]
+    rows = [(title, case) for title, cases in SECTIONS.items() for case in cases
+            if any(key[0] == case.name for key in cells)]
     y, places, heads, last = 0.0, [], [], None
     for title, case in rows:
         if title != last:
@@ -99,7 +100,8 @@ def _matrix(cells, out):
     for place, title in heads:
         axes.text(-0.15, place + 0.12, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
     axes.set_xlim(0, len(MODELS)), axes.set_ylim(y + 0.1, -0.1)
-    axes.set_xticks(np.arange(len(MODELS)) + 0.5, [style.MODEL_NAMES.get(model, model).replace(" (k_ring 1)", "") for model in MODELS],
+    axes.set_xticks(np.arange(len(MODELS)) + 0.5,
+                    [style.MODEL_NAMES.get(model, model).replace(" (k_ring 1)", "") for model in MODELS],
                     rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.tick_params(length=0)
@@ -109,34 +111,38 @@ def _matrix(cells, out):
         side.set_visible(False)
     names = {GREEN: "passes", AMBER: "stable, not recovered", RED: "unstable"}
     axes.legend(handles=[Patch(color=COLOURS[verdict], label=f"{MARKS.get(verdict, '')} {name}".strip())
-                         for verdict, name in names.items()], ncol=3, loc="upper center", bbox_to_anchor=(0.4, 0.0), fontsize=8.5)
+                         for verdict, name in names.items()], ncol=3, loc="upper center",
+                bbox_to_anchor=(0.4, 0.0), fontsize=8.5)
     return style.save(figure, out, "fig_stability")
 
 
 def _half(column, place, precision):
-    """Corners of a triangle: the upper left half of a cell for single precision, the lower right one for double."""
+    """Corners of a triangle: upper left half of a cell for single precision, lower right for double."""
     left, right, top, bottom = column + 0.04, column + 0.96, place + 0.05, place + 0.95
-    return [(left, top), (right, top), (left, bottom)] if precision == "single" else [(right, bottom), (left, bottom), (right, top)]
+    return [(left, top), (right, top),
+            (left, bottom)] if precision == "single" else [(right, bottom), (left, bottom), (right, top)]
 
 
 def _mark(axes, column, place, precision, verdict):
     x, y = (0.27, 0.36) if precision == "single" else (0.73, 0.68)
-    axes.text(column + x, place + y, MARKS[verdict], fontsize=5.5, color="white" if verdict == RED else style.INK, ha="center", va="center")
+    axes.text(column + x, place + y, MARKS[verdict], fontsize=5.5, color="white" if verdict == RED
+              else style.INK, ha="center", va="center")
 
 
 def shown(cells, cases):
-    """The red cells of these cases, one of a model; of a case that has none the amber one that is farthest from its limit."""
+    """The cells to draw: one red cell per case and model. A case without any gets its worst amber cell."""
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
         of_case.sort(key=lambda cell: MODELS.index(cell.model))
         red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
-        found += [some[0] for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
+        found += [some[0]
+                  for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
     return found
 
 
 def _stills(title, failed, out):
-    """A sheet of stills, composed as one picture: that many axes would take longer to lay out than the cloths to draw."""
+    """Draws a sheet of pictures as one image: that many axes would take longer than the cloths."""
     columns = min(COLUMNS, len(failed))
     rows = -(-len(failed) // columns)
     height, width = rows * (HEAD + STILL + FOOT), columns * (STILL + GAP)
@@ -153,7 +159,7 @@ def _stills(title, failed, out):
 
 
 def _still(axes, sheet, cell, left, top):
-    """The last frame of a run with its upper left corner at a place of the sheet, named above it, its number and extent below."""
+    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below."""
     run, frame = cell.run, cell.run.frames - 1
     positions, size = run.positions(frame), run.size
     camera = render.camera_around(positions, size / 2)
@@ -164,9 +170,10 @@ def _still(axes, sheet, cell, left, top):
     drawn_out = excess > 1
     axes.add_collection(_slivers(places, triangles[drawn_out], colours[drawn_out]))
     axes.scatter(*places[run.pinned].T, s=4, c="#111418", edgecolors="white", linewidths=0.25, zorder=3)
-    axes.text(left, top - 4, f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, {cell.precision}", va="bottom", fontsize=TEXT)
-    axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} sizes across", va="top", fontsize=TEXT,
-              color="#8a1538" if cell.verdict == RED else "#6d5200")
+    axes.text(left, top - 4, f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, "
+              f"{cell.precision}", va="bottom", fontsize=TEXT)
+    axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "
+              "sizes across", va="top", fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")
 
 
 def _across(positions):
@@ -176,7 +183,7 @@ def _across(positions):
 
 
 def _slivers(places, triangles, colours):
-    """Triangles too thin to cover a pixel, as lines along their longest edges: a cloth drawn out to a thread stays in sight."""
+    """Triangles too thin to cover a pixel, as lines along their longest edges: keeps threads visible."""
     corners = places[triangles]
     edges = np.roll(corners, -1, axis=1) - corners
     lengths = np.linalg.norm(edges, axis=2)
@@ -193,12 +200,14 @@ def number_text(criterion):
 
 
 def _table(cells):
-    rows = [[cell.case.title, cell.model, cell.precision, cell.verdict, number_text(cell.worst), style.number(cell.worst.limit),
+    rows = [[cell.case.title, cell.model, cell.precision, cell.verdict, number_text(cell.worst),
+             style.number(cell.worst.limit),
              style.number(cell.run.summary.get("stability_recovered_at", np.nan)),
-             style.number(100 * cell.run.summary.get("stability_energy_rises", np.nan)), f"{cell.run.cpu_s:.2f}"]
-            for cell in cells.values()]
-    return Table("Every run", ["case", "model", "precision", "verdict", "worst number", "its limit", "recovered at (s)",
-                               "steps in which energy rose (%)", "processor time (s)"], rows)
+             style.number(100 * cell.run.summary.get("stability_energy_rises", np.nan)),
+             f"{cell.run.cpu_s:.2f}"] for cell in cells.values()]
+    return Table("Every run", ["case", "model", "precision", "verdict", "worst number", "its limit",
+                               "recovered at (s)", "steps in which energy rose (%)", "processor time (s)"],
+                 rows)
 
 
 if __name__ == "__main__":

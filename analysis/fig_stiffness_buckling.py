@@ -1,4 +1,4 @@
-"""Lateral buckling: strips whose width stands upright give way sideways above a load that theory knows, those of springs always."""
+"""Lateral buckling: upright strips of hinges deflect above a theoretical load, of springs under any."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -7,34 +7,37 @@ import style
 from load import group
 from report import Check, Section, figure_main
 
-# Γ* = ρ g L³/D over width/length of a Kirchhoff plate, by Ritz's method with Legendre polynomials, converged to 0.1 %. A
-# lattice of hinges has ν = -1/3; springs in all directions have ν = 1/3, as central forces do: their energy goes with the mean
-# of the square of the curvature along them, 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
+# Width over length → Γ* = ρ g L³/D of a Kirchhoff plate, by Ritz's method with Legendre polynomials,
+# converged to 0.1 %. A lattice of hinges has Poisson's ratio ν = -1/3. Springs in all directions have ν =
+# 1/3, as central forces do: their energy
+# is proportional to the mean square of the curvature along them, 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
 CRITICAL = {"discrete_shells": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39},
             "prestressed": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
 POISSON = {"discrete_shells": "−1/3", "prestressed": "1/3"}
-NOTICEABLE = 1e-3  # of the length: a sheet that is farther off its plane has buckled
+NOTICEABLE = 1e-3  # of the length; a sheet with a larger deflection has buckled
 
 
 def main(results, out):
     section = Section("Lateral buckling", "buckling")
     stiff = strips.experiment_runs(results, section, "buckling", "buckling_slow", "buckling_prestressed")
     springs = strips.experiment_runs(results, section, "buckling_springs")
-    section.text = ("The strip's width stands upright, and its weight acts in its plane: it stays there until Γ = ρ g L³/D "
-                    "reaches Γ*, then it gives way sideways. Γ* follows from where the square of the deflection, a line just "
-                    "above it, comes from zero. L begins half a row behind the clamp's edge, for springs to ring t a "
-                    "quarter of t rows; a lattice of hinges has Poisson's ratio −1/3, springs have 1/3. Springs without linear "
-                    "stiffness have Γ* = 0, and a deflection that grows as the root of the load; those that push in the flat "
-                    "sheet (prestressed) stand upright as hinges do.")
+    section.text = ("The strip's width stands upright and its weight acts in its plane. It stays in its "
+                    "plane until Γ = ρ g L³/D reaches Γ*; then it deflects sideways. Just above Γ* the "
+                    "squared deflection grows linearly with the load: a line through two points gives Γ*, "
+                    "its zero. L begins half a row behind the clamp's edge; for springs to ring t, a quarter "
+                    "of t rows behind. A lattice of hinges has Poisson's ratio −1/3, springs have 1/3. "
+                    "Springs without linear stiffness have Γ* = 0 and a deflection proportional to the root "
+                    "of the load. Springs that push in the flat sheet (prestressed) have a Γ* as hinges do.")
     for (model, cells, _), some in strip_groups(stiff).items():
         section.checks.append(Check(f"Γ* at width over length {width_over_length(some[0]):.2f}", model,
                                     strips.mesh_name(some[0]), theory(some[0]), critical_load(some),
-                                    0.03 if cells > 24 else 0.05, f"Kirchhoff plate, ν = {POISSON[model]}, Ritz"))
+                                    0.03 if cells > 24 else 0.05,
+                                    f"Kirchhoff plate, ν = {POISSON[model]}, Ritz"))
     section.checks.append(spring_check(springs))
     if stiff or springs:
-        section.pictures.append((_picture(stiff, springs, out),
-                                 "Deflection of the farthest vertex in static equilibrium. Left: squared, against the load "
-                                 "over theory's critical one. Right: springs to ring 3; the line has the slope 1/2."))
+        section.pictures.append((_picture(stiff, springs, out), "Deflection of the farthest vertex in static "
+                                 "equilibrium. Left: squared, over the load divided by the theoretical "
+                                 "critical load. Right: springs to ring 3; the line has the slope 1/2."))
     return section
 
 
@@ -59,7 +62,7 @@ def theory(run):
 
 
 def _rigidity(run):
-    """D it was told, N m."""
+    """D that the config states, in N m."""
     return run.get("/bending/flexural_rigidity") or 1 / run.get("/bending/compliance")
 
 
@@ -69,7 +72,7 @@ def width_over_length(run):
 
 
 def pull(run):
-    """Gravity in the plane, m/s²."""
+    """Gravity in the plane, in m/s²."""
     return -run.get("/effects/0/acceleration")[1]
 
 
@@ -79,12 +82,12 @@ def load_number(run):
 
 
 def deflection(run):
-    """How far the farthest vertex is off the plane, over the length."""
+    """Largest distance of a vertex from the plane, over the length."""
     return float(np.abs(run.positions(-1)[:, 2]).max() / _lengths(run)[0])
 
 
 def critical_load(runs):
-    """Γ where the line through the squares of the two smallest noticeable deflections crosses zero; NaN without two."""
+    """Γ at which the line through the squares of the two smallest noticeable deflections is zero, or NaN."""
     points = sorted((load_number(run), deflection(run)**2) for run in runs)
     points = [point for point in points if point[1] > NOTICEABLE**2][:2]
     if len(points) < 2:
@@ -96,7 +99,8 @@ def critical_load(runs):
 def spring_check(runs):
     slope = np.nan
     if len(runs) > 1:
-        slope = np.polyfit(np.log([pull(run) for run in runs]), np.log([deflection(run) for run in runs]), 1)[0]
+        slope = np.polyfit(np.log([pull(run) for run in runs]), np.log([deflection(run) for run in runs]),
+                           1)[0]
     return Check("slope of ln deflection over ln load, from Γ* = 0", "k_ring, ring 3",
                  strips.mesh_name(runs[0]) if runs else "equilateral", 0.5, float(slope),
                  0.02, "quartic bending energy against work ∝ deflection²", "absolute")
@@ -108,8 +112,9 @@ def _picture(stiff, springs, out):
     for ((model, cells, _), some), colour in zip(strip_groups(stiff).items(), style.SEQUENCE):
         expected = theory(some[0])
         some = sorted(some, key=load_number)
-        left.plot([load_number(run) / expected for run in some], [1e4 * deflection(run)**2 for run in some], "o-", color=colour,
-                  label=f"{style.MODEL_NAMES[model]}, width {width_over_length(some[0]):.2f} L, {cells} cells")
+        left.plot([load_number(run) / expected for run in some], [1e4 * deflection(run)**2 for run in some],
+                  "o-", color=colour, label=f"{style.MODEL_NAMES[model]}, width "
+                  f"{width_over_length(some[0]):.2f} L, {cells} cells")
         found.append(critical_load(some) / expected)
     left.axvline(1, color=style.INK, linewidth=0.8)
     left.set_ylim(-0.05, 1.5), left.set_xlim(0.9, 1.1)
@@ -124,9 +129,10 @@ def _picture(stiff, springs, out):
     right.set_xscale("log"), right.set_yscale("log")
     right.set_xlabel("gravity in the plane (m/s²)"), right.set_ylabel("deflection / L")
     known = [value for value in found if np.isfinite(value)]
-    title = (f"Linear stiffness buckles at {100 * min(known):.0f} to {100 * max(known):.0f} % of theory's load" if known
-             else "Lateral buckling")
-    figure.suptitle(title + ("; springs at rest buckle under any" if springs else ""), x=0.01, ha="left", fontsize=11.5)
+    title = (f"Strips with linear stiffness buckle at {100 * min(known):.0f} to {100 * max(known):.0f} % of "
+             "the theoretical load" if known else "Lateral buckling")
+    figure.suptitle(title + ("; springs at rest buckle under any load" if springs else ""), x=0.01, ha="left",
+                    fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_buckling")
 
 

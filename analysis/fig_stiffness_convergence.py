@@ -1,4 +1,4 @@
-"""What the solver makes of a stiffness: XPBD towards static equilibrium, and PBD's k against iterations and time step."""
+"""Effect of the solver on stiffness: XPBD and static equilibrium; k over iterations and time step."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -14,30 +14,35 @@ def main(results, out):
     cheap = strips.experiment_runs(results, section, "cheap")
     iterations = strips.experiment_runs(results, section, "iterations")
     time_step = strips.experiment_runs(results, section, "time_step")
-    section.text = ("Compliance (XPBD) names an energy, so that there is one answer, the static equilibrium, and more "
-                    "substeps come nearer to it; springs compete with the membrane and need more of them than hinges. The "
-                    "membrane of the left picture is soft (10⁻⁵ m/N): springs that fall from the flat state with a stiff one "
-                    "can come to rest in creases, another equilibrium. k names no energy: more iterations or a smaller time "
-                    "step only make the sheet stiffer.")
+    section.text = ("Compliance (XPBD) states an energy. Thus there is one answer, the static equilibrium, "
+                    "and more substeps approach it. Springs compete with the membrane and need more substeps "
+                    "than hinges. The membrane of the left picture is soft (10⁻⁵ m/N): with a stiff one, "
+                    "springs that fall from the flat state can come to rest in creases, another equilibrium. "
+                    "k states no energy: more iterations or a smaller time step only make the sheet stiffer.")
     series = static_and_dynamic(dynamic)
     for (model, cells), (static, some) in sorted(series.items()):
         finest = max(some, key=substeps)
-        section.checks.append(Check(f"H/W, XPBD with {substeps(finest)} substeps", model, strips.mesh_name(finest),
-                                    strips.droop(static), strips.droop(finest), 0.02, "static equilibrium of the same energies",
+        section.checks.append(Check(f"H/W, XPBD with {substeps(finest)} substeps", model,
+                                    strips.mesh_name(finest), strips.droop(static), strips.droop(finest),
+                                    0.02, "static equilibrium of the same energies",
                                     note="springs and membrane compete" if model == "lod" else ""))
-    section.checks += [_growth("B at 100 iterations over B at 1", iterations, lambda run: run.get("/solver/iterations")),
-                       _growth("B at 1/480 s over B at 1/30 s", time_step, lambda run: -run.get("/solver/dt"))]
+    section.checks += [_growth("B at 100 iterations over B at 1", iterations,
+                               lambda run: run.get("/solver/iterations")),
+                       _growth("B at 1/480 s over B at 1/30 s", time_step,
+                               lambda run: -run.get("/solver/dt"))]
     if series or cheap:
-        section.pictures.append((_approach(series, cheap, out),
-                                 "Left: how far H/W is from the static equilibrium of the same energies. Right: what share "
-                                 "of the stiffness that it was told the sheet has (from H/W), 24 cells. Substeps of one "
-                                 "symmetric iteration each, per 1/60 s."))
+        section.pictures.append((_approach(series, cheap, out), "Left: difference of H/W to the static "
+                                 "equilibrium of the same energies. Right: measured (from H/W) over stated "
+                                 "stiffness, 24 cells. Substeps per 1/60 s, each with one symmetric "
+                                 "iteration."))
     if iterations or time_step:
-        section.pictures.append((_pbd(iterations, time_step, out),
-                                 "Every model at k = 0.5 on the same strip (equilateral lattice, 24 cells): B from H/W, "
-                                 "under a tenth of gravity. For springs that is a rigidity at this curvature only."))
-    section.tables.append(Table("Approach to the equilibrium", ["model", "cells", "substeps", "H/W", "H/W static"],
-                                [[model, cells, substeps(run), f"{strips.droop(run):.4f}", f"{strips.droop(static):.4f}"]
+        section.pictures.append((_pbd(iterations, time_step, out), "Every model with k = 0.5 on the same "
+                                 "strip (equilateral lattice, 24 cells): B from H/W, with a tenth of "
+                                 "gravity. For springs this B holds at this curvature only."))
+    section.tables.append(Table("Approach to the equilibrium",
+                                ["model", "cells", "substeps", "H/W", "H/W static"],
+                                [[model, cells, substeps(run), f"{strips.droop(run):.4f}",
+                                  f"{strips.droop(static):.4f}"]
                                  for (model, cells), (static, some) in sorted(series.items())
                                  for run in sorted(some, key=substeps)]))
     return section
@@ -48,7 +53,7 @@ def substeps(run):
 
 
 def static_and_dynamic(runs):
-    """(model, cells) → (run in static equilibrium, dynamic runs), where both are there."""
+    """(model, cells) → (static run, dynamic runs), if there are both."""
     series = {}
     for key, some in group(runs, lambda run: (run.model, strips.cells(run))).items():
         static = [run for run in some if run.get("/solver/method") == "equilibrium"]
@@ -59,7 +64,7 @@ def static_and_dynamic(runs):
 
 
 def _growth(check, runs, setting):
-    """How much stiffer the finest setting is than the coarsest: the largest ratio of any model but the control."""
+    """Checks the ratio of stiffness between finest and coarsest setting, the largest of all models."""
     ratios = {}
     for model, some in strips.by_model(runs).items():
         ends = [strips.rigidity(pick(some, key=setting)) for pick in (min, max)]
@@ -67,7 +72,8 @@ def _growth(check, runs, setting):
             ratios[model] = ends[1] / ends[0]
     model = max(ratios, key=ratios.get, default="any")
     return Check(check, model, "equilateral, 24 cells", 1.15, ratios.get(model, np.nan), 0,
-                 "a stiffness is no matter of solver settings", "most", note="the largest ratio of all models")
+                 "stiffness should not depend on solver settings", "most",
+                 note="the largest ratio of all models")
 
 
 def _approach(series, cheap, out):
@@ -77,8 +83,8 @@ def _approach(series, cheap, out):
     for (model, cells), (static, some) in sorted(series.items()):
         some = sorted(some, key=substeps)
         error = [abs(strips.droop(run) / strips.droop(static) - 1) for run in some]
-        left.plot([substeps(run) for run in some], [100 * e for e in error], looks.get(cells, "-"), marker="o",
-                  color=style.MODEL_COLOURS[model],
+        left.plot([substeps(run) for run in some], [100 * e for e in error], looks.get(cells, "-"),
+                  marker="o", color=style.MODEL_COLOURS[model],
                   label=f"{style.MODEL_NAMES[model]}, {cells} cells")
         last.append(error[-1])
     left.axhline(1, color=style.GREY, linewidth=0.8)
@@ -92,16 +98,18 @@ def _approach(series, cheap, out):
     for model, some in strips.by_model(cheap).items():
         some = sorted(some, key=substeps)
         rigidity = some[0].get("/bending/flexural_rigidity")
-        told = rigidity or some[0].get("/bending/quartic_coefficient")
-        share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity else "stiffness_quartic") / told for run in some]
+        stated = rigidity or some[0].get("/bending/quartic_coefficient")
+        share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity
+                               else "stiffness_quartic") / stated for run in some]
         right.plot([substeps(run) for run in some], share, "o-", color=style.MODEL_COLOURS[model],
                    label=style.MODEL_NAMES[model])
     right.axhline(1, color=style.INK, linewidth=0.8)
-    right.set_ylabel("stiffness measured / told")
+    right.set_ylabel("stiffness, measured / stated")
     right.legend()
-    title = "Cheap settings leave a part of the stiffness"
+    title = "Cheap settings give a part of the stated stiffness"
     if last:
-        title += f"; with the most substeps H/W is {style.number(100 * min(last), 2)} to {style.number(100 * max(last), 2)} % off"
+        low, high = (style.number(100 * pick(last), 2) for pick in (min, max))
+        title += f"; with the most substeps the error of H/W is {low} to {high} %"
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_xpbd")
 
@@ -115,19 +123,21 @@ def _pbd(iterations, time_step, out):
         for model, some in strips.by_model(runs).items():
             some = sorted(some, key=x)
             values = np.array([strips.rigidity(run) for run in some])
-            panel.plot([x(run) for run in some], values, marker="o", markersize=4, color=style.MODEL_COLOURS[model],
-                       linewidth=1.2,
-                       label=strips.model_name(some[0]),
+            panel.plot([x(run) for run in some], values, marker="o", markersize=4,
+                       color=style.MODEL_COLOURS[model], linewidth=1.2, label=strips.model_name(some[0]),
                        linestyle="--" if model in ("bridson", "discrete_shells", "isometric") else "-")
             if model != "none" and np.isfinite(values[[0, -1]]).all():
                 growth.append(values[-1] / values[0])
         panel.set_xscale("log"), panel.set_yscale("log")
-        panel.set_xticks(sorted({round(x(run)) for run in runs}), labels=sorted({round(x(run)) for run in runs}))
+        panel.set_xticks(sorted({round(x(run)) for run in runs}),
+                         labels=sorted({round(x(run)) for run in runs}))
         panel.minorticks_off()
         panel.set_xlabel(label)
     axes[0].set_ylabel("B from H/W (N m)")
     axes[1].legend(loc="upper left", bbox_to_anchor=(1, 1))
-    title = f"{min(growth):.0f} to {max(growth):.0f} times as stiff with the finer setting" if growth else "iterations and time step"
+    title = "iterations and time step"
+    if growth:
+        title = f"{min(growth):.0f} to {max(growth):.0f} times as stiff with the finer setting"
     figure.suptitle(f"One k: {title}", x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_solver")
 

@@ -1,4 +1,4 @@
-"""Stiffness against resolution at the paper's settings, every model on four families of meshes."""
+"""Stiffness over resolution with the paper's settings: every model on four kinds of mesh."""
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -15,31 +15,32 @@ CLAIMED = ("adaptive", "lod")  # the paper's own models
 def main(results, out):
     section = Section("Stiffness against resolution, by the paper's rule", "resolution")
     runs = strips.experiment_runs(results, section, "resolution", "resolution_slow")
-    section.text = ("The paper says of its adaptive springs that the stiffness stays the same when the resolution changes. "
-                    "Here every model has the paper's kind of settings: k = 0.5, 1/60 s, 10 iterations, levels from eq. 6. A "
-                    "tenth of gravity, so that the finest strips still have a shape that can be measured. The number is B "
-                    "from H/W, for springs a rigidity at the curvature this weight brings about; below about 10⁻⁶ N m the "
-                    "fold at the clamp is narrower than three rows, so that the number is one of the mesh too.")
+    section.text = ("The paper states that the stiffness of its adaptive springs stays the same when the "
+                    "resolution changes. Here every model has the paper's settings: k = 0.5, 1/60 s, 10 "
+                    "iterations, levels from eq. 6. Gravity is a tenth, so that the finest strips still have "
+                    "a measurable shape. The number is B from H/W, for springs a rigidity at the curvature "
+                    "of this load; below about 10⁻⁶ N m the fold at the clamp is narrower than three rows, "
+                    "so that B also depends on the mesh.")
     for (model, family), some in group(runs, lambda run: (run.model, strips.family(run))).items():
         if model in CLAIMED:
-            section.checks.append(Check("largest ratio of B between two resolutions", model, _range(some, family), 1.15,
-                                        ratio(some), 0,
+            section.checks.append(Check("largest ratio of B between two resolutions", model,
+                                        _range(some, family), 1.15, ratio(some), 0,
                                         "the paper: the stiffness does not change with resolution", "most",
                                         note=f"level m {_levels(some)}"))
     if runs:
-        section.pictures.append((_picture(runs, out),
-                                 "Grey, dotted: the same meshes without bending (not drawn where they hang straight down)."))
+        section.pictures.append((_picture(runs, out), "Grey, dotted: the same meshes without bending (no "
+                                 "point where they hang straight down)."))
         section.tables.append(_table(runs))
     return section
 
 
 def ratio(runs):
-    """Largest over smallest B of runs of one model and family."""
+    """Largest over smallest B of runs of one model and kind of mesh."""
     return strips.largest_ratio([strips.rigidity(run) for run in runs])
 
 
 def _levels(runs):
-    """Level m of eq. 6, from coarse to fine; – for models without."""
+    """Level m of eq. 6 from coarse to fine, as text; – for models without."""
     levels = [strips.number(run, "model_m") for run in sorted(runs, key=strips.cells)]
     return ", ".join(f"{level:.0f}" for level in levels if np.isfinite(level)) or "–"
 
@@ -52,8 +53,8 @@ def _range(runs, family):
 def _picture(runs, out):
     models = [model for model in strips.by_model(runs) if model != "none"]
     columns = 4
-    figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4), layout="constrained", sharex=True,
-                                sharey=True)
+    figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4),
+                                layout="constrained", sharex=True, sharey=True)
     by_place = group(runs, lambda run: (run.model, strips.family(run)))
     counts = sorted({strips.cells(run) for run in runs})
     for panel, model in zip(axes.flat, models):
@@ -67,8 +68,9 @@ def _picture(runs, out):
                 else:
                     panel.plot(x, y, look, color=colour, markersize=4, label=strips.MESH_NAMES[family])
                     worst.append(ratio(some))
-        panel.set_title(f"{strips.model_name(by_place[model, next(f for m, f in by_place if m == model)][0])}: up to "
-                        f"{style.number(np.nanmax(worst), 2)} ×")
+        panel.set_title(
+            f"{strips.model_name(by_place[model, next(f for m, f in by_place if m == model)][0])}: up to "
+            f"{style.number(np.nanmax(worst), 2)} ×")
         panel.set_yscale("log")
         style.resolution_axis(panel, counts)
         panel.set_xlabel("")
@@ -82,10 +84,10 @@ def _picture(runs, out):
         panel.set_xlabel("cells along the strip")
     paper = [ratio(some) for (model, _), some in by_place.items() if model in CLAIMED]
     others = [ratio(some) for (model, _), some in by_place.items() if model not in (*CLAIMED, "none")]
-    figure.suptitle(f"From {counts[0]} to {counts[-1]} cells the paper's models change their stiffness "
-                    f"{style.number(np.nanmin(paper), 2)} to {style.number(np.nanmax(paper), 2)} times, the others "
-                    f"{style.number(np.nanmin(others), 2)} to {style.number(np.nanmax(others), 2)} times",
-                    x=0.01, ha="left", fontsize=11.5)
+    figure.suptitle(f"From {counts[0]} to {counts[-1]} cells the stiffness of the paper's models changes by "
+                    f"factors of {style.number(np.nanmin(paper), 2)} to {style.number(np.nanmax(paper), 2)}, "
+                    f"that of the others by {style.number(np.nanmin(others), 2)} to "
+                    f"{style.number(np.nanmax(others), 2)}", x=0.01, ha="left", fontsize=11.5)
     return style.save(figure, out, "fig_stiffness_resolution")
 
 
@@ -98,7 +100,8 @@ def _table(runs):
         rows.append([model, strips.MESH_NAMES[family], *(style.number(values.get(n, np.nan)) for n in counts),
                      style.number(ratio(some)),
                      _levels(some)])
-    return Table("B from H/W (N m)", ["model", "mesh", *(f"{n} cells" for n in counts), "largest ratio", "level m"], rows)
+    return Table("B from H/W (N m)", ["model", "mesh", *(f"{n} cells" for n in counts), "largest ratio",
+                                      "level m"], rows)
 
 
 if __name__ == "__main__":

@@ -1,15 +1,17 @@
-"""What both pages are made of: the head with its style, sections, claims, tables and numbers as HTML."""
+"""HTML for every page: head with style sheet, sections, claims, tables and numbers."""
 import html
 
 import style
 
 HEAD = """<!doctype html>
-<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width, initial-scale=1">
+<html lang="en"><head><meta charset="utf-8">
+<meta name="viewport" content="width=device-width, initial-scale=1">
 <title>TITLE</title>
 <style>
   :root { --ink: #22262b; --grey: #6d747c; --line: #e2e6ea; --yes: #00694c; --no: #a8321a; --open: #7a6000; }
   * { box-sizing: border-box }
-  body { margin: 0; color: var(--ink); background: #fff; font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", sans-serif }
+  body { margin: 0; color: var(--ink); background: #fff;
+    font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", sans-serif }
   main { max-width: 60rem; margin: 0 auto; padding: 3rem 1.25rem 5rem }
   h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .4rem; letter-spacing: -.01em }
   h2 { font-size: 1.35rem; margin: 3.6rem 0 .6rem; padding-top: 1.1rem; border-top: 1px solid var(--line) }
@@ -18,18 +20,24 @@ HEAD = """<!doctype html>
   figure { margin: 1.4rem 0 } img { max-width: 100%; height: auto; display: block }
   figcaption { color: var(--grey); font-size: .88rem; margin-top: .35rem; max-width: 46rem }
   .scroll { overflow-x: auto; margin: 1rem 0 }
-  table { border-collapse: collapse; font-size: .84rem; line-height: 1.35; font-variant-numeric: tabular-nums }
+  table { border-collapse: collapse; font-size: .84rem; line-height: 1.35;
+    font-variant-numeric: tabular-nums }
   caption { caption-side: top; text-align: left; color: var(--grey); padding: .3rem 0 .5rem }
-  th, td { text-align: right; padding: .28rem .75rem .28rem 0; border-bottom: 1px solid var(--line); vertical-align: top }
+  th, td { text-align: right; padding: .28rem .75rem .28rem 0; border-bottom: 1px solid var(--line);
+    vertical-align: top }
   th { font-weight: 600; border-bottom: 1.5px solid var(--ink); vertical-align: bottom }
   th.t, td.t { text-align: left }
-  .overview td { font-size: .95rem; padding: .45rem .9rem .45rem 0 } .overview td:first-child { white-space: nowrap }
+  .overview td { font-size: .95rem; padding: .45rem .9rem .45rem 0 }
+  .overview td:first-child { white-space: nowrap }
   .claim { border-left: 4px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1.3rem 0 }
-  .claim.yes { border-color: var(--yes) } .claim.no { border-color: var(--no) } .claim.open { border-color: var(--open) }
-  .claim p { margin: .25rem 0 } .claim .rule { color: var(--grey); font-size: .9rem } .claim table { margin: .5rem 0 .2rem }
+  .claim.yes { border-color: var(--yes) } .claim.no { border-color: var(--no) }
+  .claim.open { border-color: var(--open) }
+  .claim p { margin: .25rem 0 } .claim .rule { color: var(--grey); font-size: .9rem }
+  .claim table { margin: .5rem 0 .2rem }
   .verdict { font-weight: 650; white-space: nowrap } .yes .verdict, .verdict.yes { color: var(--yes) }
   .no .verdict, .verdict.no { color: var(--no) } .open .verdict, .verdict.open { color: var(--open) }
-  code, pre { font: .86rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace; background: #f5f6f8; border-radius: 4px }
+  code, pre { font: .86rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace;
+    background: #f5f6f8; border-radius: 4px }
   code { padding: .1rem .3rem } pre { padding: .7rem .9rem; overflow-x: auto }
   details { margin: 1rem 0 } summary { cursor: pointer; color: var(--grey); font-size: .92rem }
   .missing { background: #fff7e0; border-left: 4px solid #d9a400; padding: .5rem .9rem; font-size: .92rem }
@@ -38,7 +46,7 @@ HEAD = """<!doctype html>
 
 
 def document(title, body):
-    """A whole page."""
+    """A whole page as HTML."""
     return HEAD.replace("TITLE", escape(title)) + body + "\n</main></body></html>\n"
 
 
@@ -49,8 +57,11 @@ def mark(claim):
 
 
 def section_html(section, everything, label="", verdicts=()):
-    """A section: heading with its label, text, what is missing, the verdicts (HTML), pictures, numbers, and the commands that repeat
-    it, `everything` last."""
+    """A section as HTML: heading with its label, text, missing runs, verdicts (HTML), pictures, tables,
+    commands.
+
+    The commands repeat the section's runs; `everything` is the last one and repeats the page.
+    """
     parts = [f"<h2>{label}{escape(section.title)}</h2>"]
     if section.text:
         parts.append(f"<p>{escape(section.text)}</p>")
@@ -58,7 +69,8 @@ def section_html(section, everything, label="", verdicts=()):
         missing = "<br>".join(escape(line) for line in section.missing)
         parts.append(f"<div class='missing'>Runs that are missing:<br>{missing}</div>")
     parts += verdicts
-    parts += [f"<figure><img src='{name}' alt='{escape(caption)}'><figcaption>{escape(caption)}</figcaption></figure>"
+    parts += [f"<figure><img src='{name}' "
+              f"alt='{escape(caption)}'><figcaption>{escape(caption)}</figcaption></figure>"
               for name, caption in section.pictures]
     tables = "".join(table_html(table) for table in section.tables if table.rows)
     if tables:
@@ -70,10 +82,12 @@ def section_html(section, everything, label="", verdicts=()):
 
 def claim_html(claim):
     kind, verdict = mark(claim)
-    numbers = "".join(f"<tr><td class='t'>{escape(name)}</td><td>{shown(value)}</td></tr>" for name, value in claim.numbers.items())
+    numbers = "".join(f"<tr><td class='t'>{escape(name)}</td><td>{shown(value)}</td></tr>"
+                      for name, value in claim.numbers.items())
     note = f"<p>{escape(claim.note)}</p>" if claim.note else ""
-    return (f"<div class='claim {kind}'><p>“{escape(claim.claim)}” <span class='verdict'>{verdict}</span></p><table>{numbers}</table>"
-            f"<p class='rule'>Holds if {escape(claim.rule)}.</p>{note}</div>")
+    return (f"<div class='claim {kind}'><p>“{escape(claim.claim)}” <span "
+            f"class='verdict'>{verdict}</span></p><table>{numbers}</table><p class='rule'>Holds if "
+            f"{escape(claim.rule)}.</p>{note}</div>")
 
 
 def shown(value):
@@ -85,13 +99,15 @@ def shown(value):
 
 
 def table_html(table):
-    """A table whose text columns are left-aligned."""
-    is_text = [any(isinstance(row[i], str) and not row[i][:1].isdigit() and row[i] not in ("–", "∞") for row in table.rows)
-               for i in range(len(table.columns))]
+    """A table as HTML; text columns are left-aligned."""
+    is_text = [any(isinstance(row[i], str) and not row[i][:1].isdigit() and row[i] not in ("–", "∞")
+                   for row in table.rows) for i in range(len(table.columns))]
     cell = lambda tag, i, value: f"<{tag}{' class=t' if is_text[i] else ''}>{escape(str(value))}</{tag}>"
     head = "".join(cell("th", i, name) for i, name in enumerate(table.columns))
-    rows = "".join("<tr>" + "".join(cell("td", i, value) for i, value in enumerate(row)) + "</tr>" for row in table.rows)
-    return f"<div class='scroll'><table><caption>{escape(table.caption)}</caption><tr>{head}</tr>{rows}</table></div>"
+    rows = "".join("<tr>" + "".join(cell("td", i, value) for i, value in enumerate(row)) + "</tr>"
+                   for row in table.rows)
+    return (f"<div class='scroll'><table><caption>{escape(table.caption)}</caption>"
+            f"<tr>{head}</tr>{rows}</table></div>")
 
 
 def escape(text):

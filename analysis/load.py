@@ -22,7 +22,7 @@ def _text(value):
 
 
 class Metrics(Mapping):
-    """Name → (F) array of a run file, each read when it is first asked for."""
+    """Name → (F) array of a run file. Each array is read on first use."""
 
     def __init__(self, path, names, frames):
         self._path, self._frames, self._found = path, frames, dict.fromkeys(names)
@@ -42,7 +42,7 @@ class Metrics(Mapping):
 
 @dataclass
 class Run:
-    """One run: what is small is read at once, metrics and frames on demand."""
+    """One run. Small data are read at once, metrics and frames on demand."""
 
     file: Path
     id: str
@@ -52,11 +52,11 @@ class Run:
     summary: dict  # name → number
     metrics: Mapping  # name → (F) array, `time` among them
     wall_s: float = 0.0
-    step_cpu_s: float = 0.0  # of the steps alone
+    step_cpu_s: float = 0.0  # steps only, without set-up and recording
     cpu_s: float = 0.0
     passes: dict = field(default_factory=dict)  # pass → seconds
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
-    source_hash: str = ""  # of the program that ran it
+    source_hash: str = ""  # identifies the program that wrote the run
 
     def get(self, pointer, default=None):
         """Value of the resolved config at a JSON pointer."""
@@ -72,23 +72,23 @@ class Run:
 
     @property
     def complete(self):
-        """Whether all frames are there. A run that is implausible went to its end: what is wrong with it is what a figure shows."""
+        """Whether all frames are there. An implausible run is complete: figures show it."""
         return self.status in ("complete", "implausible")
 
     @property
     def over(self):
-        """Whether the same run again would end as it did."""
+        """Whether repeating the run would give the same end."""
         return self.complete or self.status == "diverged"
 
     def frame_index(self, frame):
-        """A frame number from 0, given one that may count from the end. IndexError where there is none."""
+        """Frame number from 0; a negative `frame` counts from the end. IndexError if there is none."""
         index = frame + self.frames if frame < 0 else frame
         if not 0 <= index < self.frames:
             raise IndexError(f"{self.file} has {self.frames} frames, no frame {frame}")
         return index
 
     def last_second(self):
-        """Numbers of the frames within the last simulated second."""
+        """Frame numbers within the last simulated second."""
         time = self.metrics["time"]
         return np.flatnonzero(time >= time[-1] - 1 - 1e-9) if len(time) else np.array([], int)
 
@@ -133,7 +133,7 @@ class Run:
 
     @property
     def pin_seeds(self):
-        """The vertices that the scene names, without the rings pinned with them."""
+        """Vertices that the config names as pins, without the rings around them."""
         return self._rest("pin_seeds").astype(int)
 
     @property
@@ -142,17 +142,17 @@ class Run:
         return float(np.linalg.norm(np.ptp(self.rest_positions, axis=0)))
 
     def constraints(self, kind):
-        """(C, n) vertices of every constraint of a kind; KeyError unless the run recorded them."""
+        """(C, n) vertices of every constraint of a kind. KeyError if the run did not record them."""
         with h5py.File(self.file, "r") as file:
             name = f"constraints/{kind}/vertices"
             if name not in file:
-                raise KeyError(f"{self.file} holds no {name}: run it with /output/constraints true")
+                raise KeyError(f"{self.file} has no {name}: run it with /output/constraints true")
             vertices = file[name][()].astype(int)
         return vertices if vertices.ndim == 2 else vertices.reshape(-1, 2)
 
 
 def at(config, pointer, default=None):
-    """Value of nested dicts and lists at a JSON pointer, `default` where there is none."""
+    """Value at a JSON pointer in nested dicts and lists, `default` if there is none."""
     node = config
     for key in pointer.split("/")[1:]:
         if isinstance(node, list) and key.isdigit() and int(key) < len(node):
@@ -165,7 +165,7 @@ def at(config, pointer, default=None):
 
 
 def load_run(path):
-    """One run from its file, finished or not (`.part`). OSError where it can't be opened, KeyError where it is no run."""
+    """One run from its file, finished or not (`.part`). OSError: not readable; KeyError: no run."""
     path = Path(path)
     with h5py.File(path, "r") as file:
         frames = len(file["metrics/time"])
@@ -189,16 +189,19 @@ def load_run(path):
             cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
             passes=passes,
             source_hash=_text(attributes("provenance").get("source_hash", "")),
-            counts={kind: int(np.ravel(data.attrs["count"])[0]) for kind, data in group("constraints").items()},
+            counts={kind: int(np.ravel(data.attrs["count"])[0])
+                    for kind, data in group("constraints").items()},
         )
 
 
 def load_runs(folder, axes=None):
-    """Every run below a folder, the newest of each config, in the order of their configs; [] where there is none.
+    """Every run below a folder, in the order of their configs; of equal configs the newest complete one. []
+    if none.
 
-    Old results may lie beside new ones. With `axes` (JSON pointers) only runs of the newest one's program that differ
-    from it in nothing but these are kept, so that neither an older program nor a trial with other settings mixes into a figure. References of runs
-    (`/accuracy`) lie in a folder `references` of their own and are left out, unless that is the folder.
+    Old results may lie beside new ones. `axes` are the JSON pointers of a sweep. With `axes`, only runs of
+    the newest run's program are kept, and of these only runs whose other settings equal the newest run's.
+    Thus no figure mixes programs, or trials with other settings. Reference runs (`/accuracy`) lie in a folder
+    `references` of their own. They are left out unless `folder` is that folder.
     """
     found = {}
     for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
@@ -207,7 +210,7 @@ def load_runs(folder, axes=None):
         try:
             run = load_run(path)
         except (OSError, KeyError, ValueError):
-            continue  # a file that was cut off before its first frame
+            continue  # cut off before its first frame
         if run.frames:
             key = json.dumps(run.config, sort_keys=True)
             rank = (run.complete, path.stat().st_mtime)
@@ -225,7 +228,7 @@ def load_runs(folder, axes=None):
 
 
 def _fixed_part(config, axes):
-    """What the axes don't point at: (the scene, bending, of which models keep only what they use)."""
+    """The settings that are not on the axes: (all but bending, bending)."""
     rest = json.loads(json.dumps(config))
     for pointer in [*axes, "/name", "/description", "/expect", "/sweep"]:
         parent, _, last = pointer.rpartition("/")
@@ -238,7 +241,7 @@ def _fixed_part(config, axes):
 
 
 def select(runs, **wanted):
-    """Runs whose config has these values; '__' stands for '/': select(runs, bending__model='lod', mesh__cells=64)."""
+    """Runs with these values, '__' for '/': select(runs, bending__model='lod', mesh__cells=64)."""
     pointer = {key: "/" + key.replace("__", "/") for key in wanted}
     return [run for run in runs if all(run.get(pointer[key]) == value for key, value in wanted.items())]
 
@@ -252,7 +255,7 @@ def group(runs, key):
 
 
 def values(runs, name):
-    """(R) values of a summary entry over the runs, those without it left out. A diverged run counts as infinite."""
+    """(R) values of a summary entry. Runs without it are left out; a diverged run counts as infinite."""
     numbers = [run.summary.get(name, np.inf if run.status == "diverged" else np.nan) for run in runs]
     numbers = np.array(numbers, float)
     return numbers[~np.isnan(numbers)]
@@ -276,7 +279,7 @@ class Spread:
 
 
 def spread(numbers):
-    """Median and range; NaN where there are none."""
+    """Median and range; NaN if there are no numbers."""
     numbers = np.asarray(numbers, float)
     if not len(numbers):
         return Spread(np.nan, np.nan, np.nan, 0)
@@ -292,8 +295,11 @@ def statuses(runs):
 
 
 def typical_frame(runs, metric="pin_max_stretch"):
-    """(run, frame) of the last simulated second whose metric is nearest to the median over all these runs and frames:
-    a picture of it shows what the numbers say, where a last frame of a chaotic sheet may mislead."""
+    """(run, frame) of the last simulated second whose metric is nearest to the median over all these runs and
+    frames.
+
+    Sheets are chaotic: the last frame may differ from what the medians say, this frame does not.
+    """
     samples = [(run, frame, run.metrics[metric][frame]) for run in runs for frame in run.last_second()]
     samples = [sample for sample in samples if np.isfinite(sample[2])]
     if not samples:
@@ -305,15 +311,16 @@ def typical_frame(runs, metric="pin_max_stretch"):
 
 ROOT = Path(__file__).resolve().parent.parent
 CONFIGS = ROOT / "configs"
-MODELS = re.findall(r"^BENDLAB_BENDING_MODEL\((\w+)\)", (ROOT / "lib/bendlab/bending/models.def").read_text(encoding="utf-8"), re.M)
+MODELS = re.findall(r"^BENDLAB_BENDING_MODEL\((\w+)\)",
+                    (ROOT / "lib/bendlab/bending/models.def").read_text(encoding="utf-8"), re.M)
 
 
 @dataclass
 class Experiment:
-    """The runs of one config: those that are there, and how many are not."""
+    """The runs of one config: those that exist, and those that are missing."""
 
-    config: str  # "paper/fig5": the file below configs/
-    settings: dict  # the config as it is written
+    config: str  # file below configs/, as in "paper/fig5"
+    settings: dict  # the config as written
     runs: list
     missing: list  # points of the sweep without a finished run, as text
 
@@ -328,27 +335,30 @@ class Experiment:
 
 
 def load_experiment(results, config):
-    """The runs of configs/<config>.json below `results`, with what is missing of its sweep."""
+    """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run."""
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
-    sweep = settings["sweep"] = {pointer: _listed(pointer, values) for pointer, values in settings.get("sweep", {}).items()}
-    runs = [run for run in load_runs(Path(results) / settings["name"], list(sweep)) if _on_sweep(run.config, sweep)]
-    if config.endswith("_full"):  # made on request only, so what is there may be of an older program than the rest
+    sweep = settings["sweep"] = {pointer: _listed(pointer, values)
+                                 for pointer, values in settings.get("sweep", {}).items()}
+    runs = [run for run in load_runs(Path(results) / settings["name"], list(sweep))
+            if _on_sweep(run.config, sweep)]
+    if config.endswith("_full"):  # run on request only: may be from an older program
         sources = {run.source_hash for run in load_experiment(results, config.removesuffix("_full")).runs}
         runs = [run for run in runs if run.source_hash in sources]
     there = {_place(run.config, sweep) for run in runs if run.over}
-    # Which points a covering array takes is known to the program alone; fig_plain.py looks whether they cover.
+    # Only the program knows the points of a covering array. fig_plain.py checks that they cover.
     points = [] if "cover" in settings else _points(sweep)
     wanted = dict.fromkeys(_place(_with(settings, point), sweep) for point in points)
-    missing = [", ".join(f"{pointer} {value}" for pointer, value in place) for place in wanted if place not in there]
+    missing = [", ".join(f"{pointer} {value}" for pointer, value in place) for place in wanted
+               if place not in there]
     return Experiment(config, settings, runs, missing)
 
 
 def _listed(pointer, values):
-    """What is swept: "all" stands for every choice of a setting, and is used for bending models."""
+    """The swept values. "all" stands for every bending model."""
     if values != "all":
         return values
     if pointer != "/bending/model":
-        raise ValueError(f"'all' of {pointer} is not known here")
+        raise ValueError(f"'all' is known for /bending/model only, not for {pointer}")
     return MODELS
 
 
@@ -358,7 +368,7 @@ def _points(sweep):
 
 
 def _with(settings, point):
-    """A config (only as far as _place() looks) with the point's values in it."""
+    """A config with the values of a point; complete as far as _place() needs."""
     config = json.loads(json.dumps(settings))
     for pointer, value in point.items():
         *path, last = pointer.split("/")[1:]
@@ -370,34 +380,36 @@ def _with(settings, point):
 
 
 def _place(config, sweep):
-    """Where on the sweep a config is: ((pointer, value), …), without the settings of models it doesn't use."""
+    """The point of the sweep that a config is: ((pointer, value), …), without settings of other models."""
     used = [pointer for pointer in sweep if _applies(config, pointer)]
     return tuple((pointer, _hashable(swept_value(config, pointer, sweep))) for pointer in used)
 
 
 def swept_value(config, pointer, sweep):
-    """The value of the sweep that a config has at a pointer, None where it has none of them."""
+    """The swept value that a config has at a pointer, None if it has none of them."""
     actual = at(config, pointer)
     return next((value for value in sweep[pointer] if _matches(actual, value)), None)
 
 
-LEFT_OUT = ("at_curvature",)  # by the program, of a model that does not use it
+LEFT_OUT = ("at_curvature",)  # the program omits these if the model does not use them
 
 
 def _matches(actual, wanted):
-    """Equal; of a swept object, or each of a list, the config has the settings that it names, and the defaults of all others."""
+    """Whether a value fits a swept one. A swept object names some settings only: the others are defaults."""
     if isinstance(wanted, list):
         return isinstance(actual, list) and len(actual) == len(wanted) and all(map(_matches, actual, wanted))
     if isinstance(wanted, dict):
-        return isinstance(actual, dict) and all(_matches(actual.get(key), value) for key, value in wanted.items()
-                                                if key in actual or key not in LEFT_OUT)
+        return isinstance(actual, dict) and all(_matches(actual.get(key), value)
+                                                for key, value in wanted.items() if key in actual
+                                                or key not in LEFT_OUT)
     return actual == wanted
 
 
 def _hashable(value):
     if isinstance(value, dict):
         return json.dumps(value, sort_keys=True)
-    return tuple(map(_hashable, value)) if isinstance(value, list) else value  # 0 and 0.0 are equal and hash alike
+    # 0 and 0.0 are equal and hash alike
+    return tuple(map(_hashable, value)) if isinstance(value, list) else value
 
 
 def _applies(config, pointer):
@@ -406,4 +418,5 @@ def _applies(config, pointer):
 
 
 def _on_sweep(config, sweep):
-    return all(swept_value(config, pointer, sweep) is not None for pointer in sweep if _applies(config, pointer))
+    return all(swept_value(config, pointer, sweep) is not None for pointer in sweep
+               if _applies(config, pointer))

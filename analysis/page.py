@@ -1,4 +1,4 @@
-"""Draws every figure and writes the page: index.html, summary.json (the claims) and reference.csv (medians of every group)."""
+"""Writes the page of the paper: index.html, summary.json (claims), reference.csv (medians of groups)."""
 import argparse
 import csv
 import json
@@ -22,11 +22,13 @@ PAPER = [fig_1, fig_structure, fig_5, fig_6, fig_7]
 FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
-             "mean_strain": 0, "drop": 0}  # summary entry → what is taken off it
+             "mean_strain": 0, "drop": 0}  # summary entry → offset subtracted from it
 
 
 def main(results, out, only="everything"):
-    """The page of these figures, from runs below `results` into `out`; returns its sections. Of the first no page is made."""
+    """Writes the page of these figures into `out` from the runs below `results`; returns its sections.
+
+    Of the first figure alone no page is made."""
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES[only]]
     if only == "first":
@@ -41,40 +43,45 @@ def main(results, out, only="everything"):
 
 def body(sections, claims):
     """The page below its head."""
-    parts = ["<h1>The paper, repeated</h1>",
-             "<p class='lead'>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dynamics in Triangular Meshes</em>: "
-             "each figure run again, each claim beside its number. Numbers are medians over the last simulated second and over "
-             "seeds, because the sheets are chaotic; a verdict follows from them by the rule printed with it.</p>",
-             "<p>The scene of every figure unless it says otherwise: a sheet of 1 m × 1 m in N × N cells, pinned at its upper "
-             "right corner, starts horizontal and falls for 4 s. Stretch σ₁ is the largest principal stretch of a triangle: "
-             "σ₁ − 1 is 0 where it is unstretched and 1 where it is twice as long.</p>", overview(claims)]
+    parts = ["<h1>The paper, repeated</h1>", "<p class='lead'>Jong-Hyun Kim, <em>Bending Spring Model for "
+             "Stable Strain-Based Dynamics in Triangular Meshes</em>: each figure repeated, and the measured "
+             "numbers beside each claim. The sheets are chaotic, so numbers are medians over the last "
+             "simulated second and over seeds. The rule under each claim turns its numbers into a "
+             "verdict.</p>", "<p>Unless a figure says otherwise, a sheet of 1 m × 1 m in N × N cells is "
+             "pinned at its upper right corner. It starts horizontal and falls for 4 s. Stretch σ₁ is the "
+             "largest principal stretch of a triangle: σ₁ − 1 is 0 for an unstretched triangle and 1 for one "
+             "that is twice as long.</p>", overview(claims)]
     parts += [paper_section(section) for section in sections]
-    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: the claims. "
-                 "<a href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>")
+    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: the claims. <a "
+                 "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>")
     return "\n".join(parts)
 
 
 def overview(claims):
-    rows = "".join(f"<tr><td class='t'>Fig. {escape(claim.figure)}</td><td class='t'>{escape(claim.claim)}</td>"
-                   f"<td class='t'><span class='verdict {mark(claim)[0]}'>{mark(claim)[1]}</span></td></tr>" for claim in claims)
+    rows = "".join(f"<tr><td class='t'>Fig. {escape(claim.figure)}</td><td "
+                   f"class='t'>{escape(claim.claim)}</td><td class='t'><span class='verdict "
+                   f"{mark(claim)[0]}'>{mark(claim)[1]}</span></td></tr>" for claim in claims)
     return f"<div class='scroll'><table class='overview'>{rows}</table></div>"
 
 
 def paper_section(section):
     label = f"<span>Fig. {escape(section.figure)}</span> " if section.claims else ""
-    return section_html(section, "./bendlab reproduce      # everything, and this page", label, map(claim_html, section.claims))
+    return section_html(section, "./bendlab reproduce      # everything, and this page", label,
+                        map(claim_html, section.claims))
 
 
 def write_reference(results, path):
-    """One row per experiment and point of its sweep without the seed: medians and ranges over seeds."""
+    """Writes one row per experiment and point of its sweep, with medians and ranges over seeds."""
     columns = ["experiment", "cells", "model", "pin_ring", "setting", "seeds", "status", *COUNTS]
-    columns += [f"{name}{'_minus_1' if offset else ''}{part}" for name, offset in REFERENCE.items() for part in ("", "_low", "_high")]
+    columns += [f"{name}{'_minus_1' if offset else ''}{part}" for name, offset in REFERENCE.items()
+                for part in ("", "_low", "_high")]
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(columns)
         for config in sorted(CONFIGS.glob("paper/*.json")) + sorted(CONFIGS.glob("ablations/*.json")):
             experiment = load_experiment(results, f"{config.parent.name}/{config.stem}")
-            for setting, runs in sorted(group(experiment.runs, lambda run: _setting(run, experiment.sweep)).items()):
+            for setting, runs in sorted(group(experiment.runs,
+                                              lambda run: _setting(run, experiment.sweep)).items()):
                 status = " ".join(f"{count} {name}" for name, count in sorted(statuses(runs).items()))
                 row = [f"{config.parent.name}/{config.stem}", *setting, len(runs), status]
                 row += [f"{summary_spread(runs, name).median:.0f}" for name in COUNTS]
@@ -85,7 +92,7 @@ def write_reference(results, path):
 
 
 def _setting(run, sweep):
-    """(cells, model, pinned rings, the rest of the sweep as text)."""
+    """(cells, model, pinned rings, other swept settings as text)."""
     named = ("/mesh/cells", "/bending/model", "/pins/ring", "/initial/seed")
     rest = [f"{pointer}={json.dumps(at(run.config, pointer))}" for pointer in sweep
             if pointer not in named and at(run.config, pointer) is not None]

@@ -1,7 +1,8 @@
-"""The plain matrix: what is varied, and the bounds that any correct cloth keeps in every one of its scenes.
+"""The plain matrix: its varied settings, and bounds that any correct cloth keeps in each of its scenes.
 
-The bounds are looked at here, in the recorded frames, and not taken from the program, whose own verdict they judge: a run
-that breaks one and was not told is wrong in silence. Lengths in sizes (diagonal of the rest box).
+The bounds are checked here on the recorded frames. The program's own verdict is not used, because the bounds
+test it: a run that breaks a bound without a warning is wrong in silence. Lengths are in sizes (diagonal of
+the rest box).
 """
 import json
 from dataclasses import dataclass, field
@@ -17,21 +18,27 @@ TWINS = ("millimetres", "millimetres_in_metres")  # the same scenes in two units
 
 SOUND, TOLD, SILENT, ALARM = "sound", "told", "silent", "false alarm"
 
-FALL = 1e-3  # of the way that a cloth without pins falls
-WAY = 0.1  # woven cloth gives way by about a tenth before it feels stiff (Provot 1995); what is told here does not stretch
-NEAR = 0.02  # sizes beyond that, for the few triangles at a pin
-MEAN_STRAIN = 0.1  # as WAY
-STRETCH = 3.0  # of one triangle, times its rest length: at a single pinned vertex the paper's scene has 2.2 for a moment
-SPEED = 4.0  # times v0 + g t: the end of a cloth that whips is faster than what falls freely (a sheet 4 m long on its top edge, symmetric
-# sweep, mean strain 4e-4: 3.1); 16 times the energy of what falls
-ENERGY = 0.02  # of kinetic energy at the start, and weight times size: forward sweeps add a little (design.md)
-UNFINISHED = 0.05  # of the duration: the last step may end beside it; a run that diverges stops before
-ROUNDING = 1e-6  # sizes: a coordinate in single precision, some sizes from the middle
+FALL = 1e-3  # share of the distance that a cloth without pins falls
+# strain; woven cloth yields by about a tenth before it resists (Provot 1995); cloth in this matrix does not
+# stretch
+WAY = 0.1
+NEAR = 0.02  # sizes; more than WAY, for the few triangles at a pin
+MEAN_STRAIN = 0.1  # the same as WAY
+STRETCH = 3.0  # of one triangle; at a single pinned vertex the paper's scene briefly has 2.2
+# Times v0 + g t, 16 times the energy of a free fall. The end of a whipping cloth is faster than a free fall:
+# 3.1 for a sheet 4 m long that hangs from its top edge (symmetric sweep, mean strain 4e-4).
+SPEED = 4.0
+# Share of the scale (kinetic energy at the start, plus weight times size); forward sweeps add a little
+# (design.md)
+ENERGY = 0.02
+# Share of the duration; the last step may end beside it, a run that diverges stops much earlier
+UNFINISHED = 0.05
+ROUNDING = 1e-6  # sizes; rounding error of a coordinate in single precision, some sizes from the middle
 
 
 @dataclass(frozen=True)
 class Bound:
-    """A number that the run had and what it may be at most."""
+    """A number of a run and the most it may be."""
 
     name: str
     value: float
@@ -40,7 +47,7 @@ class Bound:
 
     @property
     def holds(self):
-        return self.value <= self.limit  # not a number fails
+        return self.value <= self.limit  # NaN fails
 
     @property
     def excess(self):
@@ -52,13 +59,13 @@ class Bound:
 
 @dataclass
 class Judged:
-    """One run with its bounds and with what the program said."""
+    """One run with its bounds and the program's warning."""
 
     config: str
     run: object
-    settings: dict  # axis → value, both as a reader reads them
+    settings: dict  # axis → value, both as text for a page
     bounds: list
-    told: str  # "" where the program found nothing
+    told: str  # the program's status or warnings; "" for none
     command: str
     notes: list = field(default_factory=list)
 
@@ -77,12 +84,13 @@ class Judged:
         return ALARM if self.run.status in ("implausible", "diverged") else SOUND
 
     def as_json(self):
-        return {"config": self.config, "settings": self.settings, "verdict": self.verdict, "status": self.run.status,
-                "worst": self.worst.as_json(), "broken": [bound.name for bound in self.broken], "told": self.told,
-                "seconds": self.run.cpu_s, "command": self.command}
+        return {"config": self.config, "settings": self.settings, "verdict": self.verdict,
+                "status": self.run.status, "worst": self.worst.as_json(),
+                "broken": [bound.name for bound in self.broken], "told": self.told, "seconds": self.run.cpu_s,
+                "command": self.command}
 
 
-# What is varied: a name, and how a value reads, from a resolved config.
+# The axes: a name, and the text of a value from a resolved config.
 
 def _mesh(config):
     mesh = config["mesh"]
@@ -99,7 +107,8 @@ def _pins(config):
 
 
 def _bending(config):
-    """In metres: a scale s makes a compliance of springs s⁻² times, one of hinges s⁻⁴ times as large (configs/plain)."""
+    """Stiffness in metres. A scale s multiplies compliances of springs by s⁻² and of hinges by s⁻⁴
+    (configs/plain)."""
     bending, scale = config["bending"], config["mesh"]["scale"]
     if bending["stiffness"] == "physical":
         return f"physical {bending['flexural_rigidity'] / scale ** 4:g}"
@@ -113,7 +122,8 @@ def _start(config):
     initial = config["initial"]
     if any(initial["spin"]):
         return "turning"
-    return {0: "flat", 90: "hanging, pushed", 30: "tilted, thrown"}.get(initial["tilt"], f"tilt {initial['tilt']:g}")
+    return {0: "flat", 90: "hanging, pushed",
+            30: "tilted, thrown"}.get(initial["tilt"], f"tilt {initial['tilt']:g}")
 
 
 AXES = {
@@ -127,7 +137,8 @@ AXES = {
     "strain form": lambda config: config["material"]["strain"]["form"],
     "strain stiffness": lambda config: config["material"]["strain"]["stiffness"],
     "start": _start,
-    "substeps × iterations": lambda config: f"{config['solver']['substeps']:g} × {config['solver']['iterations']:g}",
+    "substeps × iterations": lambda config: f"{config['solver']['substeps']:g} × "
+    f"{config['solver']['iterations']:g}",
     "order": lambda config: config["solver"]["order"],
     "sweep": lambda config: config["solver"]["sweep"],
     "precision": lambda config: config["solver"]["precision"],
@@ -141,15 +152,16 @@ def settings_of(config):
 
 def command_of(config_name, sweep, config):
     """The command that repeats one run of a sweep."""
-    parts = [f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
-             for pointer in sweep if (value := swept_value(config, pointer, sweep)) is not None]
+    parts = [
+        f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
+        for pointer in sweep if (value := swept_value(config, pointer, sweep)) is not None]
     return " ".join([f"./bendlab run configs/{config_name}.json", *(f"--set {part}" for part in parts)])
 
 
 # The bounds.
 
 class Scene:
-    """What the bounds need of a run: frames (F, V, 3), the rest shape and the loads, lengths in m."""
+    """Data of a run that the bounds need: frames (F, V, 3), rest shape and loads. Lengths in m."""
 
     def __init__(self, run):
         self.run = run
@@ -164,40 +176,46 @@ class Scene:
         self.velocity = self._velocities()
 
     def _masses(self):
-        """(V) shares of the area: a third of each triangle."""
+        """(V) share of the mass at every vertex: a third of the area of its triangles."""
         a, b, c = (self.rest[self.triangles[:, i]] for i in range(3))
         area = 0.5 * np.linalg.norm(np.cross(b - a, c - a), axis=1)
         mass = np.bincount(self.triangles.ravel(), np.repeat(area / 3, 3), len(self.rest))
         return mass / mass.sum()
 
     def _velocities(self):
-        """(V, 3) at the start; pinned vertices have none."""
+        """(V, 3) velocities at the start; 0 for pinned vertices."""
         start = self.frames[0]
         middle = (self.rest.min(axis=0) + self.rest.max(axis=0)) / 2
-        velocity = np.array(self.run.get("/initial/velocity"), float) + np.cross(self.run.get("/initial/spin"), start - middle)
+        velocity = np.array(self.run.get("/initial/velocity"),
+                            float) + np.cross(self.run.get("/initial/spin"), start - middle)
         velocity[self.pins] = 0
         return velocity
 
 
 def bounds_of(run):
-    """Every bound of a run, in its recorded frames."""
+    """Every bound of a run, from its recorded frames."""
     scene = Scene(run)
     if not np.isfinite(scene.frames).all():
-        return [Bound("coordinates that are no numbers", float((~np.isfinite(scene.frames)).sum()), 0.5, "1")]
+        return [Bound("coordinates that are not numbers", float((~np.isfinite(scene.frames)).sum()), 0.5,
+                      "1")]
     strain, stretch = strains(scene)
-    found = [Bound("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED, "of the run"), Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
-    if run.model != "prestressed" and len(scene.time) > 1:  # whose springs push from the start
-        found += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"), Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
+    found = [Bound("time not simulated", 1 - scene.time[-1] / run.get("/duration"), UNFINISHED, "of the run"),
+             Bound("mean strain", strain, MEAN_STRAIN, "1"), Bound("largest stretch", stretch, STRETCH, "1")]
+    if run.model != "prestressed" and len(scene.time) > 1:  # prestressed springs push from the start
+        found += [Bound("speed over v0 + g t", speed(scene), SPEED, "1"),
+                  Bound("energy gained", energy_gain(scene), ENERGY, "of the scale")]
     if len(scene.pins):
-        moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins], axis=2).max() / scene.size
-        found += [Bound("way of a pin", moved, ROUNDING, "sizes"), Bound("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
+        moved = np.linalg.norm(scene.frames[:, scene.pins] - scene.frames[0, scene.pins],
+                               axis=2).max() / scene.size
+        found += [Bound("movement of a pin", moved, ROUNDING, "sizes"),
+                  Bound("beyond reach of the pins", beyond_reach(scene), NEAR, "sizes")]
     else:
-        found.append(Bound("away from free fall", fall_error(scene), FALL, "of the fall"))
+        found.append(Bound("distance from free fall", fall_error(scene), FALL, "of the fall"))
     return found
 
 
 def strains(scene):
-    """(largest mean over the triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁) of all frames."""
+    """(mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), largest σ₁); each is the maximum over all frames."""
     corners = scene.rest[scene.triangles]
     edges = np.stack([corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]], axis=2)  # (T, 3, 2)
     x = edges[:, :, 0] / np.linalg.norm(edges[:, :, 0], axis=1)[:, None]
@@ -210,7 +228,8 @@ def strains(scene):
         now = frame[scene.triangles]
         gradient = np.stack([now[:, 1] - now[:, 0], now[:, 2] - now[:, 0]], axis=2) @ inverse
         square = np.einsum("tki,tkj->tij", gradient, gradient)
-        mean, off = (square[:, 0, 0] + square[:, 1, 1]) / 2, np.hypot((square[:, 0, 0] - square[:, 1, 1]) / 2, square[:, 0, 1])
+        mean, off = (square[:, 0, 0] + square[:, 1, 1]) / 2, np.hypot((square[:, 0, 0] - square[:, 1, 1]) / 2,
+                                                                      square[:, 0, 1])
         high, low = np.sqrt(mean + off), np.sqrt(np.maximum(mean - off, 0))
         worst = max(worst, float(np.maximum(abs(high - 1), abs(low - 1)).mean()))
         largest = max(largest, float(high.max()))
@@ -218,25 +237,28 @@ def strains(scene):
 
 
 def speed(scene):
-    """Largest mean speed between two frames over what it started with and free fall gives."""
+    """Largest mean speed between two frames, over the largest speed at the start plus g t."""
     steps = np.linalg.norm(np.diff(scene.frames, axis=0), axis=2).max(axis=1) / np.diff(scene.time)
     start = np.linalg.norm(scene.velocity, axis=1).max()
     return float((steps / (start + np.linalg.norm(scene.gravity) * scene.time[1:])).max())
 
 
 def energy_gain(scene):
-    """By how much kinetic energy and that of weight rise above the start. Speeds between frames are means, so that it is a lower
-    bound; elastic energy is none at the start and positive later."""
+    """Rise of kinetic energy and energy of weight above the start, over the scale.
+
+    It is a lower bound of the rise of all energy: speeds between frames are means, and elastic energy is 0 at
+    the start and positive later.
+    """
     weight = np.linalg.norm(scene.gravity)
     height = -(scene.frames @ scene.gravity) @ scene.mass
     kinetic = 0.5 * (np.diff(scene.frames, axis=0) ** 2).sum(axis=2) @ scene.mass / np.diff(scene.time) ** 2
     at_start = 0.5 * (scene.velocity ** 2).sum(axis=1) @ scene.mass
-    middle = (height[1:] + height[:-1]) / 2  # where the mean speed was had
+    middle = (height[1:] + height[:-1]) / 2  # height at the time of the mean speed
     return float((kinetic + middle - height[0] - at_start).max() / (at_start + weight * scene.size))
 
 
 def beyond_reach(scene):
-    """How far a vertex was from its nearest pin beyond the way along the edges and WAY of it, in sizes."""
+    """Largest distance of a vertex from its nearest pin, minus 1 + WAY paths along edges, in sizes."""
     way, pin = ways_from(scene)
     reached = (way < np.inf) & ~scene.run.pinned
     distance = np.linalg.norm(scene.frames - scene.frames[0][pin], axis=2)
@@ -244,7 +266,7 @@ def beyond_reach(scene):
 
 
 def ways_from(scene):
-    """(V) length of the shortest way along edges to a pin, and that pin; relaxed until nothing changes."""
+    """(V) length of the shortest path along edges to a pin, and that pin; relaxed until nothing changes."""
     edges = np.sort(scene.triangles[:, [[0, 1], [1, 2], [2, 0]]].reshape(-1, 2), axis=1)
     edges = np.unique(edges, axis=0)
     edges = np.concatenate([edges, edges[:, ::-1]])
@@ -261,7 +283,7 @@ def ways_from(scene):
 
 
 def fall_error(scene):
-    """Distance of the centre of mass from x0 + v0 t + g t (t + h) / 2, which the steps give exactly, over the way it falls."""
+    """Distance of the centre of mass from x0 + v0 t + g t (t + h) / 2, exact in steps of h, over the fall."""
     centre = np.einsum("fvi,v->fi", scene.frames, scene.mass)
     t = scene.time[:, None]
     exact = centre[0] + t * (scene.mass @ scene.velocity) + 0.5 * t * (t + scene.h) * scene.gravity
@@ -269,18 +291,19 @@ def fall_error(scene):
     return float(np.maximum(np.linalg.norm(centre - exact, axis=1) - ROUNDING * scene.size, 0).max() / fall)
 
 
-# What the program said.
+# The program's warnings.
 
-NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings that say nothing of these bounds
+NO_ANSWER = ("inert_seed", "units", "piece_without_pin")  # warnings about other matters than these bounds
 
 
 def told_by(run):
-    """What the program told of a run that went wrong: its status, or a warning; "" for nothing."""
+    """The program's report on a run: its status if it went wrong, or its warnings; "" for neither."""
     if run.status in ("implausible", "diverged"):
         return run.status
     with h5py.File(run.file, "r") as file:
         warnings = json.loads(_text(file["provenance"].attrs.get("warnings", "[]")))
-    return ", ".join(dict.fromkeys(warning["code"] for warning in warnings if warning["code"] not in NO_ANSWER))
+    return ", ".join(dict.fromkeys(warning["code"] for warning in warnings
+                                   if warning["code"] not in NO_ANSWER))
 
 
 def judge(run, config_name, sweep):

@@ -1,7 +1,8 @@
-"""Draws a cloth as a lit, two-sided, shadowed surface, with grey obstacles where there are any: triangles in, an RGB image out.
+"""Draws cloth and grey obstacles as an RGB image: a lit, two-sided surface with shadows.
 
-A z-buffer in numpy: every triangle is cut into pixel rows, every row into pixels, the nearest one wins; light, shadow and
-colour are then computed once per visible pixel. Exact coverage, so there are no seams; 32 768 triangles take about a second.
+A z-buffer in numpy. Triangles are cut into pixel rows, and rows into pixels; the nearest triangle owns a
+pixel. Light, shadow and colour are then computed once per visible pixel. Neighbouring triangles leave no seam
+between them.
 """
 from dataclasses import dataclass
 
@@ -9,13 +10,14 @@ import numpy as np
 
 LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  # towards the light
 SUPERSAMPLE = 2
-CHUNK = 4_000_000  # pixels rasterised at once, bounds the memory
+CHUNK = 4_000_000  # pixels rasterised at once; limits the memory
 OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
 
 
 @dataclass(frozen=True)
 class Camera:
-    """A perspective view. The image covers `extent` = (left, right, bottom, top), slopes against the view axis."""
+    """A perspective view. The image covers `extent` = (left, right, bottom, top): tangents of angles to the
+    view axis."""
 
     eye: np.ndarray
     axes: np.ndarray  # rows: right, up, backward
@@ -29,7 +31,8 @@ class Camera:
         return (right - left) / (top - bottom)
 
     def project(self, points, shape):
-        """(n, 3) points → (n, 2) pixel coordinates (x right, y down) and (n) nearness 1/depth; nearness ≤ 0 is behind."""
+        """(n, 3) points → (n, 2) pixel coordinates (x right, y down) and (n) nearness 1/depth; ≤ 0:
+        behind."""
         view = (points - self.eye) @ self.axes.T
         depth = -view[:, 2]
         nearness = np.where(depth > 1e-3 * self.size, 1 / np.where(depth == 0, 1, depth), -1.0)
@@ -41,7 +44,7 @@ class Camera:
         return np.stack([x, y], axis=1), nearness
 
     def rays(self, shape):
-        """(h, w, 3) direction of every pixel's centre."""
+        """(h, w, 3) direction through the centre of every pixel."""
         left, right, bottom, top = self.extent
         x = left + (np.arange(shape[1]) + 0.5) / shape[1] * (right - left)
         y = top - (np.arange(shape[0]) + 0.5) / shape[0] * (top - bottom)
@@ -50,10 +53,10 @@ class Camera:
 
 
 def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoom=None):
-    """One camera for all the cloths ((V, 3) each, pinned at `pin`) of a figure.
+    """One camera for all cloths of a figure, (V, 3) each, pinned at `pin`.
 
-    It frames where the cloths hang, but nothing farther from the pin than the unstretched sheet reaches: a sheet that has
-    blown up leaves the frame instead of shrinking the others. `zoom` (a fraction of size) frames the pin instead.
+    It frames all points within the unstretched sheet's reach of the pin. A sheet that has flown apart leaves
+    the frame and does not make the others small. `zoom` (a fraction of size) frames the pin instead.
     """
     axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
@@ -62,15 +65,17 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     near = np.concatenate([near, [pin]])
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
-        near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1) for sz in (-1, 0.5)])
+        near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
+                                             for sz in (-1, 0.5)])
     return _framing(near, axes, size, floor, aspect)
 
 
 def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):
-    """A camera that frames all finite points of one cloth, and shows at least the length `least`."""
+    """A camera that frames all finite points of one cloth; the frame is at least `least` wide."""
     points = points[np.isfinite(points).all(axis=1)]
     size = max(np.linalg.norm(np.ptp(points, axis=0)), least)
-    return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect, least=0.2)
+    return _framing(points, _view_axes(azimuth, elevation), size, points[:, 2].min() - 0.06 * size, aspect,
+                    least=0.2)
 
 
 def _view_axes(azimuth, elevation):
@@ -83,7 +88,8 @@ def _view_axes(azimuth, elevation):
 
 
 def _framing(points, axes, size, floor, aspect, least=0.0):
-    """The camera that looks along `axes` at these points with a small margin; `least` is half its opening at least, in sizes."""
+    """The camera along `axes` that frames these points with a small margin. `least`: smallest half width
+    (sizes)."""
     low, high = points.min(axis=0), points.max(axis=0)
     eye = (low + high) / 2 + 3.2 * size * axes[2]
     view = (points - eye) @ axes.T
@@ -97,10 +103,10 @@ def _framing(points, axes, size, floor, aspect, least=0.0):
 
 
 def rasterise(xy, nearness, triangles, shape):
-    """Which triangle each pixel sees: (h, w) int, -1 for none, and (h, w) nearness, 0 for none.
+    """The triangle that each pixel sees, (h, w) int, -1 for none; its nearness, (h, w), 0 for none.
 
-    `xy` (V, 2) in pixels, `nearness` (V) linear across the screen, the larger the nearer; triangles with a vertex whose
-    nearness is not positive are left out.
+    `xy` (V, 2) in pixels. `nearness` (V) is linear across the screen; larger is nearer. Triangles with a
+    vertex of nearness ≤ 0 are left out.
     """
     height, width = shape
     owner = np.full(height * width, -1, np.int32)
@@ -148,7 +154,7 @@ def _expand(first, count):
 
 
 def _row_interval(x, y, centre):
-    """Where the horizontal line at `centre` (n) enters and leaves triangles x, y (n, 3)."""
+    """x where the horizontal line at `centre` (n) enters and leaves triangles x, y (n, 3)."""
     left, right = np.full(len(centre), np.inf), np.full(len(centre), -np.inf)
     for a, b in ((0, 1), (1, 2), (2, 0)):
         rise = y[:, b] - y[:, a]
@@ -162,11 +168,11 @@ def _row_interval(x, y, centre):
 
 
 def _keep_nearest(best, owner, pixel, depth, ids):
-    """best[pixel] = max(best[pixel], depth), with the owner beside it; a pixel may occur many times."""
+    """best[pixel] = max(best[pixel], depth), and the same for its owner; a pixel may occur many times."""
     while len(pixel):
         better = depth > best[pixel]
         pixel, depth, ids = pixel[better], depth[better], ids[better]
-        best[pixel] = depth  # of several candidates the last one stands; the others try again
+        best[pixel] = depth  # of several candidates the last is stored; the others try again
         owner[pixel] = ids
 
 
@@ -174,12 +180,13 @@ def vertex_normals(positions, triangles):
     """(V, 3) area-weighted unit normals."""
     a, b, c = (positions[triangles[:, i]] for i in range(3))
     face = np.cross(b - a, c - a)
-    normals = np.stack([np.bincount(triangles.ravel(), np.repeat(face[:, i], 3), len(positions)) for i in range(3)], axis=1)
+    normals = np.stack([np.bincount(triangles.ravel(), np.repeat(face[:, i], 3), len(positions))
+                        for i in range(3)], axis=1)
     return normals / np.maximum(np.linalg.norm(normals, axis=1, keepdims=True), 1e-300)
 
 
 class _ShadowMap:
-    """What the light sees, from far away along LIGHT."""
+    """Nearness of the surface as seen from far away along LIGHT."""
 
     def __init__(self, positions, triangles, centre, reach, pixels=900):
         self.right = np.cross([0.0, 1.0, 0.0], LIGHT)
@@ -195,7 +202,7 @@ class _ShadowMap:
         return (xy + 1) / 2 * self.pixels, 10 + relative @ LIGHT / self.reach
 
     def light(self, points, bias, radius, taps):
-        """(n) share of the light that reaches the points, averaged over taps² places within `radius` pixels."""
+        """(n) share of the light that reaches the points, over taps² samples within `radius` pixels."""
         xy, nearness = self._project(points)
         total = np.zeros(len(points))
         for dx in np.linspace(-radius, radius, taps):
@@ -207,7 +214,8 @@ class _ShadowMap:
 
 
 def render(positions, triangles, colours, camera, width, mesh_lines=True, obstacles=None):
-    """(h, w, 3) image in [0, 1] of a cloth whose triangles have `colours` (T, 3), sRGB, and of `obstacles`: (points, triangles)."""
+    """(h, w, 3) image in [0, 1] of a cloth and its obstacles. `colours` (T, 3) sRGB; `obstacles` (points,
+    triangles)."""
     shape = (round(width / camera.aspect) * SUPERSAMPLE, width * SUPERSAMPLE)
     usable = np.isfinite(positions[triangles]).all(axis=(1, 2))
     triangles, colours = triangles[usable], colours[usable]
@@ -221,17 +229,19 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
 
     middle = camera.eye - 3.2 * camera.size * camera.axes[2]
     shadows = _ShadowMap(positions, triangles, middle, 1.3 * camera.size)
-    backdrop = _background(camera, (shape[0] // SUPERSAMPLE, width), shadows)  # smooth: needs no supersampling
+    # smooth, needs no supersampling
+    backdrop = _background(camera, (shape[0] // SUPERSAMPLE, width), shadows)
     image = backdrop.repeat(SUPERSAMPLE, axis=0).repeat(SUPERSAMPLE, axis=1)
     seen = owner >= 0
     if seen.any():
-        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth)
+        image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines,
+                             cloth)
     image = np.clip(image, 0, 1) ** (1 / 2.2)
     return image.reshape(shape[0] // SUPERSAMPLE, SUPERSAMPLE, width, SUPERSAMPLE, 3).mean(axis=(1, 3))
 
 
 def _background(camera, shape, shadows):
-    """A pale floor that fades into the backdrop, with the cloth's shadow; linear RGB."""
+    """A pale floor with the cloth's shadow that fades into the backdrop; linear RGB."""
     rays = camera.rays(shape)
     height = np.linspace(0, 1, shape[0])[:, None, None]
     backdrop = (1 - height) * np.array([0.955, 0.965, 0.975]) + height * np.array([0.86, 0.875, 0.89])
@@ -246,7 +256,7 @@ def _background(camera, shape, shadows):
 
 
 def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines, cloth):
-    """(n, 3) linear colours of the pixels that see a triangle; the first `cloth` ones are the cloth's."""
+    """(n, 3) linear colours of the pixels that see a triangle. The first `cloth` are cloth."""
     rows, columns = np.nonzero(owner >= 0)
     t = owner[rows, columns]
     corners = triangles[t]
@@ -259,7 +269,8 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     towards_eye = camera.eye - point
     towards_eye /= np.linalg.norm(towards_eye, axis=1, keepdims=True)
     a, b, c = (positions[corners[:, i]] for i in range(3))
-    face = np.cross(b - a, c - a)  # which side is seen; near an outline the smooth normal may already point away
+    # Decides which side is seen; a smooth normal may point away near an outline
+    face = np.cross(b - a, c - a)
     normal *= np.where((face * towards_eye).sum(1) < 0, -1.0, 1.0)[:, None]
 
     offset = point + 0.006 * camera.size * normal
@@ -290,9 +301,10 @@ def _barycentric(corners, point):
 
 
 def _mesh_lines(xy, triangles, t, flat):
-    """(n) how dark a mesh edge makes each pixel; fades out where triangles are only a few pixels large."""
+    """(n) how dark a mesh edge makes each pixel. Lines fade out where triangles are a few pixels large."""
     corners = xy[triangles]
-    edges = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, 1, axis=1), axis=2)  # opposite to corner i
+    # Opposite to corner i
+    edges = np.linalg.norm(np.roll(corners, -1, axis=1) - np.roll(corners, 1, axis=1), axis=2)
     a, b = corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     area = np.abs(a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0])
     heights = area[:, None] / np.maximum(edges, 1e-9)

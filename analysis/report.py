@@ -1,4 +1,4 @@
-"""What a figure hands to the page: pictures, tables, and claims whose verdict is computed from numbers by a stated rule."""
+"""What a figure gives to its page: pictures, tables, checks, and claims with a rule."""
 import argparse
 import json
 from dataclasses import dataclass, field
@@ -8,49 +8,51 @@ from pathlib import Path
 @dataclass
 class Claim:
     figure: str
-    claim: str  # what the paper says
-    rule: str  # when we say that it holds
-    numbers: dict  # what was measured
-    holds: bool | None  # None: the runs that would decide it are missing
+    claim: str  # the paper's statement
+    rule: str  # the condition under which it holds
+    numbers: dict  # the measured numbers
+    holds: bool | None  # None: runs are missing
     note: str = ""
 
     def as_json(self):
-        return {"figure": self.figure, "claim": self.claim, "rule": self.rule, "numbers": rounded(self.numbers),
-                "holds": self.holds, "note": self.note}
+        return {"figure": self.figure, "claim": self.claim, "rule": self.rule,
+                "numbers": rounded(self.numbers), "holds": self.holds, "note": self.note}
 
 
 @dataclass
 class Check:
-    """A number that theory or experiment names beforehand, beside the measured one."""
+    """A number known beforehand from theory or experiment, and the measured one."""
 
     check: str
     model: str
     mesh: str
     expected: float
-    measured: float  # NaN: the run is missing or has no such number
-    tolerance: float  # as `kind` says
+    measured: float  # NaN: no run, or the run lacks it
+    tolerance: float  # relative or absolute, see `kind`
     source: str
-    kind: str = "relative"  # or absolute; or most: measured is at most expected
+    kind: str = "relative"  # or "absolute", or "most": measured is at most expected
     note: str = ""
 
     @property
     def holds(self):
-        """None where nothing was measured."""
+        """Whether the measured number is within the tolerance; None if nothing was measured."""
         if self.measured is None or self.measured != self.measured:
             return None
         if self.kind == "most":
             return bool(self.measured <= self.expected)
-        return bool(abs(self.measured - self.expected) <= self.tolerance * (self.expected if self.kind == "relative" else 1))
+        return bool(abs(self.measured - self.expected) <= self.tolerance
+                    * (self.expected if self.kind == "relative" else 1))
 
     @property
     def bound(self):
-        """The tolerance for a reader."""
-        return {"relative": f"± {100 * self.tolerance:g} %", "absolute": f"± {self.tolerance:g}", "most": "at most"}[self.kind]
+        """The tolerance as text."""
+        return {"relative": f"± {100 * self.tolerance:g} %", "absolute": f"± {self.tolerance:g}",
+                "most": "at most"}[self.kind]
 
     def as_json(self):
-        return {"check": self.check, "model": self.model, "mesh": self.mesh, "expected": rounded(self.expected),
-                "measured": rounded(self.measured), "tolerance": self.bound, "source": self.source, "holds": self.holds,
-                "note": self.note}
+        return {"check": self.check, "model": self.model, "mesh": self.mesh,
+                "expected": rounded(self.expected), "measured": rounded(self.measured),
+                "tolerance": self.bound, "source": self.source, "holds": self.holds, "note": self.note}
 
 
 @dataclass
@@ -75,16 +77,17 @@ class Section:
     text: str = ""
 
     def uses(self, experiment):
-        """Notes the command that repeats an experiment and what is missing of it; hands its runs on."""
+        """Adds the experiment's command and its missing points to the section; returns its runs."""
         self.commands.append(experiment.command)
         if experiment.missing:
             shown = "; ".join(experiment.missing[:3]) + (" …" if len(experiment.missing) > 3 else "")
-            self.missing.append(f"configs/{experiment.config}.json: {len(experiment.missing)} runs, first {shown}")
+            self.missing.append(f"configs/{experiment.config}.json: {len(experiment.missing)} runs, first "
+                                f"{shown}")
         return experiment.runs
 
 
 def rounded(value):
-    """Numbers to four significant digits, not-a-number as None, all the way down: stable, readable JSON."""
+    """The same value with numbers rounded to four significant digits, NaN as None; also inside lists."""
     if isinstance(value, dict):
         return {str(key): rounded(entry) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
@@ -98,13 +101,13 @@ def rounded(value):
 
 
 def write_objects(path, objects):
-    """A JSON list with a line per object."""
+    """Writes a JSON list with one object per line."""
     lines = ",\n".join(json.dumps(entry, ensure_ascii=False) for entry in objects)
     path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
 
 
 def figure_main(main):
-    """Command line of one figure: draws it and prints its claims as JSON."""
+    """Command line of one figure: draws the figure and prints its claims as JSON."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the pictures")

@@ -9,37 +9,39 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import MODELS, group
 from report import Table, rounded, write_objects
-from stability_cases import AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS, STRAIN_CEILING, STRAIN_FLOOR
+from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,
+                             STRAIN_CEILING, STRAIN_FLOOR)
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
 UNKNOWN = "not known"
 VERDICTS = (RED, AMBER, GREEN)
-PLAIN = "meshes: grid"  # the undisturbed run of all flaws and meshes, a case itself
+PLAIN = "meshes: grid"  # the undisturbed run of all flaws and meshes; also a case
 KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
 
 
 def main(results, out):
-    """Everything the page needs, from runs below `results` into `out`; returns the section."""
+    """Writes the page into `out` from the runs below `results`; returns its section."""
     out.mkdir(parents=True, exist_ok=True)
     section = fig_stability.main(results, out)
     write_objects(out / "summary.json", [as_json(cell) for cell in section.cells.values()])
     pin = fig_stability_pin.main(results, out)
-    (out / "index.html").write_text(document("bendlab: what is stable?", body(section, pin)), encoding="utf-8")
+    (out / "index.html").write_text(document("bendlab: what is stable?", body(section, pin)),
+                                    encoding="utf-8")
     return section
 
 
 def as_json(cell):
-    return {"case": cell.case.name, "title": cell.case.title, "model": cell.model, "precision": cell.precision,
-            "verdict": cell.verdict, "worst": rounded(cell.worst.as_json()), "seconds": rounded(cell.run.cpu_s), "why": cell.why}
+    return {"case": cell.case.name, "title": cell.case.title, "model": cell.model,
+            "precision": cell.precision, "verdict": cell.verdict, "worst": rounded(cell.worst.as_json()),
+            "seconds": rounded(cell.run.cpu_s), "why": cell.why}
 
 
 def body(section, pin):
     """The page below its head."""
     cells = section.cells
-    parts = ["<h1>What is stable?</h1>",
-             "<p class='lead'>Starts, loads, time steps and meshes on which cloth solvers fail, each with every bending model in both "
-             "precisions, and beside each the same scene undisturbed.</p>", overview(cells), rules(),
-             section_html(section, EVERYTHING)]
+    parts = ["<h1>What is stable?</h1>", "<p class='lead'>Starts, loads, time steps and meshes on which "
+             "cloth solvers fail, each with every bending model in both precisions. Each is compared with "
+             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING)]
     for title, cases in SECTIONS.items():
         parts.append(section_of(title, cases, section))
     parts.append(section_html(pin, EVERYTHING))
@@ -48,22 +50,26 @@ def body(section, pin):
 
 
 def rules():
-    """By what a run is judged, for a reader."""
-    return (f"<p>A run is <b>red</b> if it ended in a number that is none, if a vertex was ever {APART:g} times as far from the cloth's middle as at "
-            f"the start (at least {APART:g} sizes; a size is the diagonal of the rest shape) or at the end more than {FAR:g} sizes, "
-            f"if momentum changed where nothing acts (by more than {MOMENTUM} times the random walk of "
-            f"the projections' rounding errors), or if the total energy rose above its start where nothing drives (by more than "
-            f"{ENERGY:g} of kinetic energy, elastic energy and weight × size; k has no elastic energy, so only cases that start at rest "
-            f"length or are elastic are looked at, and not the prestressed springs, which push from the start).</p><p>It is <b>amber</b> if it is stable but has not come back: the mean strain stays "
-            f"above twice the undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}), or, where the rest shape can "
-            f"be reached, the cloth is still more than {100 * NEAR:g} % of its size away from it (root mean square, after the rotation and "
-            f"translation that bring them nearest), or more than twice as far as the undisturbed run (taken as at most "
-            f"{100 * NOT_BACK / 2:g} %), or a cloth at rest creeps by more than {CREEP:g} sizes. Mean strain is the median of the "
-            f"last second.</p>")
+    """The rules for verdicts as HTML."""
+    return ("<p>A run is <b>red</b> if one of these holds. It ended in a value that is not a number. A "
+            f"vertex was ever {APART:g} times as far from the cloth's middle as at the start (at least "
+            f"{APART:g} sizes; a size is the diagonal of the rest shape), or at the end more than {FAR:g} "
+            f"sizes. Momentum changed where no force acts, by more than {MOMENTUM} times the random walk of "
+            "the projections' rounding errors. The total energy rose above its start where nothing drives "
+            f"the cloth, by more than {ENERGY:g} of kinetic energy, elastic energy and weight × size. k "
+            "states no elastic energy, so energy is checked only for cases that start at rest length or are "
+            "elastic, and not for prestressed springs, which push from the start.</p><p>It is <b>amber</b> "
+            "if it is stable but has not recovered. Either the mean strain stays above twice the "
+            f"undisturbed run's (taken as at least {STRAIN_FLOOR:g} and at most {STRAIN_CEILING:g}). Or, "
+            "where the rest shape can be reached, the cloth's distance from it is still more than "
+            f"{100 * NEAR:g} % of its size (root mean square, after the best rotation and translation) and "
+            f"more than twice the undisturbed run's (taken as at most {100 * NOT_BACK / 2:g} %). Or a cloth "
+            f"at rest creeps by more than {CREEP:g} sizes. Mean strain is the median over the last "
+            "second.</p>")
 
 
 def overview(cells):
-    """Verdicts per model, as shares of its own runs; some cases are made for some models only."""
+    """Shares of verdicts per model, of its own runs: some cases are made for some models only."""
     head = "<tr><th class='t'>model</th><th>red</th><th>amber</th><th>green</th><th>runs</th></tr>"
     rows = []
     for model in MODELS:
@@ -72,64 +78,77 @@ def overview(cells):
             rows.append(f"<tr><td class='t'>{escape(style.MODEL_NAMES.get(model, model))}</td>" + "".join(
                 f"<td><span class='verdict {KIND[verdict]}'>{100 * number / sum(numbers):.0f} %</span></td>"
                 for verdict, number in zip(VERDICTS, numbers)) + f"<td>{sum(numbers)}</td></tr>")
-    return f"<div class='scroll'><table class='overview'>{head}{''.join(rows)}</table></div>{plain_grid(cells)}"
+    table = f"<table class='overview'>{head}{''.join(rows)}</table>"
+    return f"<div class='scroll'>{table}</div>{plain_grid(cells)}"
 
 
 def plain_grid(cells):
-    """What the undisturbed grid says of the amber of all cases that are compared with it."""
+    """A note on the undisturbed grid, which all flaws and meshes are compared with, if it is amber itself."""
     seen = group([cell for (name, _, _), cell in cells.items() if name == PLAIN], lambda cell: cell.model)
     amber = sum(any(cell.verdict == AMBER for cell in some) for some in seen.values())
     if not amber:
         return ""
-    return (f"<p>Red is instability, and compares models; amber is only not to have come back. The control itself, the plain grid, stretched by half and let "
-            f"go, is amber in {amber} of {len(seen)} models, in one precision or both: amber of the flaws and meshes beside it says nothing about them.</p>")
+    return ("<p>Red means unstable, and compares models. Amber only means not recovered. The undisturbed "
+            f"run itself, the plain grid, stretched by half and released, is amber for {amber} of "
+            f"{len(seen)} models, in one precision or both. So amber for the flaws and meshes compared with "
+            "it shows nothing about them.</p>")
 
 
 def section_of(title, cases, section):
-    """One group of cases: their rules, what fails and why, and stills of it."""
+    """One group of cases as HTML: their rules, failed runs with reasons, and pictures."""
     cells = section.cells
     here = [case for case in cases if any(key[0] == case.name for key in cells)]
     if not here:
         return ""
-    rows = [[case.title, case.config + ".json", *(sum(cell.verdict == verdict for key, cell in cells.items() if key[0] == case.name)
-                                                  for verdict in (GREEN, AMBER, RED)), case.rule] for case in here]
-    parts = [f"<h2>{escape(title)}</h2>", table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))]
-    failed = [cell for case in here for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
+    rows = [[case.title, case.config + ".json",
+             *(sum(cell.verdict == verdict for key, cell in cells.items() if key[0] == case.name)
+               for verdict in (GREEN, AMBER, RED)), case.rule] for case in here]
+    parts = [f"<h2>{escape(title)}</h2>",
+             table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))]
+    failed = [cell for case in here for key, cell in cells.items() if key[0] == case.name
+              and cell.verdict != GREEN]
     if failed:
         parts.append(failed_html(failed))
     if title in section.stills:
-        parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that fail'><figcaption>The last "
-                     "good frames of the red runs, and of the amber run farthest from its limit in a case that has no red one; coloured by stretch. "
-                     "Each is framed whole; how far it reaches across stands below it (at rest a sheet is one size across).</figcaption></figure>")
+        parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that "
+                     "fail'><figcaption>Last good frames of the red runs, and of the worst amber run of a "
+                     "case without red runs; coloured by stretch. Each picture shows the whole cloth; the "
+                     "text below states its extent (one size at rest).</figcaption></figure>")
     return "\n".join(parts)
 
 
 def failed_html(failed):
-    """What is not green: models that share case, verdict and reason in one row, and the reasons below by letter."""
+    """Table of runs that are not green, one row per case, verdict and reason; reasons are below by letter."""
     reasons = list(dict.fromkeys(cell.why or UNKNOWN for cell in failed))
     letter = dict(zip(reasons, string.ascii_lowercase))
     rows = []
-    for (title, verdict, why), some in group(failed, lambda cell: (cell.case.title, cell.verdict, cell.why or UNKNOWN)).items():
+    for (title, verdict, why), some in group(failed,
+                                             lambda cell: (cell.case.title, cell.verdict,
+                                                           cell.why or UNKNOWN)).items():
         numbers = group([cell.worst for cell in some], lambda worst: (worst.name, worst.unit))
-        rows.append([title, verdict, models_text(some), "; ".join(range_text(found) for found in numbers.values()),
-                     "; ".join(_range([one.limit for one in found]) for found in numbers.values()), letter[why]])
-    table = table_html(Table("What is not green", ["case", "verdict", "models", "worst number", "its limit", "why"], rows))
+        rows.append([title, verdict, models_text(some),
+                     "; ".join(range_text(found) for found in numbers.values()),
+                     "; ".join(_range([one.limit for one in found]) for found in numbers.values()),
+                     letter[why]])
+    table = table_html(Table("What is not green",
+                             ["case", "verdict", "models", "worst number", "its limit", "why"], rows))
     legend = "".join(f"<li>{escape(why)}</li>" for why in reasons)
     return f"{table}<ol type='a'>{legend}</ol>"
 
 
 def models_text(cells):
-    """The models of some cells in the order of the registry, with the precision where it is one of the two."""
+    """Models of some cells as text, with the precision if it is only one."""
     precisions = group(cells, lambda cell: cell.model)
     name = lambda model: style.MODEL_NAMES.get(model, model)
     if set(precisions) == set(MODELS) and all(len(some) == 2 for some in precisions.values()):
         return "all"
-    return ", ".join(name(model) + ("" if len(precisions[model]) == 2 else f" ({precisions[model][0].precision})")
-                     for model in MODELS if model in precisions)
+    return ", ".join(name(model) + ("" if len(precisions[model]) == 2
+                                    else f" ({precisions[model][0].precision})") for model in MODELS
+                     if model in precisions)
 
 
 def range_text(criteria):
-    """'mean strain 0.2 to 0.9', of criteria of one name."""
+    """Range of criteria with one name, as in 'mean strain 0.2 to 0.9'."""
     unit = "" if criteria[0].unit == "1" else " " + criteria[0].unit
     return f"{criteria[0].name} {_range([one.value for one in criteria])}{unit}"
 

@@ -1,4 +1,4 @@
-"""Writes the page of the stiffness laboratory: index.html and summary.json, one object per check."""
+"""Writes the page of stiffness: index.html, and summary.json with one object per check."""
 import argparse
 from pathlib import Path
 
@@ -21,32 +21,34 @@ EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
 
 
 def main(results, out):
-    """Everything the page needs, from runs below `results` into `out`; returns the sections."""
+    """Writes the page into `out` from the runs below `results`; returns its sections."""
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
     checks = [check for section in sections for check in section.checks]
     write_objects(out / "summary.json", [check.as_json() for check in checks])
-    (out / "index.html").write_text(document("bendlab: how stiff is it really?", body(sections)), encoding="utf-8")
+    (out / "index.html").write_text(document("bendlab: how stiff is it really?", body(sections)),
+                                    encoding="utf-8")
     return sections
 
 
 def body(sections):
     """The page below its head."""
     parts = ["<h1>How stiff is it really?</h1>",
-             "<p class='lead'>Every bending model measured on strips whose answer theory knows, and on the tests that textile "
-             "laboratories use. Every number stands beside the one expected, with its source and a tolerance fixed "
-             "beforehand.</p>",
-             "<p>Two laws of resistance are told apart: hinges resist in proportion to curvature, m = B κ (B in N m, the "
-             "flexural rigidity); springs between vertices hardly at all at first, and then as m = C κ³ (C in N m³). m is the "
-             "moment per width, κ the curvature. H/W is how far the free end of a clamped strip hangs down over how far it "
-             "reaches out.</p>", overview(sections)]
-    parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)]) for section in sections]
+             "<p class='lead'>Every bending model is measured on strips with a known theoretical answer, and "
+             "with the tests of textile laboratories. Each number has an expected number beside it, with "
+             "source and tolerance, both fixed before the measurement.</p>",
+             "<p>Models follow one of two laws. Hinges resist in proportion to curvature: m = B κ (B in N m, "
+             "the flexural rigidity). Springs between vertices resist small bending hardly at all: m = C κ³ "
+             "(C in N m³). m is the moment per width, κ the curvature. H/W is how far the free end of a "
+             "clamped strip hangs down over how far it reaches out.</p>", overview(sections)]
+    parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)])
+              for section in sections]
     parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every check.</p>")
     return "\n".join(parts)
 
 
 def overview(sections):
-    """How many checks hold in each section, and which don't."""
+    """How many checks hold in each section, as an HTML table."""
     rows = []
     for section in sections:
         known = [check for check in section.checks if check.holds is not None]
@@ -61,12 +63,13 @@ def overview(sections):
 
 
 def checks_html(checks):
-    """Those that don't hold in the open, all of them folded."""
+    """Checks as HTML: those that do not hold are visible, all of them are folded."""
     if not checks:
         return ""
     failed = [check for check in checks if check.holds is False]
     parts = [table_html(_table("What does not hold", failed))] if failed else []
-    parts.append(f"<details><summary>All {len(checks)} checks</summary>{table_html(_table('Checks', checks))}</details>")
+    parts.append(f"<details><summary>All {len(checks)} "
+                 f"checks</summary>{table_html(_table('Checks', checks))}</details>")
     return "".join(parts)
 
 
@@ -75,9 +78,9 @@ def _table(caption, checks):
     rows = []
     for (check, model), some in group(checks, lambda check: (check.check, check.model)).items():
         for i, one in enumerate(some):
-            rows.append([check if i == 0 else "", model if i == 0 else "", one.mesh, style.number(one.expected),
-                         style.number(one.measured),
-                         one.bound, mark(one)[1], one.source] + ([one.note] if noted else []))
+            rows.append([check if i == 0 else "", model if i == 0 else "", one.mesh,
+                         style.number(one.expected), style.number(one.measured), one.bound, mark(one)[1],
+                         one.source] + ([one.note] if noted else []))
     return Table(caption, ["check", "model", "mesh", "expected", "measured", "tolerance", "verdict",
                            "source"] + (["note"] if noted else []), rows)
 

@@ -1,33 +1,34 @@
-"""What the figures of the stiffness laboratory share: runs of clamped strips, and the curves that theory has for them."""
+"""Shared by the figures of stiffness: runs of clamped strips, and their theoretical curves."""
 import numpy as np
 
 import style
 from load import group, load_experiment
 
-GRAVITY = 9.81  # m/s², of the configs
-MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating", "both": "grid, both diagonals",
-              "delaunay": "delaunay"}
-
-
-UNBALANCED = 0.005  # of the loads: a run in static equilibrium with more has not found one
+GRAVITY = 9.81  # m/s², as in the configs
+MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
+              "both": "grid, both diagonals", "delaunay": "delaunay"}
+UNBALANCED = 0.005  # share of the loads: a static run with more is no equilibrium
 
 
 def experiment_runs(results, section, *names):
-    """The runs of configs/stiffness/<name>.json that are complete and, where static, balanced; the section notes commands and what
-    is missing."""
+    """Complete runs of configs/stiffness/<name>.json; static runs that are unbalanced are left out.
+
+    Adds commands, missing points and the count of unbalanced runs to the section.
+    """
     runs = []
     for name in names:
-        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}")) if run.complete]
+        complete = [run for run in section.uses(load_experiment(results, f"stiffness/{name}"))
+                    if run.complete]
         balanced = [run for run in complete if not run.summary.get("unbalanced", 0) > UNBALANCED]
         if len(balanced) < len(complete):
-            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of {len(complete)} runs "
-                                   f"found no equilibrium")
+            section.missing.append(f"configs/stiffness/{name}.json: {len(complete) - len(balanced)} of "
+                                   f"{len(complete)} runs found no equilibrium")
         runs += balanced
     return runs
 
 
 def family(run):
-    """The mesh's family, a key of MESH_NAMES."""
+    """Kind of mesh, a key of MESH_NAMES."""
     generator = run.get("/mesh/generator")
     return run.get("/mesh/diagonal") if generator == "grid" else generator
 
@@ -55,27 +56,30 @@ def gravity(run):
 
 
 def number(run, name):
-    """A number of the summary, NaN where there is none."""
+    """A number of the summary, NaN if there is none."""
     return run.summary.get(name, np.nan)
 
 
 def droop(run):
-    """H/W"""
+    """H/W: how far the free end hangs down over how far it reaches out."""
     return number(run, "stiffness_height_over_width")
 
 
 def rigidity(run):
-    """B in N m from H/W, on the curve of the heavy elastica."""
+    """B in N m, from H/W and the curve of the heavy elastica."""
     return number(run, "stiffness_flexural_rigidity")
 
 
 def load_number(run, flexural_rigidity):
-    """Γ = ρ g L³/B for the strip's effective length (with its clamp offset) and this B."""
+    """Γ = ρ g L³/B for this B; L is the strip's effective length, with the clamp offset."""
     return number(run, "stiffness_gamma") * rigidity(run) / flexural_rigidity
 
 
 def elastica_droop(loads):
-    """H/W of heavy strips B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0 at Γ = loads: Runge-Kutta and bisection."""
+    """H/W of heavy strips at Γ = loads, by Runge-Kutta and bisection.
+
+    B θ'' + ρ g (L - s) cos θ = 0, θ(0) = 0, θ'(L) = 0.
+    """
     loads = np.asarray(loads, float)
     steps = 400
     h = 1 / steps
@@ -91,15 +95,15 @@ def elastica_droop(loads):
             k4, l4 = slope + h * l3, bend(s + h, theta + h * k3)
             after = theta + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
             slope = slope + h / 6 * (l1 + 2 * l2 + 2 * l3 + l4)
-            middle = (theta + after) / 2 + h / 8 * (k1 - k4)  # the angle half way, for Simpson's rule
+            middle = (theta + after) / 2 + h / 8 * (k1 - k4)  # angle at half a step, for Simpson's rule
             width += h / 6 * (np.cos(theta) + 4 * np.cos(middle) + np.cos(after))
             height += h / 6 * (np.sin(theta) + 4 * np.sin(middle) + np.sin(after))
             theta = after
-            steep |= (theta > np.pi / 2) & ~flat  # past the vertical its weight bends it on and on
+            steep |= (theta > np.pi / 2) & ~flat  # past the vertical, weight bends it further
             flat |= (slope < 0) & ~steep
         return ~flat, height / width
 
-    # The slope at the clamp: below Γ/2, which it is where the strip stays flat, and √2Γ, where all its weight turns it.
+    # Slope at the clamp: at most Γ/2 (a flat strip) and √2Γ (all the weight turns it).
     low, high = np.zeros_like(loads), np.minimum(loads / 2, np.sqrt(2 * loads))
     for _ in range(50):
         middle = (low + high) / 2
@@ -126,18 +130,21 @@ def ring_pairs(triangles, count, ring):
 
 
 def expected_quartic(rest, triangles, pinned, ring, stiffness):
-    """C in N m³ of a strip of an equilateral lattice whose rows lie across it, from its springs to one ring (N/m).
+    """C in N m³ of an equilateral lattice with springs to one ring; `stiffness` of a spring in N/m, rows
+    across the strip.
 
-    The sheet bends as a polyhedral cylinder: rows h apart turn by κh each and stay straight. Then a spring of length l over
-    n rows shortens by n² (n² - 1) h⁴ κ² / 24 l, and the energy per area of all of them is C κ⁴ / 4. Springs across the
-    strip end at its free sides, so that C is less than on an infinite lattice; only those away from clamp and free end count.
+    The sheet bends as a polyhedral cylinder: rows are h apart, stay straight, and each turns by κh. A spring
+    of length l over n rows shortens by n² (n² - 1) h⁴ κ² / 24 l. The energy of all springs per area is C κ⁴ /
+    4. Springs end at the free sides, so that C is smaller than on an infinite lattice. Only springs away from
+    the clamp and the free end count.
     """
     pairs = ring_pairs(triangles, len(rest), ring)
     rows = np.unique(np.round(rest[:, 0], 7))
     h = (rows[-1] - rows[0]) / (len(rows) - 1)
     clamp, length = rest[pinned, 0].max(), rest[:, 0].max() - rest[pinned, 0].max()
     corners = rest[triangles]
-    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1).sum() / 2
+    area = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]),
+                          axis=1).sum() / 2
     width = area / (rows[-1] - rows[0])
     ends = np.sort(rest[pairs][:, :, 0], axis=1) - clamp
     spanned = np.round((ends[:, 1] - ends[:, 0]) / h)
@@ -150,6 +157,6 @@ def expected_quartic(rest, triangles, pinned, ring, stiffness):
 
 
 def largest_ratio(values):
-    """Largest over smallest, NaN of less than two."""
+    """Largest over smallest positive value; NaN for fewer than two."""
     values = np.array([value for value in values if np.isfinite(value) and value > 0])
     return float(values.max() / values.min()) if len(values) > 1 else np.nan

@@ -1,4 +1,4 @@
-"""One look for every figure: fonts, sizes, colours, the stretch colour map, and how a panel with a cloth is drawn."""
+"""The look of every figure: fonts, sizes, colours, number formats, and how a cloth is drawn in a panel."""
 from pathlib import Path
 
 import matplotlib
@@ -12,42 +12,44 @@ from PIL import Image
 
 import render
 
-# Okabe and Ito's palette: distinct also for the colour-blind.
-MODEL_COLOURS = {"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2", "lod": "#b0579b",
-                 "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12", "bridson": "#117a8b",
-                 "discrete_shells": "#5b3fa0", "isometric": "#9aa61b", "prestressed": "#c2185b"}
+# Palette of Okabe and Ito: the colour-blind can tell the colours apart.
+MODEL_COLOURS = {"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
+                 "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
+                 "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
+                 "prestressed": "#c2185b"}
 MODEL_NAMES = {"none": "no bending", "crossover": "crossover", "k_ring": "edge springs (k_ring 1)",
                "adaptive": "adaptive", "lod": "LOD", "sparse_lod": "sparse LOD", "choi_ko": "Choi-Ko",
-               "dihedral": "dihedral", "bridson": "Bridson", "discrete_shells": "discrete shells", "isometric": "isometric",
-               "prestressed": "prestressed"}
+               "dihedral": "dihedral", "bridson": "Bridson", "discrete_shells": "discrete shells",
+               "isometric": "isometric", "prestressed": "prestressed"}
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 
-LARGE = 290_000  # bytes from which a picture gets a palette
-SHADES = 3  # of 255: steps too small to be seen, which save a third of a file
-STRETCH = LinearSegmentedColormap.from_list("stretch", ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
+LARGE = 290_000  # bytes; a larger picture gets a palette
+SHADES = 3  # of 255; invisible steps that make a file a third smaller
+STRETCH = LinearSegmentedColormap.from_list("stretch",
+                                            ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
 
 LABEL = dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72)  # behind text on a picture
 
-plt.rcParams.update({
-    "font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9, "legend.fontsize": 8.5,
-    "xtick.labelsize": 8.5, "ytick.labelsize": 8.5, "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK,
-    "xtick.color": GREY, "ytick.color": GREY, "xtick.labelcolor": INK, "ytick.labelcolor": INK, "axes.titlecolor": INK,
-    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7,
-    "axes.axisbelow": True, "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
-    "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",
-})
+plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9,
+                     "legend.fontsize": 8.5, "xtick.labelsize": 8.5, "ytick.labelsize": 8.5,
+                     "axes.edgecolor": GREY, "axes.labelcolor": INK, "text.color": INK, "xtick.color": GREY,
+                     "ytick.color": GREY, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+                     "axes.titlecolor": INK, "axes.spines.top": False, "axes.spines.right": False,
+                     "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "axes.axisbelow": True,
+                     "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
+                     "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",})
 
 
 def stretch_colours(excess):
-    """(T) sigma_1 - 1 → (T, 3) sRGB. What is not a number is drawn as the largest."""
+    """(T) sigma_1 - 1 → (T, 3) sRGB. NaN gets the colour of the largest stretch."""
     excess = np.nan_to_num(np.asarray(excess, float), nan=STRETCH_NORM.vmax, posinf=STRETCH_NORM.vmax)
     return STRETCH(STRETCH_NORM(np.clip(excess, STRETCH_NORM.vmin, STRETCH_NORM.vmax)))[:, :3]
 
 
 def camera_of(samples, **how):
-    """The camera that all (run, frame) of a figure share; None where there are none."""
+    """One camera for all samples (run, frame) of a figure; None if there are none."""
     samples = [sample for sample in samples if sample]
     if not samples:
         return None
@@ -58,8 +60,10 @@ def camera_of(samples, **how):
 
 
 def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
-    """A cloth in a panel, pins marked; what left the frame is said unless the frame shows a part only (`whole`).
-    `sample` is (run, frame) or None, which says that the run is missing."""
+    """Draws a cloth and its pins in a panel. `sample` is (run, frame), or None if the run is missing.
+
+    `whole`: the camera shows the whole cloth, so that the panel states the share outside the frame.
+    """
     axes.set_axis_off()
     if sample is None:
         axes.text(0.5, 0.5, "no run", ha="center", va="center", color=GREY, transform=axes.transAxes)
@@ -76,17 +80,18 @@ def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
     outside = share_outside(positions, camera, (height, width))
     if whole and outside > 0.005:
         share = f"{100 * outside:.0f}" if outside < 0.995 else "over 99"
-        axes.text(0.97, 0.975, f"{share} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5, ha="right",
-                  va="top", color="#8a1538", bbox=LABEL)
+        axes.text(0.97, 0.975, f"{share} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5,
+                  ha="right", va="top", color="#8a1538", bbox=LABEL)
 
 
 def caption(axes, text):
-    """A line of text in the lower left corner of a picture."""
-    axes.text(0.03, 0.025, text, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35, bbox=LABEL)
+    """Writes text in the lower left corner of a picture."""
+    axes.text(0.03, 0.025, text, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35,
+              bbox=LABEL)
 
 
 def share_outside(positions, camera, shape):
-    """Share of the vertices that the picture does not show because they left its frame."""
+    """Share of the vertices outside the picture's frame."""
     xy, nearness = camera.project(positions, shape)
     inside = (nearness > 0) & (xy >= 0).all(axis=1) & (xy[:, 0] <= shape[1]) & (xy[:, 1] <= shape[0])
     return 1 - inside.mean()
@@ -96,14 +101,14 @@ def _mark_pins(axes, run, positions, camera, shape):
     seeds = set(run.pin_seeds.tolist())
     for vertices, size in ((np.flatnonzero(run.pinned), 5), (np.array(sorted(seeds), int), 26)):
         xy, _ = camera.project(positions[vertices], shape)
-        axes.scatter(xy[:, 0], xy[:, 1], s=size, c="#111418", edgecolors="white", linewidths=0.7 if size > 9 else 0.25,
-                     zorder=3, clip_on=True)
+        axes.scatter(xy[:, 0], xy[:, 1], s=size, c="#111418", edgecolors="white", linewidths=0.7 if size > 9
+                     else 0.25, zorder=3, clip_on=True)
     axes.set_xlim(0, shape[1])
     axes.set_ylim(shape[0], 0)
 
 
 def stretch_bar(figure, axes, **how):
-    """The colour bar of stretch, beside the given axes."""
+    """Draws the colour bar of stretch beside the given axes."""
     bar = figure.colorbar(plt.cm.ScalarMappable(STRETCH_NORM, STRETCH), ax=axes, extend="both", **how)
     bar.set_label("stretch σ₁ − 1")
     ticks = [0.01, 0.03, 0.1, 0.3, 1, 3, 10]
@@ -114,23 +119,26 @@ def stretch_bar(figure, axes, **how):
 
 
 def legend_below(figure, axes, columns):
-    """The legend of one panel, below them all."""
-    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=columns)
+    """Draws the legend of one panel below all panels."""
+    figure.legend(*axes.get_legend_handles_labels(), loc="upper center", bbox_to_anchor=(0.5, -0.01),
+                  ncol=columns)
 
 
 def plain_log(axes, which="y"):
-    """A logarithmic axis with ticks like 0.2, 0.5, 1 instead of powers; call it after drawing."""
+    """A logarithmic axis with ticks like 0.2, 0.5, 1 instead of powers. Call it after drawing."""
     axis = axes.yaxis if which == "y" else axes.xaxis
     (axes.set_yscale if which == "y" else axes.set_xscale)("log")
     low, high = axes.get_ylim() if which == "y" else axes.get_xlim()
     decades = np.log10(high / low)
-    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,), numticks=20))
-    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1000 else f"{value:g}"))
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5) if decades < 1.6 else (1, 3) if decades < 2.6 else (1,),
+                                      numticks=20))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:,.0f}" if value >= 1000
+                                           else f"{value:g}"))
     axis.set_minor_locator(NullLocator())
 
 
 def resolution_axis(axes, cells):
-    """x axis: cells per side, evenly spaced by factors of two."""
+    """Makes the x axis one of cells per side; powers of two have equal distances."""
     axes.set_xscale("log", base=2)
     axes.set_xticks(cells, labels=[str(n) for n in cells])
     axes.minorticks_off()
@@ -138,18 +146,19 @@ def resolution_axis(axes, cells):
 
 
 def with_range(axes, x, spreads, label=None, shift=1.0, **look):
-    """A line through medians with a bar from the smallest to the largest seed; `shift` moves the bars apart."""
+    """Draws a line through medians, with bars over the seeds' range. `shift` moves bars apart."""
     known = [(at * shift, s) for at, s in zip(x, spreads) if s.known]
     if not known:
         return
     at = np.array([k[0] for k in known])
     middle, low, high = (np.array([getattr(s, part) for _, s in known]) for part in ("median", "low", "high"))
     high = np.where(np.isfinite(high), high, middle * 100)
-    axes.errorbar(at, middle, yerr=[middle - low, high - middle], label=label, capsize=2.5, elinewidth=1, **look)
+    axes.errorbar(at, middle, yerr=[middle - low, high - middle], label=label, capsize=2.5, elinewidth=1,
+                  **look)
 
 
 def number(value, digits=3):
-    """A number for a reader: 3 significant digits, no exponent between 0.001 and 10⁵; – where there is none."""
+    """A number as text: 3 significant digits, no exponent from 0.001 to 10⁵, – for NaN."""
     if value is None or np.isnan(value):
         return "–"
     if np.isinf(value):
@@ -163,12 +172,15 @@ def number(value, digits=3):
 
 
 def save(figure, folder, name, palette=True, dpi=None, tight=True):
-    """Writes folder/name.png and returns its name; cut to what is drawn unless `tight` is false; with a palette of 256 colours
-    where that keeps it small. Smooth shading would show its steps: with `palette` false shades are rounded to SHADES instead."""
+    """Writes folder/name.png and returns its name. `tight` cuts the picture to what is drawn.
+
+    A picture of more than LARGE bytes gets 256 colours. Smooth shading would show them as steps: with
+    `palette` false its shades are rounded to multiples of SHADES instead.
+    """
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white", dpi=dpi or "figure",
-                   pil_kwargs={"optimize": True})
+    figure.savefig(path, bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white",
+                   dpi=dpi or "figure", pil_kwargs={"optimize": True})
     plt.close(figure)
     if path.stat().st_size <= LARGE:
         return path.name
@@ -187,7 +199,7 @@ def save(figure, folder, name, palette=True, dpi=None, tight=True):
 
 
 def _palette(image):
-    """256 colours for an image, the stretch colours well represented among them; every third pixel decides."""
+    """256 colours for an image and for the stretch colour map, chosen from every third pixel."""
     image = image.resize((image.width // 3, image.height // 3), Image.Resampling.NEAREST)
     strip = Image.fromarray((255 * STRETCH(np.linspace(0, 1, image.width))[None, :, :3]).astype(np.uint8))
     strip = strip.resize((image.width, image.height // 8))

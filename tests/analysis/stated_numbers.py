@@ -1,20 +1,25 @@
-"""The language of the markers that stand before measured numbers in the READMEs.
+"""The language of the markers before measured numbers in the READMEs.
 
     <!--= EXPRESSION as FORMAT -->12.6     the text behind the marker is the expression's value
     <!--= holds: EXPRESSION -->            the expression is true; no text
     <!--: name = EXPRESSION -->            a name for a value, for the markers below it in the same file
-    <!--= measured: COMMAND, 2026-11-22 -->0.75    data that are not committed: how to repeat it, and when it was done
-    <!--= constant: FILE -->20             a number that stands in the source
+    <!--= measured: COMMAND, 2026-11-22 -->0.75    no committed data; how to repeat it, and the date
+    <!--= constant: FILE -->20             a number from the source
 
-EXPRESSION: numbers, places, + - * / with spaces around them, ( ), min(…), max(…), sum(…), count(…), and < <= > >= = in
-`holds`.
-A place is a file of results/ or a name, and steps: results/accuracy/summary.json#/[model=lod & cells>=32]/ms_per_frame
-    key, 'a key with / or spaces', number    of an object, or of every entry of a list; place in a list
-    [key=value & settings/substeps>4]        entries of a list: = != < <= > >= ^= (begins with); a value may be a name's place
-    least:key, most:key, sort:key            entry of a list; the list in that order
-Of a .json file it is the content, of a .csv file a list of objects, of an .html page {caption: list of objects} of its tables.
+EXPRESSION: numbers, places, + - * / with spaces around them, ( ), min(…), max(…), sum(…), count(…), and
+< <= > >= = in `holds`.
+A place is a file of results/ or a name, and steps, as in
+results/accuracy/summary.json#/[model=lod & cells>=32]/ms_per_frame:
+    key, 'a key with / or spaces'            a value of an object, or of every object in a list
+    number                                   an entry of a list
+    [key=value & settings/substeps>4]        entries of a list: = != < <= > >= ^= (begins with);
+                                             a value may be a name's place
+    least:key, most:key, sort:key            an entry of a list; the list in that order
+The content of a .csv file is a list of objects, that of an .html page is {caption: list of objects} of its
+tables.
 FORMAT: name (text), or as in Python: .3g, .1f, `,.0f` (16 641).
-A marker has no | (it would end a table's cell), no -- (it would end the comment) and begins no line (it would end the paragraph).
+A marker has no | (it would end a table's cell) and no -- (it would end the comment). It begins no line (it
+would end the paragraph).
 """
 import csv
 import functools
@@ -31,7 +36,7 @@ NAME_TEXT = re.compile(r"\w+")
 MEASURED = re.compile(r"measured: .+, \d{4}-\d\d-\d\d$")
 
 
-# Data -------------------------------------------------------------------------------------------------------------------
+# Data -----------------------------------------------------------------------------------------------------
 
 class Tables(HTMLParser):
     """{caption: rows as {column: cell}} of a page; the first table of each caption."""
@@ -65,7 +70,7 @@ class Tables(HTMLParser):
 
 @functools.cache
 def data(file):
-    """The content of a file of results/."""
+    """The content of a file in results/."""
     path = ROOT / file
     if not path.is_file():
         raise ValueError(f"there is no {file}")
@@ -79,7 +84,7 @@ def data(file):
     return tables.found
 
 
-# The language -----------------------------------------------------------------------------------------------------------
+# The language ---------------------------------------------------------------------------------------------
 
 STEP = r"(?:/(?:\[[^\]]*\]|'[^']*'|[^\s/()',\[\]]+))"
 TOKEN = re.compile(rf"""\s*(?:(?P<function>(?:min|max|sum|count)\()
@@ -88,12 +93,13 @@ TOKEN = re.compile(rf"""\s*(?:(?P<function>(?:min|max|sum|count)\()
     |(?P<operator><=|>=|[-+*/<>=(),]))""", re.VERBOSE)
 CONDITION = re.compile(r"(?P<key>.+?)\s*(?P<how>\^=|!=|<=|>=|=|<|>)\s*(?P<value>.*)")
 ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
-COMPARISONS = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt, ">=": operator.ge}
+COMPARISONS = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt,
+               ">=": operator.ge}
 FUNCTIONS = {"min(": min, "max(": max, "sum(": sum, "count(": len}
 
 
 def number(value):
-    """The number that a value is, of a text too; None if it is none."""
+    """A value, or the text of a number, as float; None if it is no number."""
     if isinstance(value, bool) or value is None:
         return None
     try:
@@ -103,7 +109,7 @@ def number(value):
 
 
 class Expression:
-    """An expression, evaluated as it is read; `names` are those known in its file."""
+    """An expression, evaluated while it is read; `names` are known from earlier in its file."""
 
     def __init__(self, text, names):
         self.names, self.tokens, end = names, [], 0
@@ -118,7 +124,8 @@ class Expression:
             raise ValueError(f"'{self.tokens[0][1]}' is left over in '{text}'")
 
     def _next(self, *texts):
-        return self.tokens.pop(0)[1] if self.tokens and self.tokens[0][0] == "operator" and self.tokens[0][1] in texts else None
+        found = self.tokens and self.tokens[0][0] == "operator" and self.tokens[0][1] in texts
+        return self.tokens.pop(0)[1] if found else None
 
     def _compared(self):
         left = self._sum()
@@ -170,7 +177,7 @@ class Expression:
 
 
 def each(action, left, right):
-    """Of numbers, or of every entry of lists that are equally long."""
+    """Applies an action to numbers, or to every entry of lists of equal length."""
     if isinstance(left, list) and isinstance(right, list) and len(left) > 1 and len(left) == len(right):
         return [action(single(a), single(b)) for a, b in zip(left, right)]
     if isinstance(left, list) and len(left) > 1:
@@ -179,7 +186,7 @@ def each(action, left, right):
 
 
 def single(value):
-    """The one number that a value is."""
+    """A value, or a list of one value, as float."""
     if isinstance(value, list):
         if len(value) != 1:
             raise ValueError(f"{len(value)} values where one is expected")
@@ -202,9 +209,10 @@ def place(text, names):
 
 
 def walk(value, step, names):
-    """The value one step on."""
+    """The value after one step of a place."""
     if step.startswith("["):
-        return [entry for entry in value if all(holds(entry, condition, names) for condition in step[1:-1].split(" & "))]
+        conditions = step[1:-1].split(" & ")
+        return [entry for entry in value if all(holds(entry, condition, names) for condition in conditions)]
     how, _, key = step.strip("'").partition(":")
     if how in ("least", "most", "sort") and key:
         entries = [entry for entry in value if inside(entry, key) is not None]
@@ -221,7 +229,7 @@ def walk(value, step, names):
 
 
 def inside(entry, key):
-    """The value in an object at key/key, as a number where it is one; None where there is none."""
+    """The value in an object at key/key, as a number if it is one; None if there is none."""
     for part in [key] if key in entry else key.split("/"):
         entry = entry.get(part) if isinstance(entry, dict) else None
     found = number(entry)
@@ -244,7 +252,7 @@ def holds(entry, condition, names):
 
 
 def written(value, how):
-    """The text of a value: '16 641', '−0.6', '0.33'."""
+    """A value as text: '16 641', '−0.6', '0.33'."""
     if how == "name":
         found = value[0] if isinstance(value, list) and value else value
         return str(found)
@@ -254,10 +262,10 @@ def written(value, how):
     return text.replace(",", " ").replace("-", "−")
 
 
-# The READMEs ------------------------------------------------------------------------------------------------------------
+# The READMEs ----------------------------------------------------------------------------------------------
 
 def rewritten(path):
-    """(the file's text with the right numbers, what is wrong with it: 'file:line: …')."""
+    """(the file's text with the right numbers, list of errors 'file:line: …')."""
     name, names, lines, wrong = path.relative_to(ROOT), {}, [], []
     for at, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
         done, end = "", 0
@@ -276,7 +284,7 @@ def rewritten(path):
 
 
 def stated(marker, line, names):
-    """(right text, text behind the marker); both empty where the marker has none, equal where it cannot be checked."""
+    """(right text, text behind the marker); both empty if the marker has no text or cannot be checked."""
     body = marker["body"]
     if "|" in body or "--" in body:
         raise ValueError("| ends a table's cell, and -- a comment")

@@ -18,6 +18,7 @@ import fig_5  # noqa: E402
 import fig_accuracy  # noqa: E402
 import fig_accuracy_beat  # noqa: E402
 import fig_accuracy_roads  # noqa: E402
+import fig_accuracy_rounding  # noqa: E402
 import fig_accuracy_scaling  # noqa: E402
 import fig_accuracy_solver  # noqa: E402
 import fig_models  # noqa: E402
@@ -25,6 +26,8 @@ import fig_plain  # noqa: E402
 import fig_scenes  # noqa: E402
 import fig_stability  # noqa: E402
 import fig_stiffness_buckling  # noqa: E402
+import fig_stiffness_calibrated  # noqa: E402
+import fig_stiffness_effective  # noqa: E402
 import fig_stiffness_textile  # noqa: E402
 import fig_structure  # noqa: E402
 import load  # noqa: E402
@@ -47,7 +50,7 @@ TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
 
 
 def write_run(path, config, committed=3, extra=0, status="complete", summary=None):
-    """A square that falls by 0.1 m per frame; `extra` frames were begun and never committed."""
+    """Writes a square that falls by 0.1 m per frame; `extra` frames are begun but not committed."""
     frames = committed + extra
     path.parent.mkdir(parents=True, exist_ok=True)
     with h5py.File(path, "w") as file:
@@ -72,8 +75,8 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
 
 
 def config_of(name="fig5", cells=16, model="crossover", seed=1, **more):
-    return {"name": name, "mesh": {"cells": cells}, "pins": {"ring": 0}, "bending": {"model": model, model: {}},
-            "initial": {"seed": seed}, **more}
+    return {"name": name, "mesh": {"cells": cells}, "pins": {"ring": 0},
+            "bending": {"model": model, model: {}}, "initial": {"seed": seed}, **more}
 
 
 class LoadTest(unittest.TestCase):
@@ -83,13 +86,16 @@ class LoadTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def test_a_run_gives_back_what_was_written(self):
-        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of(), summary={"drop": 1.25, "springs": 7}))
-        self.assertEqual((run.status, run.id, run.frames, run.model), ("complete", "0123456789abcdef", 3, "crossover"))
+        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of(),
+                                      summary={"drop": 1.25, "springs": 7}))
+        self.assertEqual((run.status, run.id, run.frames, run.model),
+                         ("complete", "0123456789abcdef", 3, "crossover"))
         self.assertEqual(run.summary, {"drop": 1.25, "springs": 7})
         self.assertEqual(run.counts, {"distance": 7})
         self.assertEqual(run.get("/mesh/cells"), 16)
         self.assertIsNone(run.get("/mesh/file"))
-        np.testing.assert_allclose(run.positions(-1), SQUARE - [0, 0, 0.2], atol=1e-7)  # float32 of numbers below 1
+        # float32 of numbers below 1
+        np.testing.assert_allclose(run.positions(-1), SQUARE - [0, 0, 0.2], atol=1e-7)
         np.testing.assert_array_equal(run.cell("max_stretch", 1), [2, 2])
         np.testing.assert_array_equal(run.pinned, [False, False, True, False])
         np.testing.assert_array_equal(run.last_second(), [0, 1, 2])  # 0, 0.5 and 1 s
@@ -106,19 +112,22 @@ class LoadTest(unittest.TestCase):
         self.assertTrue(np.isfinite(run.positions(-1)).all())
 
     def test_an_implausible_run_has_all_its_data_and_is_over(self):
-        write_run(self.folder / "a/run.vtkhdf", config_of(seed=1), status="implausible", summary={"drop": 9.0})
+        write_run(self.folder / "a/run.vtkhdf", config_of(seed=1), status="implausible",
+                  summary={"drop": 9.0})
         write_run(self.folder / "b/run.vtkhdf", config_of(seed=2), status="diverged")
         write_run(self.folder / "c/run.vtkhdf", config_of(seed=3), status="interrupted")
         runs = load.load_runs(self.folder)
         self.assertEqual([(run.status, run.complete, run.over) for run in runs],
-                         [("implausible", True, True), ("diverged", False, True), ("interrupted", False, False)])
+                         [("implausible", True, True), ("diverged", False, True),
+                          ("interrupted", False, False)])
         self.assertEqual(load.values(runs[:1], "drop").tolist(), [9.0])  # as it was measured, not infinite
 
     def test_references_are_no_points_of_a_sweep(self):
         write_run(self.folder / "fig5/a/run.vtkhdf", config_of(cells=16))
         write_run(self.folder / "fig5/references/b/run.vtkhdf", config_of(cells=64))
         self.assertEqual([run.get("/mesh/cells") for run in load.load_runs(self.folder / "fig5")], [16])
-        self.assertEqual([run.get("/mesh/cells") for run in load.load_runs(self.folder / "fig5/references")], [64])
+        self.assertEqual([run.get("/mesh/cells") for run in load.load_runs(self.folder / "fig5/references")],
+                         [64])
 
     def test_what_is_no_run_is_left_out(self):
         (self.folder / "a").mkdir()
@@ -148,7 +157,8 @@ class LoadTest(unittest.TestCase):
         self.assertEqual(len(places), 3)
 
     def test_a_swept_object_is_found_by_the_settings_it_names(self):
-        sweep = {"/bending": [{"model": "bridson", "stiffness": "k"}, {"model": "bridson", "compliance": 250}]}
+        sweep = {"/bending": [{"model": "bridson", "stiffness": "k"},
+                              {"model": "bridson", "compliance": 250}]}
         defaults = {"k": 0.5, "compliance": 250.0, "bridson": {}}
         second = {"bending": {"model": "bridson", "stiffness": "compliance", **defaults}}
         self.assertEqual(load.swept_value(second, "/bending", sweep), sweep["/bending"][1])
@@ -174,7 +184,8 @@ class DistanceTest(unittest.TestCase):
         sheet = np.c_[rng.random((500, 2)), np.zeros(500)]
         shift = np.array([0, 0, 0.3])
         self.assertAlmostEqual(rms_distance(sheet, sheet + shift), 0.3, places=14)
-        self.assertAlmostEqual(hausdorff_distance(sheet, sheet + shift), 0.3, places=14)  # straight above is nearest
+        # Straight above is nearest
+        self.assertAlmostEqual(hausdorff_distance(sheet, sheet + shift), 0.3, places=14)
 
     def test_the_farther_direction_counts(self):
         line = np.c_[np.linspace(0, 1, 101), np.zeros((101, 2))]
@@ -230,9 +241,11 @@ class RasterTest(unittest.TestCase):
         camera = render.Camera(np.array([0.5, 0.5, 5.0]), np.eye(3), (-0.2, 0.2, -0.2, 0.2), -9.0, 1.0)
         red = np.array([[1.0, 0, 0]] * 2)
         is_red = lambda image: image[..., 0] > image[..., 1] + 0.2
-        for height, share in ((-0.5, 1), (0.5, 0.5)):  # below the cloth it is not seen, above it hides half of it
+        # Below the cloth it is not seen, above it hides half of it
+        for height, share in ((-0.5, 1), (0.5, 0.5)):
             solid = SQUARE * [0.5, 1, 0] + [0, 0, height], TRIANGLES
-            alone, both = (is_red(render.render(SQUARE, TRIANGLES, red, camera, 100, False, with_it)) for with_it in (None, solid))
+            alone, both = (is_red(render.render(SQUARE, TRIANGLES, red, camera, 100, False, with_it))
+                           for with_it in (None, solid))
             self.assertAlmostEqual(both.sum() / alone.sum(), share, delta=0.05)  # perspective: 5 against 4.5
 
 
@@ -248,29 +261,37 @@ class ObstacleTest(unittest.TestCase):
         return (a * np.cross(b, c)).sum() / 6  # positive where normals point outward
 
     def test_surfaces_lie_where_the_obstacles_are(self):
-        points, triangles = self.surface(time=2.0, type="sphere", centre=[1, 2, 3], radius=0.5, velocity=[0, 0, -1])
+        points, triangles = self.surface(time=2.0, type="sphere", centre=[1, 2, 3], radius=0.5,
+                                         velocity=[0, 0, -1])
         np.testing.assert_allclose(np.linalg.norm(points - [1, 2, 1], axis=1), 0.5, atol=1e-12)
-        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi / 6), 1, delta=0.01)  # facets lie within by (2°)²
+        # Facets lie within by (2°)²
+        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi / 6), 1, delta=0.01)
 
         points, triangles = self.surface(type="capsule", a=[0, 0, 0], b=[0, 3, 0], radius=0.2)
         nearest = np.clip(points, [0, 0, 0], [0, 3, 0])
         np.testing.assert_allclose(np.linalg.norm(points - nearest, axis=1), 0.2, atol=1e-12)
-        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.04 * 3 + np.pi * 0.8 * 0.04 / 3), 1, delta=0.01)
+        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.04 * 3 + np.pi * 0.8 * 0.04 / 3),
+                               1, delta=0.01)
 
-        points, triangles = self.surface(type="disc", centre=[0, 0, 1], axis=[0, 0, 2], radius=0.5, height=0.1)
+        points, triangles = self.surface(type="disc", centre=[0, 0, 1], axis=[0, 0, 2], radius=0.5,
+                                         height=0.1)
         inward = np.hypot(points[:, 0], points[:, 1]) - 0.45
         depth = np.hypot(np.maximum(inward, 0), points[:, 2] - 1)
         np.testing.assert_allclose(depth, 0.05, atol=1e-12)
-        rim = 2 * np.pi * (0.45 + 4 * 0.05 / (3 * np.pi)) * np.pi * 0.05**2 / 2  # half a circle about the axis: Pappus
+        # Half a circle about the axis: Pappus
+        rim = 2 * np.pi * (0.45 + 4 * 0.05 / (3 * np.pi)) * np.pi * 0.05**2 / 2
         self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.45**2 * 0.1 + rim), 1, delta=0.01)
 
     def test_the_clearance_is_the_distance_from_the_surface(self):
-        common = {"centre": [0, 0, 1], "axis": [0, 0, 1], "normal": [0, 0, 3], "point": [0, 0, 1], "a": [0, 0, 0], "b": [0, 0, 2],
-                  "radius": 0.5, "height": 0.1, "velocity": [0, 0, 1]}
-        at = lambda kind, point, time=0: obstacles.clearance({"effects": [{"type": kind, **common}]}, time, np.array([point], float))
-        for kind, point, expected in (("plane", [5, 0, 0.8], -0.2), ("sphere", [0, 0.7, 1], 0.2), ("sphere", [0, 0.4, 1], -0.1),
-                                      ("capsule", [0.7, 0, 1.4], 0.2), ("capsule", [0, 0, 2.6], 0.1), ("disc", [0.1, 0, 1.2], 0.15),
-                                      ("disc", [0.6, 0, 1], 0.1), ("disc", [0.2, 0.1, 1.03], -0.02), ("gravity", [0, 0, 0], np.inf)):
+        common = {"centre": [0, 0, 1], "axis": [0, 0, 1], "normal": [0, 0, 3], "point": [0, 0, 1],
+                  "a": [0, 0, 0], "b": [0, 0, 2], "radius": 0.5, "height": 0.1, "velocity": [0, 0, 1]}
+        at = lambda kind, point, time=0: obstacles.clearance({"effects": [{"type": kind, **common}]}, time,
+                                                             np.array([point], float))
+        for kind, point, expected in (("plane", [5, 0, 0.8], -0.2), ("sphere", [0, 0.7, 1], 0.2),
+                                      ("sphere", [0, 0.4, 1], -0.1), ("capsule", [0.7, 0, 1.4], 0.2),
+                                      ("capsule", [0, 0, 2.6], 0.1), ("disc", [0.1, 0, 1.2], 0.15),
+                                      ("disc", [0.6, 0, 1], 0.1), ("disc", [0.2, 0.1, 1.03], -0.02),
+                                      ("gravity", [0, 0, 0], np.inf)):
             self.assertAlmostEqual(at(kind, point), expected, places=12)
         self.assertAlmostEqual(at("sphere", [0, 0.7, 3], time=2), 0.2, places=12)
         self.assertAlmostEqual(at("disc", [0.53, 0, 1.04]), np.hypot(0.08, 0.04) - 0.05, places=12)
@@ -279,8 +300,9 @@ class ObstacleTest(unittest.TestCase):
             + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
 
     def mesh_clearance(self, text, points, time=0.0):
-        """From a mesh twice as large as in its file, 5 m to the right and 1 m/s faster upwards."""
-        effect = {"type": "mesh_obstacle", "file": "mesh.obj", "scale": 2.0, "offset": [5, 0, 0], "velocity": [0, 0, 1]}
+        """Clearance from a mesh scaled by 2, moved 5 m to the right, with a velocity of 1 m/s upwards."""
+        effect = {"type": "mesh_obstacle", "file": "mesh.obj", "scale": 2.0, "offset": [5, 0, 0],
+                  "velocity": [0, 0, 1]}
         with tempfile.TemporaryDirectory() as folder:
             (Path(folder) / "mesh.obj").write_text(text)
             return obstacles.clearance({"effects": [effect]}, time, np.array(points, float), folder)
@@ -290,17 +312,21 @@ class ObstacleTest(unittest.TestCase):
             q = np.abs(points - [6, 1, 1]) - 1  # beyond each pair of sides
             return (np.linalg.norm(np.maximum(q, 0), axis=1) + np.minimum(q.max(axis=1), 0)).min()
         rng = np.random.default_rng(4)
-        for _ in range(50):  # around, beside and within; 1e-12: coordinates of some 8 m rounded, squared and summed
+        # around, beside and within; 1e-12: coordinates of some 8 m rounded, squared and summed
+        for _ in range(50):
             alone = rng.uniform([4, -1, -1], [8, 3, 3], (1, 3))
             self.assertAlmostEqual(self.mesh_clearance(self.CUBE, alone), expected(alone), delta=1e-12)
             many = np.array([6, 1, 1]) + rng.uniform(-1, 1, (200, 3)) * [9, 5, 5]
             many = many[(np.abs(many - [6, 1, 1]) > 1 + rng.random()).any(axis=1)]
             self.assertAlmostEqual(self.mesh_clearance(self.CUBE, many), expected(many), delta=1e-12)
-        for point, distance in (([6, 1, 1], -1), ([6, 1, 2.5], 0.5), ([8, 3, 1], 2**0.5), ([4, -1, 3], 3**0.5),
-                                ([6, 1, 1.75], -0.25), ([5.5, 0.5, 1.9], -0.1)):  # over the middle and the diagonals of faces
+        for point, distance in (([6, 1, 1], -1), ([6, 1, 2.5], 0.5), ([8, 3, 1], 2**0.5),
+                                ([4, -1, 3], 3**0.5),
+                                # Over the middle and the diagonals of faces
+                                ([6, 1, 1.75], -0.25), ([5.5, 0.5, 1.9], -0.1)):
             self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [point]), distance, delta=1e-12)
         self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [[6, 1, 5.5]], time=3), 0.5, delta=1e-12)
-        self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [[6, 1, 4], [6, 1, 0.3], [6, 1, 0.1]]), -0.3, delta=1e-12)
+        self.assertAlmostEqual(self.mesh_clearance(self.CUBE, [[6, 1, 4], [6, 1, 0.3], [6, 1, 0.1]]), -0.3,
+                               delta=1e-12)
 
     def test_an_open_mesh_has_no_inside(self):
         without_bottom = self.CUBE.replace("f 1 3 4 2\n", "")
@@ -318,8 +344,10 @@ class ObstacleTest(unittest.TestCase):
 
     def test_a_mesh_is_read_scaled_and_moved(self):
         with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "roof.obj").write_text("# a quad\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 3/3 -1\n")
-            mesh = {"type": "mesh_obstacle", "file": "roof.obj", "scale": 2.0, "offset": [0, 0, 5], **self.COMMON}
+            (Path(folder) / "roof.obj").write_text("# a quad\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 "
+                                                   "3/3 -1\n")
+            mesh = {"type": "mesh_obstacle", "file": "roof.obj", "scale": 2.0, "offset": [0, 0, 5],
+                    **self.COMMON}
             points, triangles = obstacles.surfaces({"effects": [mesh]}, 0, 1.0, folder)
         np.testing.assert_array_equal(points, 2 * SQUARE + [0, 0, 5])
         np.testing.assert_array_equal(triangles, TRIANGLES)
@@ -329,12 +357,14 @@ class ObstacleTest(unittest.TestCase):
 
 class FigureTest(unittest.TestCase):
     def test_the_factors_add_up_to_the_whole(self):
-        pin = {("crossover", 0): 10, ("crossover", 1): 2, ("adaptive", 0): 5, ("adaptive", 1): 1}  # stretch - 1
+        # Stretch - 1
+        pin = {("crossover", 0): 10, ("crossover", 1): 2, ("adaptive", 0): 5, ("adaptive", 1): 1}
         runs = []
         for (model, ring), excess in pin.items():
             config = config_of(model=model)
             config["pins"]["ring"] = ring
-            runs.append(load.Run(Path("-"), "", "", "complete", config, {"pin_max_stretch": 1.0 + excess}, {"time": []}))
+            runs.append(load.Run(Path("-"), "", "", "complete", config, {"pin_max_stretch": 1.0 + excess},
+                                 {"time": []}))
         effect = fig_5.factors(fig_5.Grid(runs, "floor"), 16, "pin_max_stretch")
         self.assertAlmostEqual(effect["whole"], 1, places=14)  # 10 → 1
         self.assertAlmostEqual(effect["model"], np.log10(2), places=14)  # 10 → 5 and 2 → 1
@@ -342,19 +372,22 @@ class FigureTest(unittest.TestCase):
         self.assertAlmostEqual(effect["interaction"], 0, places=14)
 
     def test_the_elastica_bends_as_the_master_curve(self):
-        # Tip over length at Γ = weight length³ / rigidity: Γ/8 where it is small, else a solution of the boundary value
-        # problem to 10 digits; the midpoint rule over 400 points is good to (1/400)² times some 10.
+        # Tip over length at Γ = weight length³ / rigidity: Γ/8 where it is small, else a solution of the
+        # boundary value problem to 10 digits; the midpoint rule over 400 points is good to (1/400)² times
+        # some 10.
         for gamma, x, y in ((0.01, 0.999999, 0.001250), (1, 0.991246, 0.123471), (10, 0.656354, 0.700200)):
             tip = fig_models.elastica(gamma, 1, 1)[-1]
             np.testing.assert_allclose(tip, [x, -y], atol=1e-4)
-        np.testing.assert_allclose(fig_models.elastica(10 / 8, 2, 1)[-1], [2 * 0.656354, -2 * 0.7002], atol=2e-4)
+        np.testing.assert_allclose(fig_models.elastica(10 / 8, 2, 1)[-1], [2 * 0.656354, -2 * 0.7002],
+                                   atol=2e-4)
 
     def test_the_cost_of_a_model_by_hand(self):
         config = {"bending": {"model": "dihedral"}, "solver": {"dt": 0.5, "substeps": 2, "iterations": 10}}
         passes = {"strain": 2.0, "bending": 3.0, "predict": 1.0, "recording": 4.0}
         runs = [load.Run(Path("-"), "", "", "complete", config, {"bending_constraints": 50, "vertices": 25},
                          {"time": np.array([0, 4.0])}, cpu_s=cpu, passes=passes) for cpu in (10, 5, 20)]
-        c = fig_models.cost(runs)  # 8 steps of 20 projections; half of each pass's wall time was the processor's
+        # 8 steps of 20 projections; half of each pass's wall time was the processor's
+        c = fig_models.cost(runs)
         self.assertAlmostEqual(c["strain"], 1e3 / 8)
         self.assertAlmostEqual(c["bending"], 1.5e3 / 8)
         self.assertAlmostEqual(c["rest"], 0.5e3 / 8)
@@ -385,22 +418,28 @@ class FigureTest(unittest.TestCase):
     def test_the_title_of_the_scenes_counts_what_went_wrong(self):
         def run(model, status, stretch, needles):
             summary = {"max_stretch": stretch, "degenerate_triangles": needles}
-            floor = {"type": "plane", "point": [0, 0, 0.5 if model == "adaptive" else -1], "normal": [0, 0, 1], "velocity": [0, 0, 0]}
+            floor = {"type": "plane", "point": [0, 0, 0.5 if model == "adaptive" else -1],
+                     "normal": [0, 0, 1], "velocity": [0, 0, 0]}
             config = {"bending": {"model": model}, "effects": [floor]}
-            return SimpleNamespace(model=model, complete=status == "complete", config=config, summary=summary, frames=1,
-                                   metrics={"time": [0.0]}, positions=lambda frame: SQUARE, triangles=TRIANGLES)
-        runs = [run("adaptive", "complete", 1.1, 0), run("crossover", "complete", 1.5, 2), run("lod", "diverged", 9, 50)]
+            return SimpleNamespace(model=model, complete=status == "complete", config=config, summary=summary,
+                                   frames=1, metrics={"time": [0.0]}, positions=lambda frame: SQUARE,
+                                   triangles=TRIANGLES)
+        runs = [run("adaptive", "complete", 1.1, 0), run("crossover", "complete", 1.5, 2),
+                run("lod", "diverged", 9, 50)]
         title = fig_scenes.title({"flag": SimpleNamespace(runs=runs)})
         self.assertIn("2 of 3 runs complete", title)
-        self.assertIn("At the end 1 have a degenerate triangle, 1 reach into an obstacle", title)
+        self.assertIn("Last frame: 1 have a degenerate triangle, 1 reach into an obstacle", title)
         self.assertIn("1.50 (flag, crossover)", title)
 
     def test_the_titles_say_what_the_runs_say(self):
         def run(model, strain):
-            return load.Run(Path("-"), "", "", "complete", {"bending": {"model": model}}, {"mean_strain": strain}, {"time": []})
-        runs = {("none", 1): [run("none", 25.0)], ("adaptive", 1): [run("adaptive", 0.05)], ("lod", 1): [run("lod", 0.5)]}
+            return load.Run(Path("-"), "", "", "complete", {"bending": {"model": model}},
+                            {"mean_strain": strain}, {"time": []})
+        runs = {("none", 1): [run("none", 25.0)], ("adaptive", 1): [run("adaptive", 0.05)],
+                ("lod", 1): [run("lod", 0.5)]}
         title = fig_models.sheet_title([1], ["none", "adaptive", "lod"], runs)
-        self.assertEqual(title, "One substep: 1 of 3 models keep the mean strain below 10 %; it exceeds 100 % with no bending")
+        self.assertEqual(title, "One substep: 1 of 3 models keep the mean strain below 10 %; it exceeds 100 "
+                         "% with no bending")
 
     def test_a_page_without_runs_says_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -425,23 +464,27 @@ class FigureTest(unittest.TestCase):
                 with mock.patch.object(style, "LARGE", large):
                     name = style.save(figure, folder, "noise", palette=False)
                 shades.append(style.plt.imread(Path(folder) / name)[..., :3] * 255)
-        self.assertLessEqual(np.abs(shades[1] - shades[0]).max(), 1.001)  # half a step of 3, in single precision
+        # Half a step of 3, in single precision
+        self.assertLessEqual(np.abs(shades[1] - shades[0]).max(), 1.001)
         self.assertEqual(shades[1].max(), 255)
         np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
 
     def test_numbers_are_written_for_readers(self):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
                          ["0.123", "12.3", "1234", "0", "∞", "–"])
-        self.assertEqual(rounded({"a": [0.123456, np.inf, np.nan, True, "x"]}), {"a": [0.1235, "inf", None, True, "x"]})
+        self.assertEqual(rounded({"a": [0.123456, np.inf, np.nan, True, "x"]}),
+                         {"a": [0.1235, "inf", None, True, "x"]})
 
 
 class StabilityTest(unittest.TestCase):
     CASE = stability_cases.Case("fall: free", "falls", "fall", {}, {}, energy=True)
-    CALM = dict(mean_strain=0.004, stability_reach=0.5, stability_reach_start=0.5, stability_reach_end=0.5, stability_rest_distance=0.001,
-                stability_energy_gain=0.0, stability_momentum_drift=1e-9, stability_rounding_speed=1e-7, projections=100, vertices=100)
+    CALM = dict(mean_strain=0.004, stability_reach=0.5, stability_reach_start=0.5, stability_reach_end=0.5,
+                stability_rest_distance=0.001, stability_energy_gain=0.0, stability_momentum_drift=1e-9,
+                stability_rounding_speed=1e-7, projections=100, vertices=100)
 
     def judged(self, status="complete", control=None, **summary):
-        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary}, metrics={"time": [0, 0.25]},
+        run = lambda status, summary: SimpleNamespace(status=status, summary={**self.CALM, **summary},
+                                                      metrics={"time": [0, 0.25]},
                                                       complete=status == "complete", model="none")
         cell = stability_cases.judge(run(status, summary), control and run("complete", control), self.CASE)
         return cell.verdict, cell.worst.name
@@ -449,12 +492,15 @@ class StabilityTest(unittest.TestCase):
     def test_every_rule_has_its_colour(self):
         self.assertEqual(self.judged()[0], "green")
         self.assertEqual(self.judged(mean_strain=0.03), ("amber", "mean strain"))
-        self.assertEqual(self.judged(mean_strain=0.03, control={"mean_strain": 0.02})[0], "green")  # twice the undisturbed
-        self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")  # a strained control is no yardstick
+        # Twice the undisturbed
+        self.assertEqual(self.judged(mean_strain=0.03, control={"mean_strain": 0.02})[0], "green")
+        # The limit does not grow with a strained control
+        self.assertEqual(self.judged(mean_strain=0.3, control={"mean_strain": 5})[0], "amber")
         self.assertEqual(self.judged(stability_rest_distance=0.02), ("amber", "distance from rest"))
-        self.assertEqual(self.judged(stability_reach=9), ("red", "reach of all times"))
+        self.assertEqual(self.judged(stability_reach=9), ("red", "largest reach"))
         self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5)[0], "green")
-        self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5, stability_reach_end=3), ("red", "reach at the end"))
+        self.assertEqual(self.judged(stability_reach=9, stability_reach_start=5, stability_reach_end=3),
+                         ("red", "reach at the end"))
         self.assertEqual(self.judged(stability_energy_gain=0.1), ("red", "energy gained"))
         self.assertEqual(self.judged(stability_momentum_drift=1e-3), ("red", "momentum gained, as a speed"))
         self.assertEqual(self.judged(status="diverged"), ("red", "diverged after"))
@@ -482,12 +528,24 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual(len(lines), 1)
         np.testing.assert_array_equal(np.sort(lines[0][:, 1]), [0, 100])  # along its longest edge
 
+    def test_needles_are_the_flawed_triangles(self):
+        rest = np.array([[0, 0, 0], [1, 0, 0], [1, 0.001, 0], [0, 1, 0]])
+        run = SimpleNamespace(rest_positions=rest, triangles=np.array([[0, 1, 2], [0, 1, 3]]),
+                              cell=lambda name, frame: np.array([4.0, 2.0]))
+        np.testing.assert_array_equal(stability_reasons.flawed_triangles(run), [True, False])
+        self.assertAlmostEqual(stability_reasons.flawed_strain(run), 75)
+
     def test_models_that_share_a_reason_share_a_row(self):
         case = SimpleNamespace(title="a case")
         worst = lambda value: stability_cases.Criterion("mean strain", value, 0.2, "1", "amber")
-        cells = [stability_cases.Cell(case, SimpleNamespace(model=model, get=lambda _, precision=precision: precision), "amber", worst(value), why)
-                 for model, precision, value, why in [("none", "single", 0.5, "it slips"), ("none", "double", 0.25, "it slips"),
-                                                      ("adaptive", "double", 0.75, "it slips"), ("dihedral", "double", 3.0, "")]]
+        cells = [stability_cases.Cell(case,
+                                      SimpleNamespace(model=model,
+                                                      get=lambda _, precision=precision: precision), "amber",
+                                      worst(value), why)
+                 for model, precision, value, why in [("none", "single", 0.5, "it slips"),
+                                                      ("none", "double", 0.25, "it slips"),
+                                                      ("adaptive", "double", 0.75, "it slips"),
+                                                      ("dihedral", "double", 3.0, "")]]
         text = stability_page.failed_html(cells)
         self.assertEqual(text.count("<tr>"), 3)  # the head and two rows
         self.assertIn("no bending, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
@@ -498,22 +556,50 @@ class StabilityTest(unittest.TestCase):
         names = [case.name for case in stability_cases.CASES]
         for one in stability_reasons.REASONS:
             self.assertRegex(one.text, r"\d")
+            for quantity, case, models in stability_reasons.PLACE.findall(one.text):
+                self.assertIn(quantity, stability_reasons.QUANTITIES)
+                self.assertTrue(any(name.startswith(case) for name in names), case)
+                self.assertLessEqual(set(models.split()), set(load.MODELS))
+            for part in filter(None, one.apart.split("; ")):
+                self.assertTrue((load.CONFIGS / f"stability/{part.split()[0]}.json").is_file(), part)
             for beginning in one.cases:
                 self.assertTrue(any(name.startswith(beginning) for name in names), beginning)
             self.assertLessEqual(set(one.models), set(load.MODELS))
 
     def test_a_reason_needs_its_number(self):
-        cell = lambda name, status="complete", **numbers: SimpleNamespace(
-            case=SimpleNamespace(name=name), model="none", run=SimpleNamespace(complete=status == "complete", summary=numbers))
+        cell = lambda name, status="complete", **numbers: SimpleNamespace(case=SimpleNamespace(name=name),
+                                                                          model="none",
+                                                                          run=SimpleNamespace(
+                                                                          complete=status == "complete",
+                                                                          summary=numbers))
         folded = stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.3))
-        self.assertIn("fold", folded)
-        self.assertEqual(stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.0)), "")
-        self.assertEqual(stability_reasons.reason(cell("start: creased", "diverged", stability_shut_hinges=0.3)), "")
-        bare, ring = (stability_reasons.reason(cell(name, mean_strain=0.5)) for name in ("pins: one bare", "pins: one"))
+        self.assertIn("fold", folded.text)
+        self.assertIsNone(stability_reasons.reason(cell("start: creased", stability_shut_hinges=0.0)))
+        self.assertIsNone(stability_reasons.reason(cell("start: creased", "diverged",
+                                                        stability_shut_hinges=0.3)))
+        bare, ring = (stability_reasons.reason(cell(name, mean_strain=0.5))
+                      for name in ("pins: one bare", "pins: one"))
         self.assertNotEqual(bare, ring)  # one name begins with the other
 
+    def test_the_numbers_of_a_reason_are_the_pages_and_the_others_have_a_command(self):
+        def cell(model, precision, strain):
+            run = SimpleNamespace(complete=True, summary={"mean_strain": strain})
+            return stability_cases.Cell(SimpleNamespace(name="stiff: k = 1"), run, "amber",
+                                        None), model, precision
+        cells = {}
+        for one, model, precision in (cell("dihedral", "double", 1.052), cell("dihedral", "single", 9.0),
+                                      cell("none", "double", 0.94)):
+            one.run.model = model
+            cells[one.case.name, model, precision] = one
+        stability_reasons.explain(cells)
+        text = cells["stiff: k = 1", "none", "double"].why
+        self.assertIn("1.1 → 0.067 (dihedral), 0.94 → 0.059", text)
+        self.assertIn("apart from this page", text)
+        self.assertIn("./bendlab run configs/stability/stiff.json --set /solver/iterations=100", text)
+
     def test_every_place_of_every_sweep_is_a_case_or_what_one_is_compared_with(self):
-        canonical = lambda value: json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)  # 1 and 1.0 are equal
+        # 1 and 1.0 are equal
+        canonical = lambda value: json.dumps(json.loads(json.dumps(value), parse_int=float), sort_keys=True)
 
         def places(sweep):
             swept = {pointer: values for pointer, values in sweep.items() if pointer not in
@@ -523,19 +609,24 @@ class StabilityTest(unittest.TestCase):
 
         for config in sorted(load.CONFIGS.glob("stability/*.json")):
             used = {(pointer, canonical(value)) for case in stability_cases.CASES
-                    for of, wanted in ((case.config, case.where), (case.control_config or case.config, case.control))
+                    for of, wanted in ((case.config, case.where),
+                                       (case.control_config or case.config, case.control))
                     if of == config.stem for pointer, value in wanted.items()}
             there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
             self.assertEqual(used, there, config.stem)
 
     def test_the_overview_counts_shares_and_says_what_its_control_is(self):
-        cells = {(name, model, precision): SimpleNamespace(verdict=verdict, model=model) for name, model, precision, verdict in
-                 [("meshes: grid", "none", "single", "amber"), ("meshes: grid", "none", "double", "green"), ("flaws: hole", "none", "single", "red"),
-                  ("flaws: hole", "none", "double", "green"), ("meshes: grid", "dihedral", "single", "green")]}
+        cells = {(name, model, precision): SimpleNamespace(verdict=verdict, model=model)
+                 for name, model, precision, verdict in [("meshes: grid", "none", "single", "amber"),
+                                                         ("meshes: grid", "none", "double", "green"),
+                                                         ("flaws: hole", "none", "single", "red"),
+                                                         ("flaws: hole", "none", "double", "green"),
+                                                         ("meshes: grid", "dihedral", "single", "green")]}
         text = stability_page.overview(cells)
-        self.assertEqual([text.count(f">{share} %<") for share in (25, 50, 100)], [2, 1, 1])  # red and amber, green; dihedral
+        # Red and amber, green; dihedral
+        self.assertEqual([text.count(f">{share} %<") for share in (25, 50, 100)], [2, 1, 1])
         self.assertLess(text.index("red"), text.index("green"))
-        self.assertIn("amber in 1 of 2 models", text)
+        self.assertIn("amber for 1 of 2 models", text)
         self.assertEqual(stability_page.plain_grid({}), "")
 
     def test_all_stands_for_every_registered_model(self):
@@ -549,7 +640,8 @@ class StabilityTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             section = stability_page.main(Path(folder), Path(folder) / "page")
             self.assertEqual(section.cells, {})
-            self.assertIn("Runs that are missing", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
+            self.assertIn("Runs that are missing",
+                          (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
 
 
 class PlainTest(unittest.TestCase):
@@ -557,14 +649,17 @@ class PlainTest(unittest.TestCase):
 
     @staticmethod
     def sheet(cells=4, pins=(), velocity=(0, 0, 0)):
-        """A unit square of cells × cells squares at rest, as plain_cases.Scene has it, with one frame."""
+        """A stand-in for plain_cases.Scene: a unit square of cells × cells squares at rest, one frame."""
         x, y = np.meshgrid(np.linspace(0, 1, cells + 1), np.linspace(0, 1, cells + 1))
         rest = np.stack([x.ravel(), y.ravel(), 0 * x.ravel()], axis=1)
         corner = (np.arange(cells)[:, None] * (cells + 1) + np.arange(cells)).ravel()
-        triangles = np.concatenate([np.stack([corner, corner + 1, corner + cells + 2], axis=1), np.stack([corner, corner + cells + 2, corner + cells + 1], axis=1)])
+        triangles = np.concatenate([np.stack([corner, corner + 1, corner + cells + 2], axis=1),
+                                    np.stack([corner, corner + cells + 2, corner + cells + 1], axis=1)])
         pinned = np.isin(np.arange(len(rest)), pins)
-        scene = SimpleNamespace(rest=rest, triangles=triangles, pins=np.flatnonzero(pinned), size=np.sqrt(2), gravity=np.array([0, 0, -9.81]), h=0.01,
-                                frames=rest[None], time=np.zeros(1), velocity=np.tile(np.array(velocity, float), (len(rest), 1)), run=SimpleNamespace(pinned=pinned))
+        scene = SimpleNamespace(rest=rest, triangles=triangles, pins=np.flatnonzero(pinned), size=np.sqrt(2),
+                                gravity=np.array([0, 0, -9.81]), h=0.01, frames=rest[None], time=np.zeros(1),
+                                velocity=np.tile(np.array(velocity, float), (len(rest), 1)),
+                                run=SimpleNamespace(pinned=pinned))
         scene.velocity[scene.pins] = 0
         scene.mass = plain_cases.Scene._masses(scene)
         return scene
@@ -581,12 +676,14 @@ class PlainTest(unittest.TestCase):
         self.assertLess(plain_cases.fall_error(scene), 1e-12)
         self.assertLess(plain_cases.energy_gain(scene), 1e-12)
         self.assertLessEqual(plain_cases.speed(scene), 1)
-        scene.frames = np.repeat(scene.rest[None], 4, axis=0)  # gravity 9.81, thrown up by 1: would be lower by 0.18
+        # Gravity 9.81, thrown up by 1: would be lower by 0.18
+        scene.frames = np.repeat(scene.rest[None], 4, axis=0)
         self.assertGreater(plain_cases.fall_error(scene), 0.1)
 
     def test_masses_are_thirds_of_areas(self):
         scene = self.sheet(1)
-        np.testing.assert_allclose(scene.mass, np.array([2, 1, 1, 2]) / 6)  # the diagonal joins the first and the last
+        # The diagonal joins the first and the last
+        np.testing.assert_allclose(scene.mass, np.array([2, 1, 1, 2]) / 6)
 
     def test_a_stretched_sheet_has_its_stretch_and_a_turned_one_none(self):
         scene = self.sheet()
@@ -595,13 +692,13 @@ class PlainTest(unittest.TestCase):
         scene.frames = scene.rest[None] @ np.linalg.qr(np.random.default_rng(1).normal(size=(3, 3)))[0]
         np.testing.assert_allclose(plain_cases.strains(scene), (0, 1), atol=1e-7)  # √ of rounding
 
-    def test_reach_is_the_way_along_edges_and_a_tenth(self):
+    def test_reach_is_the_path_along_edges_and_a_tenth(self):
         scene = self.sheet(4, pins=(0,))
-        far = scene.rest * [1.2, 1, 1]  # (1, 0) is 1.2 from its pin, and its way is 1
+        far = scene.rest * [1.2, 1, 1]  # (1, 0) is 1.2 from its pin; its path has length 1
         scene.frames = np.stack([scene.rest, far])
         self.assertAlmostEqual(plain_cases.beyond_reach(scene), (1.2 - 1.1) / scene.size, places=12)
 
-    def test_ways_are_the_shortest(self):
+    def test_paths_are_the_shortest(self):
         scene = self.sheet(5, pins=(0, 35))
         way, pin = plain_cases.ways_from(scene)
         x, y = scene.rest[:, 0], scene.rest[:, 1]
@@ -613,13 +710,15 @@ class PlainTest(unittest.TestCase):
         scene = self.sheet(pins=(0,))
         scene.frames, scene.time = np.stack([scene.rest, scene.rest + [0, 0, 0.1]]), np.array([0, 0.1])
         # 1 m/s and 0.05 m in the mean, on a scale of g √2
-        self.assertAlmostEqual(plain_cases.energy_gain(scene), (0.5 + 9.81 * 0.05) / (9.81 * np.sqrt(2)), places=9)
+        self.assertAlmostEqual(plain_cases.energy_gain(scene), (0.5 + 9.81 * 0.05) / (9.81 * np.sqrt(2)),
+                               places=9)
 
     @staticmethod
     def judged(value, told="", status="complete", **settings):
-        return plain_cases.Judged("first", SimpleNamespace(status=status, cpu_s=0.1), settings, [plain_cases.Bound("mean strain", value, 0.1, "1")], told, "")
+        return plain_cases.Judged("first", SimpleNamespace(status=status, cpu_s=0.1), settings,
+                                  [plain_cases.Bound("mean strain", value, 0.1, "1")], told, "")
 
-    def test_silence_is_a_broken_bound_of_which_nothing_was_told(self):
+    def test_a_broken_bound_without_a_warning_is_silent(self):
         self.assertEqual(self.judged(0.2).verdict, plain_cases.SILENT)
         self.assertEqual(self.judged(np.nan).verdict, plain_cases.SILENT)
         self.assertEqual(self.judged(0.2, "unconverged").verdict, plain_cases.TOLD)
@@ -629,16 +728,22 @@ class PlainTest(unittest.TestCase):
     def test_pairs_that_fail_together_are_found_and_single_values_are_not(self):
         values = [(a, b, c) for a in range(4) for b in range(4) for c in range(4)]
         together = [self.judged(0.2 if a == b == 1 else 0, a=a, b=b, c=c) for a, b, c in values]
-        self.assertEqual([(pair, wrong, runs) for pair, wrong, runs, _ in fig_plain.pairs(together)], [((("a", 1), ("b", 1)), 4, 4)])
-        self.assertEqual(fig_plain.pairs([self.judged(0.2 if a == 1 else 0, a=a, b=b, c=c) for a, b, c in values]), [])
+        self.assertEqual([(pair, wrong, runs) for pair, wrong, runs, _ in fig_plain.pairs(together)],
+                         [((("a", 1), ("b", 1)), 4, 4)])
+        self.assertEqual(fig_plain.pairs([self.judged(0.2 if a == 1 else 0, a=a, b=b, c=c)
+                                          for a, b, c in values]), [])
         self.assertEqual(fig_plain.pairs([self.judged(0.0, a=1, b=2)]), [])
 
     def test_a_run_that_stops_at_once_breaks_a_bound(self):
         with tempfile.TemporaryDirectory() as folder:
-            config = {"name": "plain_first", "duration": 0.3, "mesh": {"generator": "grid", "diagonal": "same", "cells": 1, "height": 1, "width": 1, "scale": 1},
-                      "pins": {"vertices": ["top"], "ring": 0}, "bending": {"model": "none", "stiffness": "k", "k": 0.5}, "effects": [],
-                      "material": {"strain": {"form": "green", "stiffness": "k"}}, "initial": {"tilt": 0, "velocity": [0, 0, 0], "spin": [0, 0, 0]},
-                      "solver": {"dt": 0.01, "substeps": 1, "iterations": 1, "order": "mesh", "sweep": "forward", "precision": "single"}}
+            config = {"name": "plain_first", "duration": 0.3,
+                      "mesh": {"generator": "grid", "diagonal": "same", "cells": 1, "height": 1, "width": 1,
+                               "scale": 1}, "pins": {"vertices": ["top"], "ring": 0},
+                      "bending": {"model": "none", "stiffness": "k", "k": 0.5}, "effects": [],
+                      "material": {"strain": {"form": "green", "stiffness": "k"}},
+                      "initial": {"tilt": 0, "velocity": [0, 0, 0], "spin": [0, 0, 0]},
+                      "solver": {"dt": 0.01, "substeps": 1, "iterations": 1, "order": "mesh",
+                                 "sweep": "forward", "precision": "single"}}
             write_run(Path(folder) / "run.vtkhdf", config, committed=1, status="diverged")
             judged = plain_cases.judge(load.load_run(Path(folder) / "run.vtkhdf"), "first", {})
         self.assertEqual([bound.name for bound in judged.broken], ["time not simulated"])
@@ -649,17 +754,24 @@ class PlainTest(unittest.TestCase):
         read = lambda name: json.loads((load.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
         small, large, metres = (read(name)["sweep"] for name in (*plain_cases.TWINS, "metres"))
         self.assertEqual(large, metres)
-        self.assertEqual([len(values) for values in small.values()], [len(values) for values in large.values()])
+        self.assertEqual([len(values) for values in small.values()],
+                         [len(values) for values in large.values()])
         for one, other in zip(small["/bending"], large["/bending"]):
-            self.assertEqual(plain_cases._bending({"bending": one, "mesh": {"scale": 2.0 ** -10}}), plain_cases._bending({"bending": other, "mesh": {"scale": 1.0}}))
+            self.assertEqual(plain_cases._bending({"bending": one, "mesh": {"scale": 2.0 ** -10}}),
+                             plain_cases._bending({"bending": other, "mesh": {"scale": 1.0}}))
         scales = {value["scale"] for value in small["/mesh"]}
         self.assertEqual(scales, {1 / 1024})
         self.assertEqual(read("millimetres")["effects"][0]["acceleration"][2], -9.81 / 1024)
 
     def test_what_a_cover_lacks_is_counted(self):
-        experiment = SimpleNamespace(settings={"cover": 2}, sweep={"/mesh/cells": [2, 4], "/bending/model": ["none", "lod"], "/solver/sweep": ["forward"]})
-        run = lambda cells, model: SimpleNamespace(config={"mesh": {"cells": cells}, "bending": {"model": model}, "solver": {"sweep": "forward"}})
-        strength, held, wanted, absent = fig_plain.coverage(experiment, [run(2, "none"), run(4, "none"), run(2, "lod")])
+        experiment = SimpleNamespace(settings={"cover": 2},
+                                     sweep={"/mesh/cells": [2, 4], "/bending/model": ["none", "lod"],
+                                            "/solver/sweep": ["forward"]})
+        run = lambda cells, model: SimpleNamespace(config={"mesh": {"cells": cells},
+                                                           "bending": {"model": model},
+                                                           "solver": {"sweep": "forward"}})
+        strength, held, wanted, absent = fig_plain.coverage(experiment,
+                                                            [run(2, "none"), run(4, "none"), run(2, "lod")])
         self.assertEqual((strength, held, wanted), (2, 7, 8))
         self.assertEqual(absent, [(("/mesh/cells", 4), ("/bending/model", "lod"))])
 
@@ -667,19 +779,23 @@ class PlainTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             section = plain_page.main(Path(folder), Path(folder) / "page")
             self.assertEqual(section.judged, [])
-            self.assertIn("configs/plain/first.json: 72 runs", (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
+            self.assertIn("configs/plain/first.json: 72 runs",
+                          (Path(folder) / "page/index.html").read_text(encoding="utf-8"))
 
 
 class AccuracyTest(unittest.TestCase):
     """Costs, fronts and levels of runs that are made up."""
 
     @staticmethod
-    def run_of(ms, error, model="dihedral", substeps=1, iterations=1, against="physical", status="complete", **summary):
-        """A run of half a second, 30 frames, with 3 s of set-up and recording beside its steps."""
-        config = {"solver": {"substeps": substeps, "iterations": iterations, "dt": 1 / 60, "sweep": "forward"}}
+    def run_of(ms, error, model="dihedral", substeps=1, iterations=1, against="physical", status="complete",
+               **summary):
+        """A run of half a second, 30 frames, with 3 s of CPU time for set-up and recording."""
+        config = {"solver": {"substeps": substeps, "iterations": iterations, "dt": 1 / 60,
+                             "sweep": "forward"}}
         return load.Run(Path("none"), "0", "made_up", status, {**config, "bending": {"model": model}},
-                        {f"error_{against}_rms": error, "projections": 300.0, **summary}, {"time": np.array([0, 0.5])},
-                        cpu_s=3 + ms * 30 / 1000, step_cpu_s=ms * 30 / 1000, passes={"strain": 99.0})
+                        {f"error_{against}_rms": error, "projections": 300.0, **summary},
+                        {"time": np.array([0, 0.5])}, cpu_s=3 + ms * 30 / 1000, step_cpu_s=ms * 30 / 1000,
+                        passes={"strain": 99.0})
 
     def test_cost_is_that_of_the_steps_for_a_frame(self):
         run = self.run_of(4, 0.1)
@@ -687,7 +803,8 @@ class AccuracyTest(unittest.TestCase):
         self.assertAlmostEqual(accuracy.projections(run), 10)
 
     def test_the_front_is_what_no_other_beats_in_both(self):
-        cheap, _, middle, _, best = runs = [self.run_of(*point) for point in ((1, 0.5), (2, 0.6), (3, 0.2), (4, 0.2), (9, 0.1))]
+        cheap, _, middle, _, best = runs = [self.run_of(*point)
+                                            for point in ((1, 0.5), (2, 0.6), (3, 0.2), (4, 0.2), (9, 0.1))]
         self.assertEqual(accuracy.front(runs[::-1]), [cheap, middle, best])
         diverged = self.run_of(0.1, np.nan, status="diverged")
         del diverged.summary["error_physical_rms"]
@@ -708,32 +825,39 @@ class AccuracyTest(unittest.TestCase):
         self.assertTrue(np.isnan(fig_accuracy_scaling.cost_at(runs, 1e-5)))
 
     def test_substeps_win_where_their_error_is_smaller(self):
-        runs = [self.run_of(1, 0.3, substeps=1, iterations=16, against="solver"), self.run_of(1, 0.1, substeps=16, iterations=1, against="solver")]
+        runs = [self.run_of(1, 0.3, substeps=1, iterations=16, against="solver"),
+                self.run_of(1, 0.1, substeps=16, iterations=1, against="solver")]
         self.assertAlmostEqual(fig_accuracy_solver.gain(runs, 16), 3)
         self.assertTrue(np.isnan(fig_accuracy_solver.gain(runs, 64)))
-        self.assertIn("1 of 1", fig_accuracy_solver.message({("dihedral", 16): 3.0}, {("dihedral", 16): None}))
+        self.assertIn("1 of 1",
+                      fig_accuracy_solver.message({("dihedral", 16): 3.0}, {("dihedral", 16): None}))
 
     def test_the_best_split_of_the_same_work_may_be_in_between(self):
         errors = {(1, 16): 0.3, (4, 4): 0.05, (16, 1): 0.1, (16, 4): 0.01}  # the last is more work
-        runs = [self.run_of(1, error, substeps=s, iterations=i, against="solver") for (s, i), error in errors.items()]
+        runs = [self.run_of(1, error, substeps=s, iterations=i, against="solver")
+                for (s, i), error in errors.items()]
         line = fig_accuracy_solver.along(runs, 16)
         self.assertEqual(line, [(1, 0.3), (4, 0.05), (16, 0.1)])
         self.assertTrue(fig_accuracy_solver.best_between(line))
         self.assertFalse(fig_accuracy_solver.best_between([(1, 0.3), (4, 0.2), (16, 0.1)]))
         self.assertIsNone(fig_accuracy_solver.best_between([(1, 0.3), (16, 0.1)]))
-        text = fig_accuracy_solver.message({("dihedral", 16): 3.0, ("none", 16): 2.0}, {("dihedral", 16): True, ("none", 16): False})
+        text = fig_accuracy_solver.message({("dihedral", 16): 3.0, ("none", 16): 2.0},
+                                           {("dihedral", 16): True, ("none", 16): False})
         self.assertIn("1 of 2 at work 16", text)
 
-    def test_no_level_is_claimed_below_what_the_reference_is_known_to(self):
-        runs = [self.run_of(1, 0.004, error_physical_reference_gap=0.012), self.run_of(2, 0.03, model="none", error_physical_reference_gap=0.012)]
+    def test_no_level_below_the_gap_of_the_reference_is_claimed(self):
+        runs = [self.run_of(1, 0.004, error_physical_reference_gap=0.012),
+                self.run_of(2, 0.03, model="none", error_physical_reference_gap=0.012)]
         self.assertEqual(accuracy.known_levels(runs), [0.20, 0.05])
-        self.assertEqual(accuracy.known_levels([self.run_of(1, 0.1)]), list(accuracy.LEVELS))  # with no coarser reference
+        # With no coarser reference
+        self.assertEqual(accuracy.known_levels([self.run_of(1, 0.1)]), list(accuracy.LEVELS))
         none, dihedral = fig_accuracy.levels_table(runs, "", "physical", "").rows
-        self.assertEqual([none[5:], dihedral[5:]], [["–", "not known", "3.00"], ["–", "not known", "below 1.2"]])
-        self.assertIn("within 1 % is not known", fig_accuracy.message(runs, []))
+        self.assertEqual([none[5:], dihedral[5:]],
+                         [["–", "not known", "3.00"], ["–", "not known", "below 1.2"]])
+        self.assertIn("errors of 1 % are not known", fig_accuracy.message(runs, []))
         self.assertIn("is within 5 % in 1.0 ms", fig_accuracy.message(runs, []))
 
-    def test_the_gain_is_told_beside_that_of_the_mesh(self):
+    def test_the_gain_is_stated_beside_that_of_the_mesh(self):
         def run_of(cells, ms, error):
             run = self.run_of(ms, error, model="adaptive")
             run.config["mesh"] = {"cells": cells}
@@ -746,13 +870,29 @@ class AccuracyTest(unittest.TestCase):
         np.testing.assert_allclose(fig_accuracy_beat.ratios(line, line[1]), (0.01, 0.2))
         self.assertTrue(np.isnan(fig_accuracy_beat.ratios([], line[0])).all())
         text = fig_accuracy_beat.message(rest, line, line[1])
-        for ratio in ("0.0050", "0.050", "on 8 cells", "2.0", "5.0"):
+        for ratio in ("0.50 % of the time", "5.0 % of the error", "on 8 cells", "2.0 times the time",
+                      "5.0 times the error"):
             self.assertIn(ratio, text)
 
+    def test_precisions_are_compared_up_to_the_first_difference(self):
+        def run(precision, substeps):
+            values = {"/solver/precision": precision, "/solver/substeps": substeps}
+            return SimpleNamespace(get=values.get, wrong=1.0 + (precision == "single") * substeps / 1000)
+        runs = [run(precision, n) for precision in ("single", "double") for n in (1, 16, 64, 256)]
+        self.assertEqual(fig_accuracy_rounding.alike_until([("", lambda run: run.wrong, 1, runs)]), 64)
+
+    def test_the_smallest_time_step_is_counted_where_it_is_best(self):
+        runs = [self.run_of(1, error, model, against="solver") for model, error in
+                (("none", 0.3), ("none", 0.1), ("lod", 0.1), ("lod", 0.2))]
+        for run, dt in zip(runs, (0.1, 0.01, 0.1, 0.01)):
+            run.config["solver"]["dt"] = dt
+        self.assertEqual(fig_accuracy_solver.finest_best(runs), "1 of 2")
+
     def test_motion_names_a_setting_and_no_model(self):
-        runs = [self.run_of(ms, error, model, substeps, against="solver") for model, substeps, ms, error in
-                [("none", 4, 1, 0.04), ("dihedral", 4, 2, 0.1), ("none", 16, 4, 0.02), ("dihedral", 16, 8, 0.03), ("none", 64, 16, 0.001),
-                 ("dihedral", 64, 32, 0.001)]]
+        runs = [self.run_of(ms, error, model, substeps, against="solver")
+                for model, substeps, ms, error in [("none", 4, 1, 0.04), ("dihedral", 4, 2, 0.1),
+                                                   ("none", 16, 4, 0.02), ("dihedral", 16, 8, 0.03),
+                                                   ("none", 64, 16, 0.001), ("dihedral", 64, 32, 0.001)]]
         for run in runs:
             run.config["solver"]["precision"] = "single"
         text = fig_accuracy_scaling.motion_message(runs)
@@ -761,19 +901,25 @@ class AccuracyTest(unittest.TestCase):
         self.assertNotIn("dihedral", text)
 
     def test_scenes_are_compared_with_one_cloth(self):
-        physical = lambda name: json.loads((load.CONFIGS / f"accuracy/{name}.json").read_text(encoding="utf-8"))["accuracy"]["physical"]
-        for front, others in (("front", ("paper", "paper_64", "paper_cells_slow", "beat")), ("front_cantilever", ("paper_cantilever",))):
-            for other in others:  # which is told a membrane where its own is k
-                self.assertEqual([setting for setting in physical(other) if not setting.startswith("/material")], physical(front), other)
+        physical = lambda name: json.loads((load.CONFIGS
+                                            / f"accuracy/{name}.json").read_text(encoding="utf-8"))[
+                                            "accuracy"]["physical"]
+        for front, others in (("front", ("paper", "paper_64", "paper_cells_slow", "beat")),
+                              ("front_cantilever", ("paper_cantilever",))):
+            for other in others:  # these are given a membrane, because their own is k
+                self.assertEqual([setting for setting in physical(other)
+                                  if not setting.startswith("/material")], physical(front), other)
 
     def test_a_remedys_effect_is_the_one_that_is_none_of_the_scene(self):
         run = lambda *types: SimpleNamespace(get=lambda _: [{"type": kind} for kind in types])
-        self.assertEqual([fig_accuracy_roads.effect_of(run("gravity", *more)) for more in ((), ("tethers",))], ["", "tethers"])
+        self.assertEqual([fig_accuracy_roads.effect_of(run("gravity", *more)) for more in ((), ("tethers",))],
+                         ["", "tethers"])
 
     def test_configs_that_share_a_front_ask_for_no_run_twice(self):
         for configs in accuracy.FRONTS:
             experiments = [load.load_experiment("none", f"accuracy/{name}") for name in configs]
-            self.assertEqual(len({json.dumps(experiment.settings["accuracy"]) for experiment in experiments}), 1)
+            self.assertEqual(len({json.dumps(experiment.settings["accuracy"]) for experiment in experiments}),
+                             1)
             wanted = [run for experiment in experiments for run in experiment.missing]
             self.assertEqual(len(wanted), len(set(wanted)))
             self.assertEqual(len(wanted), 12 * 15)  # all models × all ways to spend the work
@@ -795,12 +941,14 @@ class AccuracyTest(unittest.TestCase):
 
 
 def lattice(rows, columns):
-    """(rest, triangles) of an equilateral lattice of edges 1 whose rows lie along y, every second row half an edge up."""
+    """(rest, triangles) of an equilateral lattice of edges 1 whose rows lie along y, every second row half an
+    edge up."""
     rest = np.array([[i * 3**0.5 / 2, j + i % 2 / 2, 0] for i in range(rows) for j in range(columns)])
     triangles = []
     for i in range(rows - 1):
         for j in range(columns - 1):
-            a, b, c, d = i * columns + j, i * columns + j + 1, (i + 1) * columns + j, (i + 1) * columns + j + 1
+            a, b, c, d = i * columns + j, i * columns + j + 1, (i
+                                                                + 1) * columns + j, (i + 1) * columns + j + 1
             triangles += [(a, b, d), (a, d, c)] if i % 2 else [(a, b, c), (b, d, c)]
     return rest, np.array(triangles)
 
@@ -810,7 +958,8 @@ class StripTest(unittest.TestCase):
         small, knee, large = strips.elastica_droop([1e-3, 8.0042, 1e3])
         self.assertAlmostEqual(small / (1e-3 / 8), 1, delta=1e-5)  # a beam under its weight: H/L = Γ/8
         self.assertAlmostEqual(np.degrees(np.arctan(knee)), 41.5, delta=0.01)  # what ASTM D1388 builds on
-        self.assertAlmostEqual(large / np.sqrt(1e3 / 2), 1, delta=0.06)  # a boundary layer: √(Γ/2) (1 - O(Γ^-1/2))
+        # A boundary layer: √(Γ/2) (1 - O(Γ^-1/2))
+        self.assertAlmostEqual(large / np.sqrt(1e3 / 2), 1, delta=0.06)
 
     def test_rings_of_a_lattice_have_six_vertices_per_edge(self):
         rest, triangles = lattice(11, 11)
@@ -819,8 +968,8 @@ class StripTest(unittest.TestCase):
             self.assertEqual((pairs == 60).sum(), 6 * ring)  # vertex 60 is the middle one
 
     def test_springs_of_a_wide_lattice_have_the_coefficient_of_an_infinite_one(self):
-        # Lattice sums, edges and spring stiffness 1, over half the springs of a vertex (of area √3/2): δ = n² (n² - 1) h⁴/24 l over
-        # n rows, C = 4/√3 Σ δ².
+        # Lattice sums, edges and spring stiffness 1, over half the springs of a vertex (of area √3/2): δ = n²
+        # (n² - 1) h⁴/24 l over n rows, C = 4/√3 Σ δ².
         h = 3**0.5 / 2
         by_hand = {2: [(2, 2 * h), (2, 2), (2, 2)],
                    3: [(2, 7**0.5), (2, 7**0.5), (3, 3), (3, 3), (3, 7**0.5), (3, 7**0.5)]}
@@ -829,22 +978,45 @@ class StripTest(unittest.TestCase):
         for ring, spans in by_hand.items():
             infinite = 4 / 3**0.5 * sum((n**2 * (n**2 - 1) * h**4 / (24 * length))**2 for n, length in spans)
             measured = strips.expected_quartic(rest, triangles, pinned, ring, 1.0)
-            self.assertAlmostEqual(measured / infinite, 1, delta=0.03)  # 60 edges wide it lacks ring/60 of its oblique springs
+            # 60 edges wide it lacks ring/60 of its oblique springs
+            self.assertAlmostEqual(measured / infinite, 1, delta=0.03)
 
     def test_a_check_holds_within_its_tolerance(self):
         check = lambda measured, tolerance, kind: Check("", "", "", 2.0, measured, tolerance, "", kind).holds
-        self.assertEqual([check(2.1, 0.06, "relative"), check(2.1, 0.04, "relative"), check(2.1, 0.11, "absolute"),
-                          check(2.1, 0.09, "absolute"), check(1.9, 0, "most"), check(2.1, 0, "most"), check(np.nan, 1, "relative")],
+        self.assertEqual([check(2.1, 0.06, "relative"), check(2.1, 0.04, "relative"),
+                          check(2.1, 0.11, "absolute"), check(2.1, 0.09, "absolute"), check(1.9, 0, "most"),
+                          check(2.1, 0, "most"), check(np.nan, 1, "relative")],
                          [True, False, True, False, True, False, None])
 
     def test_a_long_chain_hangs_half_its_length(self):
-        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(1.25), 0.3318, delta=1e-4)  # 2 a sinh(d/2a) = L, solved by hand
-        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(200) / 100, 1, delta=0.05)  # two plumb lines
+        # 2 a sinh(d/2a) = L, solved by hand
+        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(1.25), 0.3318, delta=1e-4)
+        # Two plumb lines
+        self.assertAlmostEqual(fig_stiffness_textile.catenary_sag(200) / 100, 1, delta=0.05)
 
     def test_the_critical_load_is_where_the_deflection_begins(self):
         points = {10: 0.0, 21: 0.01, 22: 0.01 * 2**0.5, 30: 0.5}  # deflection² ∝ Γ - 20 just above 20
-        with unittest.mock.patch.multiple(fig_stiffness_buckling, load_number=lambda run: run, deflection=points.get):
+        with unittest.mock.patch.multiple(fig_stiffness_buckling, load_number=lambda run: run,
+                                          deflection=points.get):
             self.assertAlmostEqual(fig_stiffness_buckling.critical_load(list(points)), 20, places=9)
+
+    def test_the_texts_of_the_stiffness_page_state_computed_numbers(self):
+        def run(family, cells, model="lod", deflection="large", **summary):
+            config = {"mesh": {"generator": "grid", "diagonal": family, "cells": cells, "width": 0.24},
+                      "bending": {"model": model, "deflection": deflection, model: {"radius": 0.04}}}
+            if family == "equilateral":
+                config["mesh"]["generator"] = family
+            return load.Run(Path("-"), "", "", "complete", config, summary, {"time": []})
+        self.assertEqual(fig_stiffness_calibrated.lengths_text([run("equilateral", n) for n in (24, 12)]),
+                         "Springs have one length, 4 cm, at every resolution (2, 4 edges at 12, 24 cells).")
+        text = fig_stiffness_calibrated.small_text([run("alternating", 24, "dihedral",
+                                                        model_small_deflection=0.9,
+                                                        model_large_deflection=1.2)])
+        self.assertIn("energy is 0.75 of the cylinder's", text)
+        rows = [{"model": model, "iterations": 1, "substeps": n, "measured": 1 / (1 + lost)}
+                for model, n, lost in (("dihedral", 1, 16), ("dihedral", 4, 1), ("lod", 1, 4), ("lod", 2, 2))]
+        text = fig_stiffness_effective.doubling_text(rows)
+        self.assertIn("for hinges it removes 75 %, for springs it removes 50 %", text)
 
     def test_a_page_without_runs_has_its_checks_open(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -853,7 +1025,8 @@ class StripTest(unittest.TestCase):
             text = (Path(folder) / "stiffness/index.html").read_text()
         self.assertTrue(checks)
         self.assertEqual({check["holds"] for check in checks}, {None})
-        self.assertEqual(set(checks[0]), {"check", "model", "mesh", "expected", "measured", "tolerance", "source", "holds", "note"})
+        self.assertEqual(set(checks[0]), {"check", "model", "mesh", "expected", "measured", "tolerance",
+                                          "source", "holds", "note"})
         self.assertIn("configs/stiffness/hinges.json: 48 runs", text)
         self.assertIn("no runs", text)
 

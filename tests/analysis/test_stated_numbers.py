@@ -1,4 +1,5 @@
-"""The READMEs state what the data say: every measured number has a marker before it (stated_numbers.py), and links lead somewhere.
+"""Tests of the READMEs: every measured number has a marker (stated_numbers.py) and agrees with its data;
+links work.
 
     python3 tests/analysis/test_stated_numbers.py             checks
     python3 tests/analysis/test_stated_numbers.py --update    writes the right numbers in place
@@ -11,23 +12,25 @@ from pathlib import Path
 
 from stated_numbers import MARKER, ROOT, Expression, Tables, rewritten, single, written
 
-REQUIRED = ["README.md", "configs/README.md", "analysis/README.md", "experiments/README.md", "experiments/bench/README.md",
-            "lib/bendlab/bending/README.md", "lib/bendlab/solver/README.md", "lib/bendlab/effects/README.md"]
+REQUIRED = ["README.md", "configs/README.md", "analysis/README.md", "experiments/README.md",
+            "experiments/bench/README.md", "lib/bendlab/bending/README.md", "lib/bendlab/solver/README.md",
+            "lib/bendlab/effects/README.md"]
 MAIN_LINES, COLUMNS = 140, 110
 
 LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
-# What reads like a measurement: a number with one of these units.
+# What looks like a measurement: a number with one of these units.
 WITH_UNIT = re.compile(r"(?P<number>\d[\d.]*)(?: to [\d.]+)? ?(?:ns|ms|%|MB|bytes|minutes|times)(?![\w-])")
 
 
 def readmes():
-    """The READMEs of the checkout, below no build folder."""
+    """The READMEs of the checkout, without build folders."""
     return sorted(path for folder in (".", "configs", "analysis", "experiments", "lib", "tests", "results")
-                  for path in (ROOT.glob("README.md") if folder == "." else (ROOT / folder).rglob("README.md")))
+                  for path in (ROOT.glob("README.md") if folder == "."
+                               else (ROOT / folder).rglob("README.md")))
 
 
 def visible(text):
-    """Lines as a reader sees them: without comments; code blocks left empty."""
+    """Lines as a reader sees them: without comments, code blocks as empty lines."""
     code = False
     for line in text.split("\n"):
         fence = line.lstrip().startswith("```")
@@ -36,56 +39,62 @@ def visible(text):
 
 
 def anchors(path):
-    """What GitHub calls the headings of a file."""
+    """GitHub's anchors of the headings of a file."""
     headings = re.findall(r"^#+ (.*)$", "\n".join(visible(path.read_text(encoding="utf-8"))), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 
 
 def without_code(text):
-    """(line number, line) of what is not in a code block, code spans blanked, comments kept."""
+    """(line number, line) outside code blocks; code spans are blanked, comments kept."""
     for at, (line, seen) in enumerate(zip(text.split("\n"), visible(text)), 1):
         if seen:
             yield at, re.sub(r"(?<!>)`[^`]*`", lambda span: "`" * len(span[0]), line)
 
 
 def unmarked(text):
-    """(line number, what) of numbers that read like a measurement and have no marker before them."""
+    """(line number, error) of numbers that look like a measurement and have no marker."""
     for at, line in without_code(text):
         blank = MARKER.sub(lambda marker: "\0" * len(marker[0]), line)
-        yield from ((at, f"'{found[0]}' has no marker") for found in WITH_UNIT.finditer(blank) if blank[found.start() - 1] != "\0")
+        yield from ((at, f"'{found[0]}' has no marker") for found in WITH_UNIT.finditer(blank)
+                    if blank[found.start() - 1] != "\0")
 
 
 def broken_paragraphs(text):
-    """(line number, what): Markdown ends a paragraph where a line begins with a comment."""
-    return ((at, "a marker begins the line") for at, line in without_code(text) if re.match(r"\s*<!--.*-->\s*\S", line))
+    """(line number, error) of lines that begin with a marker: Markdown ends the paragraph there."""
+    return ((at, "a marker begins the line") for at, line in without_code(text)
+            if re.match(r"\s*<!--.*-->\s*\S", line))
 
 
 def broken_links(path, text):
-    """(line number, what) of links within the checkout that lead nowhere."""
+    """(line number, error) of links within the checkout without a target."""
     for at, line in enumerate(visible(text), 1):
         for link in LINK.findall(line):
             file, _, anchor = link.partition("#")
             target = (path.parent / file).resolve() if file else path
-            if not re.match(r"[a-z]+:", link) and not (target.exists() and (not anchor or anchor in anchors(target))):
+            if not re.match(r"[a-z]+:",
+                            link) and not (target.exists() and (not anchor or anchor in anchors(target))):
                 yield at, f"{link} leads nowhere"
 
 
 def long_lines(text):
-    """(line number, what); tables may be wider."""
-    return ((at, f"{len(line)} columns") for at, line in enumerate(visible(text), 1) if len(line) > COLUMNS and not line.lstrip().startswith("|"))
+    """(line number, error) of long lines; tables may be wider."""
+    return ((at, f"{len(line)} columns") for at, line in enumerate(visible(text), 1) if len(line) > COLUMNS
+            and not line.lstrip().startswith("|"))
 
 
 class StatedNumbers(unittest.TestCase):
     def none_in_any(self, problems):
-        """No README has any of the problems(path, text)."""
-        found = [f"{path.relative_to(ROOT)}:{at}: {what}" for path in readmes() for at, what in problems(path, path.read_text(encoding="utf-8"))]
+        """Asserts that problems(path, text) finds nothing in any README."""
+        found = [f"{path.relative_to(ROOT)}:{at}: {what}" for path in readmes()
+                 for at, what in problems(path, path.read_text(encoding="utf-8"))]
         self.assertFalse(found, "\n" + "\n".join(found))
 
     def test_that_every_number_is_the_one_of_its_data(self):
         wrong = [problem for path in readmes() for problem in rewritten(path)[1]]
-        self.assertFalse(wrong, "\n" + "\n".join(wrong) + "\npython3 tests/analysis/test_stated_numbers.py --update")
+        self.assertFalse(wrong,
+                         "\n" + "\n".join(wrong) + "\npython3 tests/analysis/test_stated_numbers.py --update")
 
-    def test_that_what_reads_like_a_measurement_has_a_marker(self):
+    def test_that_what_looks_like_a_measurement_has_a_marker(self):
         self.none_in_any(lambda path, text: unmarked(text))
 
     def test_that_no_marker_begins_a_line(self):
@@ -106,9 +115,10 @@ class StatedNumbers(unittest.TestCase):
 
 
 class Language(unittest.TestCase):
-    """What the markers' language means, on values known beforehand."""
+    """The markers' language, on values known beforehand."""
 
-    RUNS = [{"model": "a", "set": {"n": 1}, "ms": 2.0, "error": 0.5}, {"model": "a", "set": {"n": 4}, "ms": 8.0, "error": 0.1},
+    RUNS = [{"model": "a", "set": {"n": 1}, "ms": 2.0, "error": 0.5},
+            {"model": "a", "set": {"n": 4}, "ms": 8.0, "error": 0.1},
             {"model": "b", "set": {"n": 4}, "ms": "3", "error": 0.2}]
 
     def value(self, text):
@@ -128,7 +138,8 @@ class Language(unittest.TestCase):
         self.assertEqual(self.value("min(runs/ms, 1)"), 1)
 
     def test_mistakes_are_errors(self):
-        for text in ("runs/ms", "runs/[model=c]/ms", "nobody/ms", "first/nothing", "1 +", "min(runs/[model=c]/ms)", "1 2", "first/model"):
+        for text in ("runs/ms", "runs/[model=c]/ms", "nobody/ms", "first/nothing", "1 +",
+                     "min(runs/[model=c]/ms)", "1 2", "first/model"):
             with self.subTest(text), self.assertRaises(ValueError):
                 single(self.value(text))
 
@@ -140,12 +151,14 @@ class Language(unittest.TestCase):
 
     def test_tables_of_a_page(self):
         tables = Tables()
-        tables.feed("<table><caption>C</caption><tr><th>x</th><th>y</th></tr><tr><td>1</td><td>2 &amp; 3</td></tr></table>")
+        tables.feed("<table><caption>C</caption><tr><th>x</th><th>y</th></tr><tr><td>1</td><td>2 &amp; "
+                    "3</td></tr></table>")
         self.assertEqual(tables.found, {"C": [{"x": "1", "y": "2 & 3"}]})
 
     def test_a_wrong_number_is_named_and_mended(self):
         path = ROOT / "tests" / "analysis" / "README.md"
-        with unittest.mock.patch.object(Path, "read_text", return_value="a <!--= 1 / 4 as .2f -->0.3 b\n<!--= holds: 1 > 2 -->"):
+        with unittest.mock.patch.object(Path, "read_text",
+                                        return_value="a <!--= 1 / 4 as .2f -->0.3 b\n<!--= holds: 1 > 2 -->"):
             text, wrong = rewritten(path)
         self.assertIn("0.25 b", text)
         self.assertEqual(len(wrong), 2)
@@ -154,7 +167,7 @@ class Language(unittest.TestCase):
 
 
 def update():
-    """Writes the right numbers in place, and prints what changed or cannot be mended."""
+    """Writes the right numbers in place, and prints changes and remaining errors."""
     for path in readmes():
         text, wrong = rewritten(path)
         print(*wrong, sep="\n", end="\n" if wrong else "")
