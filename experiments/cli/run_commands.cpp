@@ -132,7 +132,7 @@ std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArgument
 }
 
 /// Experiments, and the script that draws them when they are there.
-struct Stage {
+struct PageStage {
   std::array<std::string_view, 3> configs;  ///< folders or files below configs/
   std::string_view script;                  ///< below analysis/
   std::string_view option{};                ///< of the script
@@ -142,19 +142,19 @@ struct Stage {
 /// rest runs.
 struct Reproducible {
   std::string_view name, page;  ///< the folder of its page
-  std::array<Stage, 3> stages;
+  std::array<PageStage, 3> stages;
 };
 
-constexpr Stage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
-constexpr Stage whole_paper = {{"paper"}, "page.py", "--only=paper"};
+constexpr PageStage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
+constexpr PageStage whole_paper = {{"paper"}, "page.py", "--only=paper"};
 constexpr std::array reproducibles = {
     Reproducible{
         "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
     Reproducible{"paper", "paper", {first_figure, whole_paper}},
-    Reproducible{"stiffness", "stiffness", {Stage{{"stiffness"}, "stiffness_page.py"}}},
-    Reproducible{"stability", "stability", {Stage{{"stability", "one_pin"}, "stability_page.py"}}},
-    Reproducible{"accuracy", "accuracy", {Stage{{"accuracy"}, "accuracy_page.py"}}},
-    Reproducible{"plain", "plain", {Stage{{"plain"}, "plain_page.py"}}},
+    Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}, "stiffness_page.py"}}},
+    Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin"}, "stability_page.py"}}},
+    Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
+    Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
 };
 
 /// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
@@ -264,7 +264,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
   const fs::path page = options.out / what.page;
   std::vector<std::vector<Experiment>>
       experiments;  // of each stage: what is wrong in any is told before the first run
-  for (const Stage& stage : what.stages) {
+  for (const PageStage& stage : what.stages) {
     ConfigArguments configs;
     for (const std::string_view place : stage.configs)
       if (!place.empty())
@@ -275,7 +275,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
 
   int code = exit_ok;
   for (std::size_t i = 0; i < what.stages.size(); ++i) {
-    const Stage& stage = what.stages[i];
+    const PageStage& stage = what.stages[i];
     if (stage.script.empty()) break;
     const int runs_code = run_and_report(experiments[i], options, Report::lines);
     if (stop_exit_code() != 0) return runs_code;
