@@ -16,7 +16,7 @@
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/energy.hpp"
+#include "experiments/scene/gravity.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

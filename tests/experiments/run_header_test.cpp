@@ -27,8 +27,8 @@ ConstraintRecord record_of(const std::string& kind, const Experiment& experiment
   Scene scene = build_scene(experiment.runs.front());
   change(scene.input);
   const auto simulation = simulation_of(scene);
-  const RunHeader header =
-      header_of(experiment, experiment.runs.front(), "id", scene, *simulation, Recorder(scene));
+  const RunConfig& config = experiment.runs.front();
+  const RunHeader header = header_of(experiment, config, "id", scene, *simulation, Recorder(config, scene));
   const auto found = std::ranges::find(header.constraints, kind, &ConstraintRecord::kind);
   REQUIRE(found != header.constraints.end());
   return *found;
