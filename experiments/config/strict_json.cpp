@@ -39,9 +39,9 @@ std::string syntax_text(std::string_view what) {
 
 // Builds the document event by event, because nlohmann's own builder lets the last of duplicate keys win and
 // has no limit on depth.
-class Builder : public nlohmann::json_sax<Json> {
+class DocumentBuilder : public nlohmann::json_sax<Json> {
  public:
-  Builder(std::string_view text, ConfigProblems& problems) : text_(text), problems_(problems) {}
+  DocumentBuilder(std::string_view text, ConfigProblems& problems) : text_(text), problems_(problems) {}
 
   Json take_document() { return std::move(document_); }
 
@@ -161,7 +161,7 @@ std::optional<Json> read_strict_json(std::string_view text, ConfigProblems& prob
     problems.push_back({"", "is empty; a config is a JSON object with at least a \"name\""});
     return std::nullopt;
   }
-  Builder builder(text, problems);
+  DocumentBuilder builder(text, problems);
   if (!Json::sax_parse(text.begin(), text.end(), &builder)) return std::nullopt;
   return builder.take_document();
 }
