@@ -15,6 +15,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/measures/metrics.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -30,6 +31,7 @@ std::vector<Experiment> load_experiments(const ConfigArguments& configs) {
   for (const fs::path& file : configs.files) {
     try {
       experiments.push_back(load_experiment(file, configs.overrides));
+      check_metrics(experiments.back());
     } catch (const ConfigError& error) {
       problems += (problems.empty() ? "" : "\n") + std::string(error.what());
     }

@@ -93,6 +93,23 @@ TEST_CASE("measures: one that nobody has is refused with those there are", "[mea
                         Catch::Matchers::ContainsSubstring("stability"));
 }
 
+TEST_CASE("measures: a metric that no run can have is told before the first run", "[measures]") {
+  Workplace here;
+  const auto validate = [&](const std::string& metric, const std::string& more) {
+    here.write("e.json", R"({"name": "e", "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +
+                             metric + R"(", "min": 0, "why": "any"}]})");
+    return here.run("validate e.json");
+  };
+  CHECK(validate("max_stretch", "") == 0);
+  CHECK(validate("model_whatever", "") == 0);
+  CHECK(validate("max_strech", "") == 3);
+  CHECK_THAT(here.err(), Catch::Matchers::ContainsSubstring("/expect/0/metric") &&
+                             Catch::Matchers::ContainsSubstring("did you mean 'max_stretch'?"));
+  CHECK(validate("stability_reach", "") == 3);
+  CHECK_THAT(here.err(), Catch::Matchers::ContainsSubstring("/output/measures has to name"));
+  CHECK(validate("stability_reach", R"("output": {"measures": ["stability"]}, )") == 0);
+}
+
 TEST_CASE("measures: the median is that of the last simulated second", "[measures]") {
   const std::vector<Column> columns = {{"a", "1", "any"}, {"b", "1", "any"}};
   const std::vector<double> times = {0, 1, 1.5, 2};

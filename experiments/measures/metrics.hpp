@@ -1,0 +1,18 @@
+// The names of all numbers that a run's summary may have: what `expect` may ask for.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "experiments/config/config.hpp"
+
+namespace bendlab {
+
+/// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run of the
+/// experiment has. Nothing where some run may have it.
+std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric);
+
+/// Throws ConfigError with the problems of all expectations.
+void check_metrics(const Experiment& experiment);
+
+}  // namespace bendlab
