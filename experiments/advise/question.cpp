@@ -135,7 +135,7 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
 ErrorOf Question::natural_error() const {
   if (scene_.section("/accuracy").has("physical")) return ErrorOf::own;
   bool damped = false;
-  for (const Json& effect : scene_.resolved["effects"]) {
+  for (const Json& effect : scene_.resolved()["effects"]) {
     const std::string type = effect["type"];
     damped |= type == "viscous_drag" || among(effect, damping);
     if (type != "gravity" && type != "viscous_drag" && !among(effect, damping) && !among(effect, bounds))
@@ -151,7 +151,7 @@ ErrorOf Question::natural_error() const {
 }
 
 Json Question::accuracy(ErrorOf what, bool start_from_end) const {
-  if (what == ErrorOf::own) return scene_.resolved["accuracy"];
+  if (what == ErrorOf::own) return scene_.resolved()["accuracy"];
   Json accuracy = Json::object();
   if (what == ErrorOf::motion) {
     accuracy["physical"] = motion_changes();
@@ -185,8 +185,8 @@ double Question::speed(double kinetic_energy) const {
 }
 
 std::vector<std::string> Question::rest_changes() const {
-  const Json& strain = scene_.resolved["material"]["strain"];
-  Json bending = scene_.resolved["bending"];
+  const Json& strain = scene_.resolved()["material"]["strain"];
+  Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
   std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})", "/duration=20",
                                       "/settled_speed=0", "/output/frames_per_second=1",
@@ -195,14 +195,14 @@ std::vector<std::string> Question::rest_changes() const {
     changes.emplace_back("/material/strain/stiffness=compliance");
     changes.emplace_back("/material/strain/compliance=1e-5");
   }
-  changes.push_back(set("/effects", without_effects(scene_.resolved["effects"], [](const Json& effect) {
+  changes.push_back(set("/effects", without_effects(scene_.resolved()["effects"], [](const Json& effect) {
                           return among(effect, damping) || among(effect, bounds);
                         })));
   return changes;
 }
 
 std::vector<std::string> Question::motion_changes() const {
-  Json bending = scene_.resolved["bending"];
+  Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
   return {"/settled_speed=0",
           "/solver/method=pbd",

@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 double expected_cost(const RunConfig& config) {
   const auto number = [&](const char* pointer, double otherwise) {
     const Json::json_pointer at(pointer);
-    const bool there = config.resolved.contains(at) && config.resolved.at(at).is_number();
-    return there ? config.resolved.at(at).get<double>() : otherwise;
+    const bool there = config.resolved().contains(at) && config.resolved().at(at).is_number();
+    return there ? config.resolved().at(at).get<double>() : otherwise;
   };
   const double cells = number("/mesh/cells", 64);
   return cells * cells * number("/solver/substeps", 1) * number("/solver/iterations", 1) *
@@ -60,7 +60,7 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunConfig& config = *runs[i].config;
     std::string what_names_the_file =
-        fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]), identity_text(config));
+        fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]), identity_text(config.resolved()));
     for (const auto& [pointer, path] : input_files(config))
       what_names_the_file += fmt::format("\n{}", path.string());
     result.push_back(first.try_emplace(what_names_the_file, i).first->second);

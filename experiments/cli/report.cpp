@@ -174,8 +174,7 @@ bool expectations_hold(std::span<const CampaignRun> runs) {
 }
 
 Json run_json(const CampaignRun& run) {
-  Json point = Json::object(), expectations = Json::array();
-  for (const auto& [pointer, value] : run.config->point) point[pointer] = value;
+  Json expectations = Json::array();
   Json passes = Json::array();
   if (run.outcome)
     for (const PassTime& pass : run.outcome->passes)
@@ -194,7 +193,7 @@ Json run_json(const CampaignRun& run) {
   }
   return {{"id", id},
           {"experiment", run.experiment->name},
-          {"point", point},
+          {"point", point_json(*run.config)},
           {"status", run.outcome ? to_string(outcome.status) : status_text(run)},
           {"reused", outcome.reused},
           {"file", outcome.file.string()},

@@ -12,6 +12,7 @@
 
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
@@ -86,6 +87,7 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   }
   check_writable(options.out);
   catch_stop_signals();
+  for (const Experiment& experiment : experiments) write_sweep_file(options.out, experiment);
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   std::vector<CampaignRun> of_experiment;
   bool first = true;
@@ -221,15 +223,14 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
     Table table(headings);
     std::size_t complete = 0;
     for (const RunConfig& config : experiment.runs) {
-      const fs::path folder = run_folder(out, experiment, config);
-      const std::string id = run_id(config), state = state_on_disk(folder);
+      const std::string id = run_id(config);
+      const fs::path folder = run_folder(out, experiment, config, id);
+      const std::string state = state_on_disk(folder);
       if (state == "complete") ++complete;
       if (json) {
-        Json point = Json::object();
-        for (const auto& [pointer, value] : config.point) point[pointer] = value;
         const Json line = {
-            {"experiment", experiment.name}, {"point", point},           {"id", id}, {"state", state},
-            {"folder", folder.string()},     {"config", config.resolved}};
+            {"experiment", experiment.name}, {"point", point_json(config)},           {"id", id}, {"state", state},
+            {"folder", folder.string()},     {"config", config.resolved()}};
         fmt::print("{}\n", line.dump());
       }
       std::vector<std::string> cells = axis_cells(experiment, config);

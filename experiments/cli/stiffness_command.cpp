@@ -61,10 +61,11 @@ std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
 }
 
 RunConfig config_of(const RunRecord& record) {
-  RunConfig config{.resolved = Json::parse(record.config, nullptr, false)};
-  if (config.resolved.is_discarded())
-    throw RunFileError(fmt::format("{}: its config is not JSON", record.file.string()));
-  return config;
+  try {
+    return RunConfig(Json::parse(record.config));
+  } catch (const std::exception& error) {
+    throw RunFileError(fmt::format("{}: its config can't be read: {}", record.file.string(), error.what()));
+  }
 }
 
 RunStrip strip_of_run(const RunRecord& record, const StripSettings& settings) {

@@ -256,11 +256,18 @@ std::string models_text() {
   return text;
 }
 
+Json model_labels_json() {
+  Json labels = Json::object();
+  for (const BendingModel* model : bending_models()) labels[std::string(model->name)] = model->label;
+  return labels;
+}
+
 Json models_json() {
   Json json = Json::array();
   for (const BendingModel* model : bending_models()) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = model->name;
+    entry["label"] = model->label;
     entry["summary"] = model->summary;
     entry["source"] = model->source;
     entry["limits"] = model->limits;

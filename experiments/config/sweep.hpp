@@ -23,14 +23,15 @@ std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems);
 Json with_first_values(const Json& settings, const std::vector<Axis>& axes);
 
 /// One run per combination of the axes' values, the last axis fastest, runs with equal resolved settings
-/// merged into the first of them. Problems are those of single combinations; the runs are then meaningless.
-std::vector<RunConfig> expand_sweep(const Json& settings, const std::vector<Axis>& axes,
-                                    ConfigProblems& problems);
+/// merged into the first of them. Files are relative to `folder`. Problems are those of single combinations; the runs are then meaningless.
+std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem::path& folder,
+                                    const std::vector<Axis>& axes, ConfigProblems& problems);
 
 /// Runs of a covering array over the axes instead of every combination: any values of any `cover.strength`
 /// axes are together in one of them, unless no combination with them is allowed, which `told` says. Runs with
 /// equal resolved settings are merged. A value that no combination allows is a problem.
-std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis>& axes, const Cover& cover,
-                                    Covered& told, ConfigProblems& problems);
+std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem::path& folder,
+                                    const std::vector<Axis>& axes, const Cover& cover, Covered& told,
+                                    ConfigProblems& problems);
 
 }  // namespace bendlab

@@ -22,10 +22,6 @@
 namespace bendlab {
 namespace {
 
-std::string hex_hash(const std::string& text) {
-  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
 std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -173,8 +169,12 @@ void add_findings(Findings findings, RunOutcome& outcome) {
 
 }  // namespace
 
+std::string hex_hash(const std::string& text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
 std::string run_id(const RunConfig& config) {
-  std::string identity = identity_text(config) + std::string(build_info().source_hash);
+  std::string identity = identity_text(config.resolved()) + std::string(build_info().source_hash);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
   if (const std::optional<RunConfig> before = run_before(config))
     identity += id_of_other(*before, "/initial/after");
@@ -185,14 +185,20 @@ std::string run_id(const RunConfig& config) {
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config) {
-  const std::string place = readable_place(config), id = run_id(config);
+  return run_folder(out, experiment, config, run_id(config));
+}
+
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config, const std::string& id) {
+  const std::string place = readable_place(config);
   return out / experiment.name / (place.empty() ? id : place + "-" + id);
 }
 
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control,
                        const StartingPose* start) {
-  const std::filesystem::path file = run_folder(out, experiment, config) / "run.vtkhdf";
+  const std::string id = run_id(config);
+  const std::filesystem::path file = run_folder(out, experiment, config, id) / "run.vtkhdf";
   if (std::optional<RunOutcome> finished = finished_run(file)) return *finished;
 
   const auto wall_start = std::chrono::steady_clock::now();
@@ -206,7 +212,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Plausibility plausibility(scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
-  RunOutcome outcome{.id = run_id(config), .file = file};
+  RunOutcome outcome{.id = id, .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());

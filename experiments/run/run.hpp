@@ -40,13 +40,18 @@ struct RunOutcome {
   std::vector<PassTime> passes;
 };
 
+/// 16 hex digits of XXH3.
+std::string hex_hash(const std::string& text);
+
 /// Hash (16 hex digits) of the resolved config, the bytes of the mesh file it names, and the version of the
 /// code; and of the same of the runs that it starts after or is compared with.
 std::string run_id(const RunConfig& config);
 
-/// `<out>/<experiment>/<readable place on the sweep>-<id>`
+/// `<out>/<experiment>/<readable place on the sweep>-<id>`; the id where it is known.
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config);
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config, const std::string& id);
 
 /// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts
 /// there, and makes the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their

@@ -72,7 +72,7 @@ bool is_chosen(const WarningInput& input, const std::string& pointer) {
 Message inert_seed(const WarningInput& input) {
   const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
   const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
-             mesh_used = input.config.mesh_file.empty() && mesh.text("generator") == "delaunay";
+             mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
   std::string inert;
   if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
   if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
@@ -287,16 +287,16 @@ std::vector<Warning> warnings_of(const WarningInput& input) {
 }
 
 std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) try {
-  RunConfig bare = config;
-  bare.resolved["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
-  const Scene scene = build_scene(bare);
+  Json bare = config.resolved();
+  bare["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
+  const Scene scene = build_scene(RunConfig(std::move(bare), config.folder()));
   return warnings_of(WarningInput{experiment, config, scene});
 } catch (const std::exception&) {
   return {};
 }
 
 std::string text_of_what_warns_before(const RunConfig& config) {
-  Json settings = config.resolved;
+  Json settings = config.resolved();
   for (const char* unused : {"output", "accuracy", "quality"}) settings.erase(unused);
   for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
   return settings.dump();

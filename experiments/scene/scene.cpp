@@ -90,7 +90,7 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
         "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
         "by name in "
         "/pins/vertices",
-        config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
+        config.mesh_file().empty() ? "mesh" : config.mesh_file().string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices")) try {
       for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
@@ -249,7 +249,7 @@ AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const ParameterValues values = config.section("/mesh");
   const BadTriangles policy = policy_for_bad_triangles(values);
   AcceptedMesh accepted =
-      config.mesh_file.empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file, policy);
+      config.mesh_file().empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file(), policy);
   accepted.mesh.positions *= values.number("scale");
   accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
   return accepted;

@@ -19,6 +19,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel bridson{
     .name = "bridson",
+    .label = "Bridson",
     .summary = "bending element: moment ∝ sin(θ/2) - sin(θ0/2) over every interior edge",
     .source = "Bridson et al. 2003, §4, elastic part, as XPBD",
     .limits =

@@ -50,6 +50,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel choi_ko{
     .name = "choi_ko",
+    .label = "Choi-Ko",
     .summary =
         "post-buckling springs: vertices two apart push like the ends of a buckled arc, and never pull",
     .source = "Choi and Ko 2002, §4.2; solved with the jump at r = L, as XPBD",

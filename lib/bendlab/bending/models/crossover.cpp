@@ -84,6 +84,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel crossover{
     .name = "crossover",
+    .label = "crossover",
     .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
     .source = "Kim, Fig. 2; Choi and Ko 2002; Bridson et al. 2003; Kang and Cho 2002",
     .limits =

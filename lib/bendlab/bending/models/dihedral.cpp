@@ -31,6 +31,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel dihedral{
     .name = "dihedral",
+    .label = "dihedral",
     .summary = "the angle between two triangles, signed, over every interior edge",
     .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
     .limits =

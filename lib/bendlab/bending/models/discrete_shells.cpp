@@ -19,6 +19,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel discrete_shells{
     .name = "discrete_shells",
+    .label = "discrete shells",
     .summary = "hinge energy ∝ (θ - θ0)² edge² / area over every interior edge",
     .source = "Grinspun et al. 2003, eq. 3, as XPBD (Macklin et al. 2016)",
     .limits =

@@ -53,6 +53,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel isometric{
     .name = "isometric",
+    .label = "isometric",
     .summary = "quadratic bending energy with the cotangents of the rest shape, over every interior edge",
     .source = "Bergou et al. 2006, eqs. 2 to 5; constraint as |Kx|",
     .limits =

@@ -39,6 +39,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel lod{
     .name = "lod",
+    .label = "LOD",
     .summary = "springs only to the vertices exactly t rings away",
     .source = "Kim, §II.4 and Fig. 4",
     .limits =

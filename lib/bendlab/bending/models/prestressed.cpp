@@ -36,6 +36,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel prestressed{
     .name = "prestressed",
+    .label = "prestressed",
     .summary =
         "the springs of sparse_lod, longer at rest than their pairs are apart: they push in the flat sheet",
     .source = "bendlab's own",

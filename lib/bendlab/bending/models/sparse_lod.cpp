@@ -15,6 +15,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel sparse_lod{
     .name = "sparse_lod",
+    .label = "sparse LOD",
     .summary =
         "a fixed number of springs per vertex to the vertices t rings away, evenly spread over the "
         "directions",
