@@ -94,7 +94,7 @@ def _approach(series, cheap, out):
         panel.set_xlabel("substeps of 1/60 s")
         panel.set_yscale("log")
     left.set_ylabel("|H/W − static| (%)")
-    left.legend()
+    left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=3, columnspacing=1)
     for model, some in by_model(cheap).items():
         some = sorted(some, key=substeps)
         rigidity = some[0].get("/bending/flexural_rigidity")
