@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,25 @@
 
 namespace bendlab {
 namespace {
+
+// A setting of an earlier version, and what to write instead.
+struct ReplacedSetting {
+  std::string_view pointer, by;
+};
+constexpr std::array<ReplacedSetting, 3> replaced_settings = {
+    {{"/output/stiffness", R"("output": {"measures": ["stiffness"]})"},
+     {"/output/stability", R"("output": {"measures": ["stability"]})"},
+     {"/output/drape", R"("output": {"measures": ["drape"]})"}}};
+
+// A problem at such a pointer says that there is no such setting, and may suggest one that has nothing to do
+// with it.
+void name_replacements(ConfigProblems& problems) {
+  for (ConfigProblem& problem : problems) {
+    const auto found = std::ranges::find(replaced_settings, problem.pointer, &ReplacedSetting::pointer);
+    if (found != replaced_settings.end())
+      problem.message = fmt::format("is a setting of an earlier version; now write {}", found->by);
+  }
+}
 
 void check_name(const Json& canonical, ConfigProblems& problems) {
   if (!canonical.contains("name")) return;
@@ -214,6 +234,7 @@ class MethodRules {
 }  // namespace
 
 void apply_rules(const Json& given, Json& canonical, ConfigProblems& problems) {
+  name_replacements(problems);
   check_name(canonical, problems);
   settle_mesh(given, canonical["mesh"], problems);
   check_cells(canonical["mesh"], problems);

@@ -128,6 +128,13 @@ TEST_CASE("config: a setting that does not exist is refused with the nearest one
   CHECK_THAT(only_problem(with(R"("mesh": {"a/b~c": 8})"), "/mesh/a~1b~0c"), ContainsSubstring("'a/b~c'"));
 }
 
+TEST_CASE("config: a setting of an earlier version is refused with what replaced it") {
+  using Catch::Matchers::ContainsSubstring;
+  for (const std::string name : {"stiffness", "stability", "drape"})
+    CHECK_THAT(only_problem(with(R"("output": {")" + name + R"(": true})"), "/output/" + name),
+               ContainsSubstring("\"measures\": [\"" + name + "\"]") && !ContainsSubstring("did you mean"));
+}
+
 TEST_CASE("config: a value that is not among the choices is refused with the nearest one") {
   using Catch::Matchers::ContainsSubstring;
   CHECK_THAT(only_problem(with(R"("bending": {"model": "adaptve"})"), "/bending/model"),
