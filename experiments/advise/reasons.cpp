@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "experiments/config/counted.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -80,8 +82,8 @@ std::string budget_text(const std::vector<Rated>& measured, double budget, const
   if (within.empty())
     return fmt::format("Nothing is that fast: the fastest setting takes {:.3g} ms.",
                        1e3 * least(measured, [](const Rated& p) { return p.cpu_s; }));
-  return fmt::format("Nothing fit was found within that time. Of {} settings that are as fast, {}",
-                     within.size(), unfit_text(within, advice));
+  return fmt::format("Nothing fit was found within that time. Of {} that fast, {}",
+                     counted(within.size(), "setting"), unfit_text(within, advice));
 }
 
 }  // namespace
@@ -108,7 +110,7 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
     sentences.emplace_back("No setting gave an error.");
   else if (advice.front.empty())
     sentences.push_back(
-        fmt::format("Of {} settings that were run, {}", measured.size(), unfit_text(measured, advice)));
+        fmt::format("Of {} run, {}", counted(measured.size(), "setting"), unfit_text(measured, advice)));
   else if (demand.cpu_s)
     sentences.push_back(budget_text(measured, *demand.cpu_s, advice));
   if (advice.front.empty() && all_alike(measured))

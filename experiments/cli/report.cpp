@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -164,8 +165,9 @@ std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> ru
 }
 
 std::string text_of(const CollectedWarning& warning) {
-  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message,
-                     warning.runs == 1 ? "" : fmt::format(" (and {} more runs)", warning.runs - 1));
+  const std::string others =
+      warning.runs == 1 ? "" : fmt::format(" (and {})", counted(warning.runs - 1, "more run"));
+  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message, others);
 }
 
 bool expectations_hold(std::span<const CampaignRun> runs) {
@@ -239,8 +241,8 @@ std::string experiment_line(std::span<const CampaignRun> runs) {
   const auto complete =
       count([](const CampaignRun& run) { return run.outcome && run.outcome->status == RunStatus::complete; });
   const auto reused = count([](const CampaignRun& run) { return run.outcome && run.outcome->reused; });
-  std::string text = fmt::format("{}: {} runs, {} complete ({} reused)", runs.front().experiment->name,
-                                 runs.size(), complete, reused);
+  std::string text = fmt::format("{}: {}, {} complete ({} reused)", runs.front().experiment->name,
+                                 counted(runs.size(), "run"), complete, reused);
   for (const RunStatus status : {RunStatus::implausible, RunStatus::diverged, RunStatus::interrupted}) {
     const auto here =
         count([&](const CampaignRun& run) { return run.outcome && run.outcome->status == status; });

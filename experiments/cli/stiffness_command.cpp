@@ -9,6 +9,7 @@
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/measures/strip.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -54,9 +55,8 @@ std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
   const auto frames = static_cast<std::int64_t>(record.frames);
   const std::int64_t frame = asked < 0 ? frames + asked : asked;
   if (frame < 0 || frame >= frames)
-    throw UsageError(
-        fmt::format("{}: there is no frame {}; it holds {} frames, the first is 0 and the last -1",
-                    record.file.string(), asked, frames));
+    throw UsageError(fmt::format("{}: there is no frame {}; it holds {}, the first is 0 and the last -1",
+                                 record.file.string(), asked, counted(frames, "frame")));
   return frame;
 }
 

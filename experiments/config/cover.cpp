@@ -6,6 +6,8 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "experiments/config/counted.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -117,7 +119,8 @@ class Coverage {
     tuples_ += count;
     if (tuples_ > most_tuples)
       throw std::invalid_argument(
-          fmt::format("more than {} combinations of {} values are to be covered", most_tuples, axes.size()));
+          fmt::format("more than {} combinations of {} are to be covered; choose a smaller strength",
+                      most_tuples, counted(axes.size(), "value")));
     missing_ = tuples_;
     for (const std::size_t axis : axes) groups_of_axis_[axis].push_back(groups_.size());
     groups_.push_back({axes, std::vector<State>(count, missing_here), count});

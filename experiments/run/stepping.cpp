@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bendlab/io/without_traps.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/start_after.hpp"
@@ -118,11 +119,10 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recor
   }
   const std::optional<double> unbalanced = simulation.unbalanced();
   return ended(RunStatus::complete,
-               unbalanced
-                   ? fmt::format("no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; "
-                                 "a longer /duration allows more steps",
-                                 steps, *unbalanced)
-                   : "");
+               unbalanced ? fmt::format("no equilibrium yet after {}: {:.2g} of the loads are not balanced; "
+                                        "a longer /duration allows more steps",
+                                        counted(steps, "step"), *unbalanced)
+                          : "");
 }
 
 }  // namespace bendlab

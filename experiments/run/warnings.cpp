@@ -9,6 +9,7 @@
 
 #include "bendlab/mesh/connected_parts.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
 #include "experiments/scene/gravity.hpp"
@@ -46,11 +47,10 @@ Message unconverged(const WarningInput& input) {
     return std::nullopt;
   return fmt::format(
       "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not "
-      "stretch: {} "
-      "substeps × {} iterations leave it unconverged. More /solver/substeps with fewer /solver/iterations "
-      "each "
+      "stretch: {} × {} leave it unconverged. More /solver/substeps with fewer /solver/iterations each "
       "help: 10 × 1 left 0.012 and 1.1 where 1 × 10 left 0.056 and 1.36",
-      mean, most, input.scene.input.settings.substeps, input.scene.input.settings.iterations);
+      mean, most, counted(input.scene.input.settings.substeps, "substep"),
+      counted(input.scene.input.settings.iterations, "iteration"));
 }
 
 // ---- inert_seed
@@ -189,11 +189,10 @@ Message membrane_courant(const WarningInput& input) {
   if (!(excess > softened)) return std::nullopt;
   constexpr double wanted = 0.1;
   return fmt::format(
-      "a wave of stretch passes {:.2g} cells in a substep (the membrane's Courant number), and {} "
-      "projections "
-      "follow it: the membrane stretches about {:.2g} times as far as told. {} /solver/substeps would "
-      "leave 1.1",
-      courant, solver.projections_per_substep(), 1 + excess,
+      "a wave of stretch crosses {:.2g} times a cell's width in a substep (the membrane's Courant number), "
+      "and {} cannot follow it: the membrane stretches about {:.2g} times as far as stated. "
+      "{} /solver/substeps would leave 1.1",
+      courant, counted(solver.projections_per_substep(), "projection"), 1 + excess,
       static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))));
 }
 

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/config/counted.hpp"
 #include "experiments/config/strict_json.hpp"
 
 namespace bendlab {
@@ -23,10 +24,11 @@ Positions folded(const RestMesh& rest, int folds, double gap) {
   const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
   const double layer = (width - folds * turn) / (folds + 1);
   if (layer <= 0)
-    throw ConfigError("initial pose", {{"/initial/fold_gap",
-                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
-                                                    "{:.3g} m wide: fewer folds or a smaller gap",
-                                                    folds, gap, folds * turn, width)}});
+    throw ConfigError("initial pose",
+                      {{"/initial/fold_gap",
+                        fmt::format("the turns of {} with a gap of {} m need {:.3g} m, but the sheet is "
+                                    "{:.3g} m wide: use fewer folds or a smaller gap",
+                                    counted(folds, "fold"), gap, folds * turn, width)}});
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double along = positions(v, 0) - rest.box_min().x();

@@ -241,10 +241,9 @@ TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
   };
   Advice ruins = of({stretched("a", 1.89, 1, 30000), stretched("b", 0.01, 1, 0.5), rated("c", 0.3, 3)});
   CHECK_FALSE(anything_fit(ruins));
-  CHECK_THAT(
-      told(ruins, {.error = 0.05}),
-      ContainsSubstring("Of 3 settings that were run, 2 stretched the cloth by more than 10 % (rms; the "
-                        "least: 50 %); 1 had more than 20 % of error (the least: 30 %)."));
+  CHECK_THAT(told(ruins, {.error = 0.05}),
+             ContainsSubstring("Of 3 settings run, 2 stretched the cloth by more than 10 % (rms; the "
+                               "least: 50 %); 1 had more than 20 % of error (the least: 30 %)."));
   CHECK_THAT(told(ruins, {.error = 0.05}), !ContainsSubstring("time limit"));
   ruins.out_of_time = true;
   CHECK_THAT(told(ruins, {.error = 0.05}), ContainsSubstring("The time limit (40 s) ended"));
