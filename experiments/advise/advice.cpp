@@ -15,6 +15,7 @@
 #include "bendlab/metrics/shape_error.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/measures/trajectory.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/scene/scene.hpp"
@@ -204,14 +205,15 @@ class Advisor {
     advice_.error_of = options_.error_of.value_or(question_.natural_error());
     if (advice_.error_of == ErrorOf::rest && !choose_equilibrium()) {
       if (advice_.exit_code != 0) return;
-      tell_("the scene comes to no equilibrium; its motion is compared");
+      tell_("the scene has no equilibrium; its motion is compared instead");
       advice_.error_of = ErrorOf::motion;
     }
     if (advice_.error_of == ErrorOf::rest) return;
     advice_.accuracy = question_.accuracy(advice_.error_of);
     if (advice_.error_of == ErrorOf::motion)
-      tell_(fmt::format("the reference is the same motion with {} substeps, and {} to know its own error",
-                        question_.reference_substeps(), question_.reference_substeps() / 2));
+      tell_(fmt::format(
+          "the reference is the same motion with {} substeps; one with {} shows the reference's own error",
+          question_.reference_substeps(), question_.reference_substeps() / 2));
     const std::vector<Measured> found = probe({advice_.accuracy});  // which makes it
     if (advice_.exit_code != 0) return;
     if (!found.front().error)
@@ -231,7 +233,7 @@ class Advisor {
     const auto &first = found[0].error, &beside = found[1].error;
     if (!first && !beside) {
       if (options_.error_of || found[0].diverged)
-        throw std::runtime_error("there is no equilibrium that errors could be measured against: " +
+        throw std::runtime_error("there is no equilibrium to measure errors against: " +
                                  why_no_error(found[0]) + "; --what motion compares the motion instead");
       return false;
     }
@@ -270,7 +272,7 @@ class Advisor {
   // Of the probe.
   std::string why_no_error(const Measured& found) const {
     return found.diverged
-               ? fmt::format("{} diverges even with 256 substeps in /solver/dt; a smaller one may help",
+               ? fmt::format("{} diverges even with 256 substeps; a smaller /solver/dt may help",
                              question_.reference_model())
                : found.why;
   }
@@ -431,10 +433,10 @@ class Advisor {
     say_what_is_behind();
     if (advice_.out_of_time)
       advice_.left_out.push_back(
-          {"settings that take longer", fmt::format("not run within --time-limit ({:.4g} s); predicted where "
-                                                    "three coarser ones of the model follow "
-                                                    "a power law. The same command again goes on",
-                                                    options_.time_limit_s)});
+          {"settings that take longer",
+           fmt::format("not run within --time-limit ({:.4g} s); predicted if three coarser settings of the "
+                       "model follow a power law. The same command again continues",
+                       options_.time_limit_s)});
   }
 
   // Of models without a place on the front as it is shown, the best.
@@ -451,7 +453,7 @@ class Advisor {
       const bool fit = unfit(best) == Unfit::no;
       advice_.left_out.push_back(
           {model,
-           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", points.size(),
+           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", counted(points.size(), "setting"),
                        fit ? "others are as good or better; its best"
                            : fmt::format("none is fit ({}); its nearest", name_of(unfit(best))),
                        std::isfinite(best.error) ? "error " + percent_text(best.error)
@@ -460,7 +462,8 @@ class Advisor {
     }
     for (const auto& [model, why] : without_error_)
       advice_.left_out.push_back(
-          {model, fmt::format("{} gave no error, the finest {}", why.size(), why.back())});
+          {model,
+           fmt::format("{} gave no error; the finest: {}", counted(why.size(), "setting"), why.back())});
   }
 
   const Question& question_;

@@ -64,14 +64,13 @@ bool all_alike(const std::vector<Rated>& points) {
 std::string reference_text(const Advice& advice) {
   if (!(advice.reference_strain <= largest_reference_strain))
     return fmt::format(
-        "The reference itself is stretched by {} (rms), as no cloth is, so that it tells no errors: it flew "
-        "apart, or "
-        "lengths are not in metres, the density not in kg/m^2 or the membrane's compliance not in m/N.",
+        "The reference itself is stretched by {} (rms), as no cloth is, so that errors against it mean "
+        "nothing: it flew apart, or lengths are not in metres, the density not in kg/m² or the membrane's "
+        "compliance not in m/N.",
         percent_text(advice.reference_strain));
   return fmt::format(
-      "The reference itself is known to {} only, so that it tells no errors: motions that fall and fold are "
-      "chaotic. A "
-      "shorter /duration is known better.",
+      "The reference itself is known to {} only, so that errors against it mean nothing: cloth that falls "
+      "and folds moves chaotically. A shorter /duration is known better.",
       percent_text(*advice.reference_gap));
 }
 
@@ -104,7 +103,7 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
   const std::vector<Rated> measured = measured_ones(advice);
   if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
     sentences.push_back(
-        fmt::format("The reference itself is known to {} only: motions that fall and fold are chaotic.",
+        fmt::format("The reference itself is known to {} only: cloth that falls and folds moves chaotically.",
                     percent_text(*advice.reference_gap)));
   if (measured.empty())
     sentences.emplace_back("No setting gave an error.");
@@ -115,14 +114,12 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
     sentences.push_back(budget_text(measured, *demand.cpu_s, advice));
   if (advice.front.empty() && all_alike(measured))
     sentences.emplace_back(
-        "They all agree with each other, and not with the reference: the cloth has not come to rest by the "
-        "end of "
-        "/duration, or it rests in another pose than the reference.");
+        "They all agree with each other, but not with the reference: the cloth has not come to rest by the "
+        "end of /duration, or it rests in another pose than the reference.");
   if (advice.out_of_time)
     sentences.push_back(
-        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command goes "
-                    "on, and further "
-                    "with a longer --time-limit.",
+        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command "
+                    "continues, and gets further with a longer --time-limit.",
                     time_limit_s));
   return sentences;
 }

@@ -142,7 +142,7 @@ std::string time_text(std::span<const CampaignRun> runs) {
         same->seconds += pass.seconds;
     }
   }
-  std::string text = fmt::format("time: {:.1f} s of runs, {:.1f} s of CPU", wall_s, cpu_s);
+  std::string text = fmt::format("time: {:.1f} s in the runs, {:.1f} s of CPU", wall_s, cpu_s);
   const std::string shares = pass_shares(passes);
   return shares.empty() ? text : text + "; " + shares;
 }
@@ -251,7 +251,7 @@ std::string experiment_line(std::span<const CampaignRun> runs) {
   if (const auto failed = count([](const CampaignRun& run) { return !run.error.empty(); }); failed > 0)
     text += fmt::format(", {} failed", failed);
   for (const CollectedWarning& warning : collected_warnings(runs))
-    text += fmt::format(", {} {}", warning.runs, warning.code);
+    text += fmt::format(", {} with the warning {}", warning.runs, warning.code);
   return text + "; " + time_text(runs) + "\n" + failed_expectations(runs);
 }
 

@@ -46,7 +46,8 @@ extern const Measure drop{
     .columns = []() -> std::vector<Column> {
       return {
           {"drop", "m",
-           "how far the lowest vertex hangs below the highest pin (without pins: below where it started)"}};
+           "how far the lowest vertex hangs below the highest pin (without pins: below the lowest vertex at "
+           "the start)"}};
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"drop", "m", "median over the last second"}, {"drop_last", "m", "of the last frame"}};

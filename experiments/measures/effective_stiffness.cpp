@@ -55,8 +55,8 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
     const auto substeps = summary.find(fmt::format("substeps_for_90_percent_{}", what));
     if (share == summary.end() || substeps == summary.end()) continue;
     parts.push_back(
-        fmt::format("the cloth has {:.2g} % of the {} stiffness that it was told; about {:.0f} substeps "
-                    "would give it 90 %",
+        fmt::format("the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} "
+                    "substeps would give it 90 %",
                     100 * share->second, what, substeps->second));
   }
   if (parts.empty()) return std::nullopt;
@@ -93,17 +93,17 @@ class Meter final : public Measurement {
 namespace measure {
 extern const Measure effective_stiffness{
     .name = "effective_stiffness",
-    .summary = "what the solver made of the stiffness that the config states",
-    .cost = "less than 1 % of 4 s of 1 × 10: two or three looks in the last second",
+    .summary = "how much of the stiffness that the config states the solver gives the cloth",
+    .cost = "two or three looks in the last second: less than 1 % of 4 s with 1 substep × 10 iterations",
     .applies = always,
     .gives = []() -> std::vector<Quantity> {
       return {{"effective_bending_stiffness", "1",
                "share of the stated bending stiffness (physical, or a compliance) that the cloth has in the "
                "last second"},
-              {"effective_membrane_stiffness", "1", "the same of the membrane's"},
+              {"effective_membrane_stiffness", "1", "the same for the membrane"},
               {"substeps_for_90_percent_bending", "1",
-               "where that is below a half: about so many substeps of as many iterations give 0.9"},
-              {"substeps_for_90_percent_membrane", "1", "the same of the membrane's"}};
+               "if that is below 0.5: about how many substeps, each of as many iterations, would give 0.9"},
+              {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
     },
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Meter>(config.section("").number("duration"), scene.input.settings.substeps);

@@ -61,8 +61,8 @@ std::optional<std::string> problem_with_metric(const Experiment& experiment, con
   const bool on_request = !measure->applies;
   if (on_request &&
       std::ranges::none_of(experiment.runs, [&](const RunConfig& run) { return asked_for(*measure, run); }))
-    return fmt::format("no run has '{}': it is of the measure {}, which /output/measures has to name", metric,
-                       measure->name);
+    return fmt::format("no run has '{}': it comes from the measure {}, which /output/measures has to name",
+                       metric, measure->name);
   return std::nullopt;
 }
 

@@ -100,7 +100,8 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
   }
   if (frames.empty())
     throw std::invalid_argument(
-        "no recorded frame has the same time in both; /output/frames_per_second must suit every /solver/dt");
+        "no recorded frame has the same time in both runs; choose an /output/frames_per_second whose frames "
+        "fall on steps of both");
   return over_frames(frames);
 }
 

@@ -215,31 +215,34 @@ std::string text_of(const BrokenBound& broken) {
         return fmt::format("vertex {} has no finite position or velocity", vertex);
       case Bound::stretch:
         return fmt::format(
-            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, where {:.3g} "
-            "is more than its cloth can be",
+            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
+            "cannot stretch more than {:.3g} times",
             vertex, measured, limit);
       case Bound::mean_strain:
-        return fmt::format("the mean strain is {:.3g}, where {:.3g} is more than its cloth can have",
-                           measured, limit);
+        return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
+                           limit);
       case Bound::reach:
         return fmt::format(
-            "vertex {} is {:.3g} m away from its nearest pin, and the cloth between is {:.3g} "
-            "m long where it is stretched",
+            "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
+            "long, stretched",
             vertex, measured, limit);
       case Bound::speed:
-        return fmt::format("vertex {} is at {:.3g} m/s, and falling as deep as it can it would have {:.3g}",
-                           vertex, measured, limit);
+        return fmt::format(
+            "vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}", vertex,
+            measured, limit);
       case Bound::momentum:
-        return fmt::format("the centre of mass is {:.3g} m/s from v0 + g t, where {:.3g} would be rounding",
-                           measured, limit);
+        return fmt::format(
+            "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
+            "most {:.3g}",
+            measured, limit);
       case Bound::fall:
         return fmt::format(
-            "the centre of mass is {:.3g} m from v0 t + g t²/2, where {:.3g} would be rounding", measured,
-            limit);
+            "the centre of mass is {:.3g} m away from v0 t + g t²/2, but rounding explains at most {:.3g}",
+            measured, limit);
       case Bound::energy:
         return fmt::format(
-            "kinetic energy and that of weight are {:.3g} J above those at the start, of which "
-            "{:.3g} would be the solver's",
+            "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
+            "the solver explain at most {:.3g}",
             measured, limit);
     }
     return std::string();
@@ -247,8 +250,8 @@ std::string text_of(const BrokenBound& broken) {
   const std::string cause = correction.kind.empty()
                                 ? ""
                                 : fmt::format(
-                                      "; there the constraint of kind {} asks for the largest correction, "
-                                      "{:.3g} m",
+                                      "; of the constraints there, one of kind {} asks for the largest "
+                                      "correction, {:.3g} m",
                                       correction.kind, correction.length);
   return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause,
                      advice.empty() ? "" : ". Measured to help: ", advice);

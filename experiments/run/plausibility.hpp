@@ -50,7 +50,7 @@ struct BrokenBound {
   std::string advice{};            ///< what was measured to help; empty where nothing was
 };
 
-/// "at t = 0.5 s vertex 12 is 170 m from its pin, where the cloth reaches 0.5 m; …", with the advice.
+/// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", with the advice.
 std::string text_of(const BrokenBound& broken);
 /// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not
 /// finite are null.

@@ -80,18 +80,26 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
   constexpr double long_step = 1.0 / 20;  // s: between d's and the others'
   std::vector<std::string_view> texts;
   if (is_prestressed(scene))
-    texts.push_back("/bending/k: 0.1 (mean strain 1.3: 0.57) or another /bending/model, isometric (0.04)");
+    texts.push_back(
+        "/bending/k: 0.1 (mean strain 0.57 instead of 1.3), or another /bending/model such as isometric "
+        "(0.04)");
   if (pinned && !lists(scene, "tethers"))
-    texts.push_back("the effect tethers (a triangle 40 to 1132 times as long: 1.5, in the same time)");
+    texts.push_back(
+        "the effect tethers (triangles 1.5 instead of 40 to 1132 times as long as at rest, in about the same "
+        "time)");
   if (own_settings(input).number("flight_limit") == 0 &&
       input.settings.dt / input.settings.substeps > long_step)
-    texts.push_back("/solver/flight_limit: 0.25 (steps of 1/15 s: 120 times to 9.6, of 1 s: 494 to 2.1)");
+    texts.push_back(
+        "/solver/flight_limit: 0.25 (triangles 9.6 instead of 120 times as long with steps of 1/15 s, 2.1 "
+        "instead of 494 with steps of 1 s)");
   if (!pinned && input.strain_stiffness.form == StrainForm::normalised)
-    texts.push_back("/material/strain/form: angle (a stretched free sheet's mean strain 1260: 0.04)");
+    texts.push_back(
+        "/material/strain/form: angle (mean strain 0.04 instead of 1260, for a free sheet that starts "
+        "stretched)");
   if (pinned && input.settings.substeps < 10)
     texts.push_back(
-        "/solver/substeps: 10 with all /solver/iterations (40 to 1132 times: 1.3 to 1.9, in ten "
-        "times the time)");
+        "/solver/substeps: 10, each with as many /solver/iterations (triangles 1.3 to 1.9 instead of 40 to "
+        "1132 times as long, in ten times the time)");
   return texts;
 }
 
@@ -105,8 +113,8 @@ std::string remedies_for(Bound bound, const Scene& scene) {
   } else {
     if (is_pumped(scene))
       texts.push_back(
-          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained 1.3 to 7 times its energy: "
-          "none)");
+          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained no energy, instead of 1.3 to 7 "
+          "times its energy scale)");
     for (const std::string_view text : of_a_tear(scene)) texts.push_back(text);
   }
   return fmt::format("{}", fmt::join(texts, "; "));

@@ -26,8 +26,7 @@ std::string divergence_message(const Divergence& divergence, const Scene& scene)
   const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
   const std::string remedies = remedies_for_divergence(scene);
   return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
-      "kept{}{}",
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; earlier frames are kept{}{}",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
       divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
       remedies.empty() ? "" : ". Measured to help: ", remedies);
@@ -73,9 +72,8 @@ class StepClock {
 
 std::string stop_message(double time, double duration) {
   return fmt::format(
-      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs what is "
-      "not "
-      "complete",
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again computes what "
+      "is not complete",
       time, duration);
 }
 

@@ -46,9 +46,10 @@ Message unconverged(const WarningInput& input) {
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return fmt::format(
-      "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not "
-      "stretch: {} × {} leave it unconverged. More /solver/substeps with fewer /solver/iterations each "
-      "help: 10 × 1 left 0.012 and 1.1 where 1 × 10 left 0.056 and 1.36",
+      "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times as long as "
+      "at rest: {} × {} do not converge. More /solver/substeps with fewer /solver/iterations each help: in "
+      "tests, 10 × 1 left a mean strain of 0.012 and a triangle 1.1 times as long, 1 × 10 left 0.056 and "
+      "1.36",
       mean, most, counted(input.scene.input.settings.substeps, "substep"),
       counted(input.scene.input.settings.iterations, "iteration"));
 }
@@ -80,7 +81,7 @@ Message inert_seed(const WarningInput& input) {
   return fmt::format(
       "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
       inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
-                            : "Give /initial/perturbation a value, 1e-6 for example, or leave it out");
+                            : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
 }
 
 // ---- piece_without_pin
@@ -97,8 +98,8 @@ Message piece_without_pin(const WarningInput& input) {
   }
   if (loose == 0) return std::nullopt;
   return fmt::format(
-      "{} of {} vertices, vertex {} the first, are in pieces of the mesh without a pin, while others have "
-      "some: they fall away. Pin each piece, or unite them ('bendlab mesh' lists pieces)",
+      "pieces of the mesh with {} of its {} vertices (the first is vertex {}) have no pin, while others "
+      "have: they will fall away. Pin each piece, or join them ('bendlab mesh FILE' counts the pieces)",
       loose, rest.vertex_count(), first);
 }
 
@@ -108,11 +109,9 @@ Message all_pinned(const WarningInput& input) {
   const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
   if (input.scene.pins.all.size() != vertices) return std::nullopt;
   return fmt::format(
-      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: "
-      "on a "
-      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or "
-      "/pins/distance pins "
-      "fewer",
+      "all {} vertices are pinned, so that nothing can move. /pins/vertices names places in the x-y plane of "
+      "the mesh's box: for a mesh that stands upright choose others, or use /pins/indices. A smaller "
+      "/pins/ring or /pins/distance pins fewer",
       vertices);
 }
 
@@ -127,8 +126,8 @@ Message inert_stiffness(const WarningInput& input) {
     const std::string pointer = fmt::format("/bending/{}", name);
     if (is_chosen(input, pointer))
       return fmt::format(
-          "{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
-          "/bending/stiffness to physical, or leave it out",
+          "{} changes nothing here: it is used only if /bending/stiffness is physical, and that is {}. Set "
+          "/bending/stiffness to physical, or remove this setting",
           pointer, input.config.section("/bending").text("stiffness"));
   }
   return std::nullopt;
@@ -150,14 +149,15 @@ Message units(const WarningInput& input) {
   constexpr double heaviest = 10;
   if (const double density = input.config.section("/material").number("density"); density > heaviest)
     return fmt::format(
-        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2", density);
+        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² is 0.2 kg/m²",
+        density);
   if (!(g >= weakest_gravity)) return std::nullopt;
   const double time = std::sqrt(extent / g);
   if (time >= shortest_time && time <= longest_time) return std::nullopt;
   return fmt::format(
-      "the cloth is {:.3g} m long, {} under a gravity of {:.3g} m/s²: is the mesh in other units? "
-      "/mesh/scale makes metres of them (0.001 of millimetres, 0.01 of centimetres)",
-      extent, time > longest_time ? "a hall's curtain or more" : "less than a fingertip", g);
+      "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
+      "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
+      extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
 }
 
 // ---- membrane_courant
@@ -219,8 +219,9 @@ Message k_overshoot(const WarningInput& input) {
   const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
   if (!(strain > unconverged_strain)) return std::nullopt;
   return fmt::format(
-      "springs of prestressed with an excess of {:.2g} and k = {:.2g} stretch the sheet by about {:.2g} in "
-      "the mean, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: 0.02 left 0.03",
+      "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a mean "
+      "strain of about {:.2g}, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: "
+      "in tests 0.02 left a mean strain of 0.03",
       excess, k, strain);
 }
 
@@ -244,8 +245,9 @@ Message single_precision(const WarningInput& input) {
   const RoundingSpeed speed = rounding_speed(input.scene);
   if (speed.single_suffices()) return std::nullopt;
   return fmt::format(
-      "an effect moves vertices to positions that single precision rounds: each rounding is {:.2g} m/s in a "
-      "substep, and gravity adds {:.2g} m/s. /solver/precision: auto takes double for it",
+      "an effect moves vertices to positions that single precision rounds: in a substep each rounding "
+      "changes a speed by {:.2g} m/s, and gravity by {:.2g} m/s. Set /solver/precision to auto, which takes "
+      "double here",
       speed.rounded, speed.gained);
 }
 
@@ -254,19 +256,19 @@ constexpr std::array kinds = {
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
                 piece_without_pin},
     WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
-    WarningKind{"inert_stiffness", "a physical stiffness is given and not asked for", true, inert_stiffness},
+    WarningKind{"inert_stiffness", "a physical stiffness is given, but /bending/stiffness is not physical",
+                true, inert_stiffness},
     WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
-    WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as told", true,
+    WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as stated", true,
                 membrane_courant},
-    WarningKind{"k_overshoot", "bending springs at that k stretch the sheet", true, k_overshoot},
+    WarningKind{"k_overshoot", "bending springs with this k stretch the sheet", true, k_overshoot},
     WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
                 single_precision},
-    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false,
+    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than stated", false,
                 weaker_push},
-    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told",
-                false, soft_solver},
-    WarningKind{"unconverged", "iterations leave a membrane stretched that does not stretch", false,
-                unconverged},
+    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stated stiffness", false,
+                soft_solver},
+    WarningKind{"unconverged", "a membrane that should not stretch is left stretched", false, unconverged},
 };
 
 }  // namespace

@@ -58,8 +58,8 @@ Positions folded_rest_shape(const ParameterValues& values, const RestMesh& rest)
   const auto folds = static_cast<int>(values.integer("folds")),
              creases = static_cast<int>(values.integer("creases"));
   if (folds > 0 && creases > 0)
-    throw ConfigError("initial pose", {{"/initial/creases",
-                                        "and /initial/folds fold the same sheet: set one of the two to 0"}});
+    throw ConfigError("initial pose",
+                      {{"/initial/creases", "excludes /initial/folds: set one of the two to 0"}});
   if (folds > 0) return folded(rest, folds, values.number("fold_gap"));
   return creases > 0 ? creased(rest, creases) : rest.positions();
 }

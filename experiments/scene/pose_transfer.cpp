@@ -60,10 +60,10 @@ void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane,
   const double apart = std::max((one.min() - other.min()).cwiseAbs().maxCoeff(),
                                 (one.max() - other.max()).cwiseAbs().maxCoeff());
   if (apart > allowed)
-    throw std::invalid_argument(fmt::format(
-        "another outline: its sheet ends {:.3g} m from where this one does, two edges' length ({:.3g} m) are "
-        "allowed",
-        apart, allowed));
+    throw std::invalid_argument(
+        fmt::format("the other mesh has another outline: the two end {:.3g} m apart, and at most two edge "
+                    "lengths ({:.3g} m) are allowed",
+                    apart, allowed));
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   if (same_rest_positions(from, to)) return;
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
-    throw std::invalid_argument("another mesh can only be that of the same flat sheet");
+    throw std::invalid_argument("the meshes differ, and are not both meshes of the same flat sheet");
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);

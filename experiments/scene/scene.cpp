@@ -87,9 +87,8 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
   const ParameterValues values = config.section("/pins");
   if (renumbered && !values.numbers("indices").empty())
     throw MeshError(fmt::format(
-        "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
-        "by name in "
-        "/pins/vertices",
+        "{}: {}; /pins/indices would then mean other vertices than in the original mesh. Repair the file "
+        "itself, or pin by name with /pins/vertices",
         config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices")) try {
