@@ -29,12 +29,12 @@ std::string set(std::string_view pointer, const Json& value) {
   return fmt::format("{}={}", pointer, value.dump());
 }
 
-// Hinges have a flexural rigidity; a quartic cloth is what springs are.
+// Hinges for a flexural rigidity; only springs make a quartic cloth.
 std::string reference_model_of(const RunConfig& scene) {
   return scene.section("/bending").has("flexural_rigidity") ? "dihedral" : scene.bending_model();
 }
 
-// Which axis of a sweep leaves the choice open.
+// The options that would choose a value of each swept setting.
 std::string open_axes(const Experiment& experiment) {
   std::string text;
   for (const auto& [pointer, values] : experiment.axes)
@@ -72,8 +72,8 @@ Json without_effects(const Json& effects, auto left_out) {
   return kept;
 }
 
-// Files as seen from another folder: settings called `file`, in sweeps and in changes
-// ("/mesh/file=sheet.obj"), too.
+// Makes file names relative to another folder: those of settings called `file`, also in sweeps and in changes
+// ("/mesh/file=sheet.obj").
 class MovedFiles {
  public:
   MovedFiles(const std::filesystem::path& from, const std::filesystem::path& to)

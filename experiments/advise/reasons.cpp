@@ -23,8 +23,7 @@ double least(const std::vector<Rated>& points, Value value) {
   return value(*std::ranges::min_element(points, {}, value));
 }
 
-// What is wrong with these, which are all unfit: how many for which reason, and how far the best of them is
-// off.
+// Why these points, all unfit, are unfit: how many for which reason, and how far the best of them is off.
 std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   std::map<Unfit, std::vector<Rated>> because;
   for (const Rated& point : points) because[unfit(point)].push_back(point);
@@ -52,7 +51,7 @@ std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
-// Settings that agree with each other are not what is wrong.
+// If settings agree with each other, something else is wrong.
 bool all_alike(const std::vector<Rated>& points) {
   constexpr std::size_t enough = 4;
   constexpr double alike = 1.1;

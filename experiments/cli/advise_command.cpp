@@ -21,7 +21,7 @@
 namespace bendlab {
 namespace {
 
-// The value after an option; what is wrong with it is a matter of usage.
+// Parses the value of an option; a wrong one is a usage error.
 template <class Parse>
 double read_option(const char* option, const std::string& text, Parse parse) try {
   return parse(text);
@@ -84,7 +84,7 @@ std::optional<double> strain_of(const Rated& point, const Advice& advice) {
   return found == advice.strain.end() ? std::nullopt : std::optional(found->second);
 }
 
-// The error of what was not compared is not known, and no more than its strain need be.
+// A setting that was not compared has no error; its strain is why.
 std::string point_text(const Rated& point, const Advice& advice) {
   const Unfit why = unfit(point);
   std::string text =
@@ -96,7 +96,7 @@ std::string point_text(const Rated& point, const Advice& advice) {
   return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point));
 }
 
-// What nobody is advised to take stands above what is fit, and says so.
+// Unfit settings stand above the fit ones, and are marked.
 std::vector<Rated> rows_of(const Advice& advice) {
   std::vector<Rated> rows = unfit_front_of(advice.points);
   for (const Rated& point : thinned(advice.front)) rows.push_back(point);
@@ -131,7 +131,7 @@ std::string demand_text(const Demand& demand) {
                       : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s);
 }
 
-// What came nearest, and whether it would be fit.
+// Says that nothing is advised, what came nearest, and why.
 void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
   if (anything_fit(advice))
     fmt::print("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",

@@ -34,7 +34,7 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(*run.experiment, *run.config, run.outcome->summary);
 }
 
-/// What the run itself says, where it has no such metric.
+/// What the run itself says, if it has no such metric.
 std::string why_missing(const CampaignRun& run, const ExpectationResult& result) {
   return result.measured || run.outcome->message.empty() ? "" : "; the run says: " + run.outcome->message;
 }
@@ -108,8 +108,8 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// The main ones; what the solver made of the stiffness told where a run has less than 90 % of it; the errors
-/// where runs have them.
+/// The main columns; the effective stiffnesses if a run has less than 90 % of what is stated; the errors if
+/// runs have them.
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   std::vector<std::string> columns(main_columns.begin(), main_columns.end());
   constexpr double converged = 0.9;  // 1

@@ -47,7 +47,7 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
                       given_text(canonical["name"])});
 }
 
-// A mesh file has no generator: settings of one beside it are a misunderstanding, and are not part of the
+// A mesh file replaces the generator: settings of a generator beside it are an error, and do not affect the
 // result.
 void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   if (!mesh.contains("file")) return;
@@ -73,7 +73,7 @@ void check_cells(const Json& mesh, ConfigProblems& problems) {
                                                    given_text(mesh["cells"]))});
 }
 
-// The rigidity that springs and arcs give a sheet is known where they lie flat.
+// The rigidity that springs and arcs give a sheet is known for flat rest shapes only.
 void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const Json &bending = canonical["bending"], &mesh = canonical["mesh"];
   if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
@@ -107,7 +107,7 @@ void keep_chosen_model(Json& bending) {
     if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
 }
 
-// What each model can turn into its own softness, and only where it is asked to.
+// Removes what /bending/stiffness does not use, and checks what a physical stiffness needs of each model.
 void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   if (bending["stiffness"] != "physical") {
     for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature", "deflection"})
@@ -128,7 +128,7 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   }
   if (model->name == "none") return;
   if (!model->springs_only || model->prestressed) {
-    bending.erase("at_curvature");  // their rigidity is the same at any
+    bending.erase("at_curvature");  // their rigidity does not depend on it
     if (quartic)
       report("quartic_coefficient",
              "is for springs that are at rest in the flat sheet, and {} has none: give flexural_rigidity (in "
@@ -146,7 +146,7 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   }
 }
 
-// Without a reference there is nothing to compare: how is then no part of the result.
+// Without a reference there is nothing to compare, and how to compare does not affect the result.
 void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
   for (const char* list : {"solver", "solver_coarser", "physical", "physical_coarser"})
     if (accuracy.contains(list) && accuracy[list].empty()) accuracy.erase(list);
@@ -167,7 +167,7 @@ void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
   accuracy = Json::object();
 }
 
-// What a method needs and what it does not use, which is not part of the result.
+// Checks what a method needs, and removes settings that it does not use.
 class MethodRules {
  public:
   MethodRules(Json& canonical, ConfigProblems& problems)

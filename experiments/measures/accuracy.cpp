@@ -20,7 +20,7 @@ Vector3 middle_of_pins(const Scene& scene) {
   return sum / static_cast<double>(scene.pins.seeds.size());
 }
 
-// Over time with the energies of its own scene.
+// With over_time it has all frames, and the energies of its own scene.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
   if (!over_time) return read_trajectory(file);
   const Scene scene = build_scene(config);
@@ -82,7 +82,7 @@ class Accuracy final : public Measurement {
             .energy_scale = over_time_ ? energy_scale(scene_) : 0};
   }
 
-  // Nothing where there is none to compare with; the findings say why.
+  // Nothing if there is none to compare with; the findings say why.
   std::optional<Trajectory> trajectory_of_reference(const RunEnd& end, const Positions& last, Against against,
                                                     bool coarser, Findings& findings) const {
     const auto tell = [&](std::string_view what) {
@@ -121,8 +121,8 @@ class Accuracy final : public Measurement {
   const Scene& scene_;
   ParameterValues settings_;
   bool over_time_;
-  std::vector<double> time_, kinetic_energy_;  // over time, of each recorded frame, as are
-  std::vector<Positions> poses_;
+  std::vector<double> time_, kinetic_energy_;  // of each recorded frame, with over_time only
+  std::vector<Positions> poses_;               // the same
 };
 
 std::vector<Quantity> quantities() {

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// Along `down`: of the highest pin, else of the lowest vertex at the start.
+// Coordinate along `down` of the highest pin; without pins, of the lowest vertex at the start.
 double highest_level(const Scene& scene) {
   const Positions& start = scene.input.positions;
   double highest = std::numeric_limits<double>::infinity();  // along `down`: the smallest

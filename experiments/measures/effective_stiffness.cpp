@@ -13,9 +13,9 @@
 namespace bendlab {
 namespace {
 
-constexpr double soft = 0.5;  // 1, below this share a run is warned of
+constexpr double soft = 0.5;  // below this share a run gets a warning
 
-// 23 becomes 30, 1240 becomes 2000: more digits it has not.
+// 23 becomes 30, 1240 becomes 2000: the estimate has no more digits.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)));
   return value <= 10 ? std::ceil(value) : unit * std::ceil(value / unit);
@@ -34,7 +34,7 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
   const auto add = [&](const std::string& what, const std::optional<double>& share) {
     if (!share) return;
     summary["effective_" + what + "_stiffness"] = *share;
-    constexpr double least = 3e-4;  // below it the share itself is too uncertain for a promise
+    constexpr double least = 3e-4;  // below it the share itself is too uncertain
     if (*share < soft)
       summary["substeps_for_90_percent_" + what] = substeps_for_90_percent(std::max(*share, least), substeps);
   };
@@ -45,7 +45,7 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
 
 std::optional<std::string> soft_solver_warning(const std::map<std::string, double>& summary) {
   std::vector<std::string> parts;
-  // A membrane that is told to be nearly rigid never gets there, which matters where it stretches.
+  // A nearly rigid membrane never reaches its stiffness, but that matters only if it stretches.
   constexpr double stretched = 0.01;
   const auto strain = summary.find("mean_strain");
   const bool taut = strain != summary.end() && !(strain->second > stretched);
@@ -65,8 +65,8 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
 
 namespace {
 
-// Looks at a simulation in the last second of a run, every half second and at its end. Of all looks together:
-// the mean share, weighted by energy.
+// Looks at a simulation in the last second of a run, every half second and at its end. The result is the mean
+// share over all looks, weighted by energy.
 class Meter final : public Measurement {
  public:
   Meter(double duration, int substeps) : next_look_(duration - 1), substeps_(substeps) {}

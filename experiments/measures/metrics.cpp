@@ -52,7 +52,7 @@ bool asked_for(const Measure& measure, const RunConfig& run) {
 }  // namespace
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
-  // A bending model says of itself what it likes.
+  // Bending models choose these names themselves.
   if (metric.starts_with("model_") || std::ranges::find(facts, metric) != facts.end()) return std::nullopt;
   const Measure* measure = measure_of(metric);
   if (!measure)

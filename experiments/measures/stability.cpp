@@ -17,8 +17,8 @@ namespace bendlab {
 namespace {
 
 constexpr double recovered = 0.01;        // of the size
-constexpr double energy_rounding = 1e-6;  // of the scale: what float leaves of the difference of two sums
-constexpr double spin_rounding = 1e-6;    // of mass, size and speed: what float leaves of a sum that is zero
+constexpr double energy_rounding = 1e-6;  // of the scale: rounding in float of the difference of two sums
+constexpr double spin_rounding = 1e-6;    // of mass, size and speed: rounding in float of a sum that is zero
 constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
@@ -58,7 +58,7 @@ void StabilityMeter::look_at_energy(const Positions& positions, const Positions&
             potential_energy(scene_, positions);
   if (looks_ == 0) {
     first_energy_ = highest_energy_ = energy_;
-    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // as energy_scale() has it
+    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // the same as energy_scale()
   } else if (energy_ > before + energy_rounding * energy_scale_) {
     ++rises_;
   }

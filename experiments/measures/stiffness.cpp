@@ -61,8 +61,8 @@ extern const Measure stiffness{
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       try {
         RunStrip strip = strip_of(config, scene.rest, scene.pins);
-        strip.meter.height_over_width(scene.input.positions,
-                                      0);  // throws where the clamp starts out turned or folded
+        // Throws if the clamp is turned or folded at the start.
+        strip.meter.height_over_width(scene.input.positions, 0);
         return std::make_unique<Stiffness>(std::move(strip));
       } catch (const std::invalid_argument& error) {
         throw ConfigError("stiffness", {{"/output/measures", error.what()}});

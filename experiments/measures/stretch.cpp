@@ -11,7 +11,7 @@ const std::vector<Column> columns = {
     {"mean_strain", "1", "mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), σ the principal stretches"},
     {"max_stretch", "1", "largest σ₁"},
     {"pin_max_stretch", "1", "largest σ₁ over triangles that touch a pinned vertex"},
-    {"pin_region_stretch", "1", "largest σ₁ within 0.1 sizes of the mesh from a pin that the config names"}};
+    {"pin_region_stretch", "1", "largest σ₁ within 0.1 mesh sizes of a pin that the config names"}};
 
 class Stretches final : public Measurement {
  public:

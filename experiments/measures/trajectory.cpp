@@ -15,8 +15,7 @@
 namespace bendlab {
 namespace {
 
-// Frames of the two that have the same time but for rounding; not those at the start, where they are the
-// same.
+// Pairs of frames that have the same time except for rounding; not those at the start, which are equal.
 std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, const Trajectory& reference) {
   constexpr double rounding = 1e-6;  // s: of thousands of time steps added up
   std::vector<std::array<std::size_t, 2>> pairs;

@@ -32,7 +32,7 @@ std::string divergence_message(const Divergence& divergence, const Scene& scene)
       remedies.empty() ? "" : ". Measured to help: ", remedies);
 }
 
-// Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
+// Whether the cloth has come to rest: checked from time to time, because a check copies all velocities.
 class Calm {
  public:
   explicit Calm(double speed) : speed_(speed) {}
@@ -102,7 +102,7 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recor
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
+    // A cloth on the way to an equilibrium has no velocities: only the method knows whether it has arrived.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
     const bool last = step == steps || stop || settled;

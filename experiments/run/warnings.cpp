@@ -23,12 +23,14 @@ using Message = std::optional<std::string>;
 // ---- unconverged
 
 // Mean strain over the last second. A rigid membrane has none, woven cloth under its own weight less than
-// 0.01; what iterations leave of it makes the sheet longer. A sheet of 24 cells on its centre, no bending: 1
-// substep × 10 iterations leave 0.056, 10 × 1 0.012, 4 × 10 0.006; on two corners, 20 cells, 1 × 10 leave
-// 0.072 and 4 × 10 0.007. The paper's sheet on 16 cells, which hangs as finer ones do, has 0.036.
+// 0.01; strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
+// without bending, is left with 0.056 by 1 substep × 10 iterations, 0.012 by 10 × 1, and 0.006 by 4 × 10;
+// pinned at two corners, 20 cells, with 0.072 by 1 × 10 and 0.007 by 4 × 10. The paper's sheet on 16 cells,
+// which hangs as finer ones do, has 0.036.
 constexpr double unconverged_strain = 0.05;
-// Of the most stretched triangle, for necks at pins that the mean does not see: a tube on its rim, 24 cells,
-// green form, 1 × 10 has 1.36, and hangs by a tenth of its size too far; 10 × 1 left 1.10.
+// Stretch of the most stretched triangle, for necks at pins that the mean does not show: a tube pinned at
+// its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
+// 1 it has 1.10.
 constexpr double unconverged_stretch = 1.25;
 
 Message unconverged(const WarningInput& input) {
@@ -39,7 +41,7 @@ Message unconverged(const WarningInput& input) {
     const auto found = input.summary->find(name);
     return found == input.summary->end() ? 0.0 : found->second;
   };
-  // A run of less than a second may end where it only begins to stretch: medians do not see it.
+  // A run of less than a second may end when it only begins to stretch, which medians do not show.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
   if (!rigid || !input.scene.input.method->projects ||
@@ -60,7 +62,7 @@ bool gives(const Json& settings, const std::string& pointer) {
   return value_at(settings, pointer) != nullptr;
 }
 
-// Whether somebody chose this seed: wrote it down, or swept it or what it is in.
+// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
 bool is_chosen(const WarningInput& input, const std::string& pointer) {
   if (gives(input.experiment.settings, pointer)) return true;
   for (const auto& [swept, value] : input.config.point) {
@@ -117,7 +119,7 @@ Message all_pinned(const WarningInput& input) {
 
 // ---- inert_stiffness
 
-// What a physical stiffness is told in, without saying that there is one.
+// The numbers of a physical stiffness, without a /bending/stiffness of physical.
 Message inert_stiffness(const WarningInput& input) {
   if (input.config.section("/bending").text("stiffness") == "physical") return std::nullopt;
   for (const auto& [swept, values] : input.experiment.axes)  // other runs of the sweep may use it
@@ -135,9 +137,9 @@ Message inert_stiffness(const WarningInput& input) {
 
 // ---- units
 
-// Under gravity a length L has a time √(L / g) in which it falls and swings: 0.03 s for 1 cm, 0.8 s for 6 m.
-// Cloth of people lies between; a mesh in mm or cm read as m does not. Weaker gravity than the Earth's is a
-// choice, and says nothing of units.
+// Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for
+// 6 m. Clothes and curtains lie between; a mesh in mm or cm that is read in m does not. Gravity weaker than
+// the Earth's is a choice, and says nothing about units.
 constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
 constexpr double weakest_gravity = 9;                       // m/s²
 
@@ -162,15 +164,15 @@ Message units(const WarningInput& input) {
 
 // ---- membrane_courant
 
-// The Courant number of a membrane of the stiffness Y = 1 / compliance (N/m) and the mass ρ per area: how
-// many cells a wave of stretch, at √(Y/ρ), passes in a substep h. Iterations carry it on by a cell or so. A
-// strip of 1 m that hangs by its end, double precision, is longer by what was told (ρ g L²/2Y) times 1 + C²/n
-// with n projections per substep, within a third, whatever Y, cells and h are (20 to 10⁴ N/m, 8 and 16 cells
-// across a width of 0.25 m, 1 to 64 substeps × 1 to 40 iterations):
+// The Courant number C of a membrane with the stiffness Y = 1 / compliance (N/m) and the mass ρ per area:
+// how many cells a wave of stretch, whose speed is √(Y/ρ), crosses in a substep h. An iteration carries
+// it on by about a cell. A strip of 1 m that hangs by its end (double precision) is elongated by the stated
+// ρ g L²/2Y times 1 + C²/n with n projections per substep, within a third, for 20 to 10⁴ N/m, 8 and 16
+// cells across a width of 0.25 m, and 1 to 64 substeps × 1 to 40 iterations:
 //
 //   C²/n                 0.035 0.14  0.22  0.56  0.89  1.4   2.2   3.6   5.6   14    57    360   1420   5690
-//   elongation / told    1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
-constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as told
+//   elongation / stated  1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
+constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
 Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
@@ -198,9 +200,9 @@ Message membrane_courant(const WarningInput& input) {
 
 // ---- k_overshoot
 
-// Of all models only prestressed pushes a sheet that is otherwise fine out of its shape by its k: springs
-// that are longer by an excess e stretch it. Mean strain of a sheet of 20 cells on two corners, 4 × 10
-// (without bending 0.007):
+// With k only prestressed pushes a sound sheet out of its shape: its springs, longer than at rest by an
+// excess e, stretch it. Mean strain of a sheet of 20 cells pinned at two corners, 4 × 10 (without bending
+// 0.007):
 //
 //   e              0.02    0.05    0.1     0.2     0.5
 //   k = 0.1        0.016   0.032   0.060   0.117   0.293

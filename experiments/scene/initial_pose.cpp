@@ -19,7 +19,8 @@ double uniform(std::mt19937_64& generator) {
   return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
 }
 
-// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
+// The sheet folded to and fro along x: equal layers, each joined to the next by a half circle of diameter
+// `gap`.
 Positions folded(const RestMesh& rest, int folds, double gap) {
   const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
   const double layer = (width - folds * turn) / (folds + 1);

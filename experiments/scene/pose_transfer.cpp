@@ -20,7 +20,7 @@ Eigen::AlignedBox<double, 2> box_of(const std::vector<Vector2>& points) {
   return box;
 }
 
-// The triangles of a flat sheet by place, those just outside its outline included.
+// Finds the triangle of a flat sheet at a point, also for points just outside its outline.
 class Sheet {
  public:
   Sheet(const RestMesh& rest, const std::vector<Vector2>& plane)
@@ -35,7 +35,7 @@ class Sheet {
     return std::nullopt;
   }
 
-  // Of the triangle's plane, of which `point` need not be within the triangle.
+  // Of the corners, by which they sum up to `point`; it may lie outside the triangle.
   std::array<double, 3> weights(const std::array<int, 3>& corner, const Vector2& point) const {
     const auto flat = [&](std::size_t c) { return plane_[static_cast<std::size_t>(corner[c])]; };
     Eigen::Matrix2d sides;
@@ -51,7 +51,7 @@ class Sheet {
   Vector2 centre_ = Vector2::Zero();
 };
 
-// A vertex that lies outside the other sheet is found by its triangles; this finds one that is larger all
+// A vertex outside the other sheet finds no triangle there; this finds another sheet that is larger all
 // around.
 void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane, const RestMesh& to,
                    const std::vector<Vector2>& to_plane) {

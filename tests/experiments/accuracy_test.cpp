@@ -243,7 +243,7 @@ TEST_CASE("accuracy: from where a run ends its own basin is found") {
   CHECK(results.references().size() == 2);
 }
 
-TEST_CASE("accuracy: what a reference can't be is told, when the config is read or with the run") {
+TEST_CASE("accuracy: an impossible reference is an error, of the config or with the run") {
   const std::string k = R"("duration": 0.1, "mesh": {"cells": 4})";
   CHECK_THAT(config_error(k + R"(, "accuracy": {"solver": ["/mesh/cels=3"]})"),
              ContainsSubstring("/accuracy/solver") && ContainsSubstring("/mesh/cells"));

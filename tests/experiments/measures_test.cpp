@@ -93,7 +93,7 @@ TEST_CASE("measures: one that nobody has is refused with those there are", "[mea
                         Catch::Matchers::ContainsSubstring("stability"));
 }
 
-TEST_CASE("measures: a metric that no run can have is told before the first run", "[measures]") {
+TEST_CASE("measures: a metric that no run can have is an error before the first run", "[measures]") {
   Workplace here;
   const auto validate = [&](const std::string& metric, const std::string& more) {
     here.write("e.json", R"({"name": "e", "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +

@@ -92,7 +92,7 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK(codes_of(mesh).empty());  // not known before the run
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})",
                  &stretched)
-            .empty());  // it was told to stretch
+            .empty());  // its compliance lets it stretch
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance"}})", &stretched) ==
         Codes{"unconverged"});
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"warp": 0.1}})", &stretched).empty());
