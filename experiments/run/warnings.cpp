@@ -184,8 +184,8 @@ Message membrane_courant(const WarningInput& input) {
   const std::vector<double>& areas = input.scene.rest.areas();
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area;
-  const double cell =
-      std::sqrt(2 * area / static_cast<double>(areas.size()));  // the legs of a right triangle
+  // The legs of a right triangle.
+  const double cell = std::sqrt(2 * area / static_cast<double>(areas.size()));
   const double courant = std::sqrt(1 / (compliance * density)) * solver.dt / solver.substeps / cell;
   const double excess = courant * courant / solver.projections_per_substep();
   if (!(excess > softened)) return std::nullopt;
