@@ -14,7 +14,7 @@
 namespace bendlab {
 namespace {
 
-// Problems that one entry of `where` brings to settings that are otherwise right.
+// The problems that one entry of `where` causes in settings that are otherwise right.
 void check_where(const std::string& pointer, const Json& value, const std::string& place,
                  const Json& settings, const std::vector<std::string>& known, ConfigProblems& problems) {
   if (std::ranges::find(known, pointer) == known.end()) {

@@ -42,7 +42,7 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
   CHECK(last > 100);
 }
 
-TEST_CASE("a run that is less than half as stiff as told is warned of, with the numbers",
+TEST_CASE("a run that is less than half as stiff as stated gets a warning with the numbers",
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
   CHECK(!soft_solver_warning(effective_stiffness_summary(of_share(0.51), 10)));
