@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import matplotlib.pyplot as plt
 
 import style
-from fig_performance import KINDS, STRAIN, at, iterations, kind, per_vertex, series, usual
+from fig_performance import KINDS, STRAIN, at, iterations, kind, per_vertex, series
 from report import Section
 
 GROUPS = {"strain": style.INK, "bending": style.MODEL_COLOURS["crossover"],
@@ -22,12 +22,12 @@ class Part:
 
 
 def parts(rows):
-    """What a step consists of or can consist of, at the usual size, in single precision; effects at the
-    nearest size. Each group begins with its dearest. None without a row of a whole step."""
-    table, rounds = series(rows), iterations(rows)
-    if not rounds:
+    """What a step consists of or can consist of, at the size of the whole step, in single precision; effects
+    at the nearest size. Each group begins with its dearest. Empty without a row of a whole step."""
+    table, rounds, step = series(rows), iterations(rows), whole_step(rows)
+    if not step:
         return []
-    size = usual(table)
+    size = step["vertices"]
     found = [Part("strain" if name in STRAIN else "bending", KINDS[name][0], rounds * per_vertex(row))
              for name in KINDS if (row := at(table, name, "float", size))]
     for (name, scalar), some in table.items():
@@ -50,7 +50,7 @@ def main(bench, out):
     if found:
         section.pictures.append((_draw(found, rows, out), caption(rows)))
     else:
-        section.missing.append("a whole step: step/…/float")
+        section.missing.append("a whole step in single precision, or its parts")
     return section
 
 
@@ -72,7 +72,7 @@ def answer(rows):
 
 def caption(rows):
     step, sizes = whole_step(rows), {row["vertices"] for row in rows if row["name"].startswith("effect/")}
-    near = min(sizes, key=lambda size: abs(math.log(size / usual(series(rows)))), default=None)
+    near = min(sizes, key=lambda size: abs(math.log(size / step["vertices"])), default=None)
     return (f"A step has {iterations(rows)} iterations: strain and bending are projected "
             f"{iterations(rows)} times. Every cloth has strain, in one of its two forms; add one bending "
             "model, and those effects that the scene needs. One thread, single precision, "

@@ -192,6 +192,13 @@ class PageTest(unittest.TestCase):
         self.assertIn("<td class='t'>bandwidth on 16 KiB</td><td class='t'>300 GB/s</td>", text)
         self.assertIn("with changes that are not committed", self.page(KERNELS, git_dirty=True)[0])
 
+    def test_rows_of_one_family_make_a_page(self):
+        for rows, pictures in [(KERNELS[:1], 3), (KERNELS[3:4], 0), (KERNELS[5:6], 1), (KERNELS[7:], 1),
+                               (KERNELS[5:6] + EFFECTS, 3), (EFFECTS, 1), (SET_UP, 1), (ORDER, 1),
+                               (BESIDE, 0)]:
+            with self.subTest(rows[0]["name"]):
+                self.assertEqual(self.page(rows)[0].count("<img"), pictures)
+
     def test_a_page_of_no_rows_says_what_is_missing(self):
         text, rows = self.page([])
         self.assertEqual(rows, [])
