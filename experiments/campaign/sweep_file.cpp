@@ -50,14 +50,10 @@ void write_sweep_file(const fs::path& out, const Experiment& experiment) {
   Json axes = Json::object(), runs = Json::array();
   for (const auto& [pointer, values] : experiment.axes) axes[pointer] = values;
   for (const RunConfig& config : experiment.runs) runs.push_back(run_entry(out, experiment, config));
-  const Json head = {{"experiment", experiment.name},
-                     {"config", experiment.source.string()},
-                     {"overrides", experiment.overrides},
-                     {"version", build.version},
-                     {"git_commit", build.git_commit},
-                     {"source_hash", build.source_hash},
-                     {"settings", experiment.settings},
-                     {"models", model_labels_json()},
+  const Json head = {{"experiment", experiment.name},     {"config", experiment.source.string()},
+                     {"overrides", experiment.overrides}, {"version", build.version},
+                     {"git_commit", build.git_commit},    {"source_hash", build.source_hash},
+                     {"settings", experiment.settings},   {"models", model_labels_json()},
                      {"cover", experiment.cover.strength}};
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());

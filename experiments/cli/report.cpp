@@ -211,7 +211,7 @@ Json run_json(const CampaignRun& run) {
           {"message", run.outcome ? outcome.message : run.error}};
 }
 
-std::string experiment_text(std::span<const CampaignRun> runs) {
+std::string experiment_text(std::span<const CampaignRun> runs, bool verdicts) {
   const Experiment& experiment = *runs.front().experiment;
   const std::vector<std::string> columns = columns_of(runs);
   std::vector<std::string> headings = axis_headings(experiment);
@@ -231,8 +231,8 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
-  return text + held_expectations(runs) + failed_expectations(runs) + implausible_text(runs) +
-         warnings_text(runs);
+  return text + held_expectations(runs) + failed_expectations(runs) +
+         (verdicts ? implausible_text(runs) : "") + warnings_text(runs);
 }
 
 std::string experiment_line(std::span<const CampaignRun> runs) {

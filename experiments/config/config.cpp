@@ -90,10 +90,10 @@ RunConfig derive_reference(const RunConfig& config, std::span<const std::string>
   RunConfig reference = with_changes(std::move(settings), config.folder(), "the reference", changes);
   const std::string& method = reference.section("/solver").text("method");
   if (accuracy.boolean("over_time") && !find_method(method)->has_motion)
-    throw ConfigError("the reference",
-                      {{"/solver/method",
-                        fmt::format("{} has no motion that could be compared over time", method)}});
-  // Where it lies depends on nothing but what it is: runs share it.
+    throw ConfigError(
+        "the reference",
+        {{"/solver/method", fmt::format("{} has no motion that could be compared over time", method)}});
+  // Its folder's name depends on its own settings alone, so that several runs share one reference.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
     if (const Json* value = value_at(reference.resolved(), pointer))
       reference.point.emplace_back(pointer, *value);
@@ -116,7 +116,7 @@ bool same_run(const RunConfig& one, const RunConfig& other) {
 }
 
 // A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has
-// no energy) is told by those runs.
+// no energy) is reported by those runs.
 void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const Against against : references)
     for (const bool coarser : {false, true}) {
@@ -191,8 +191,8 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
                  std::span<const std::string> overrides) {
   ConfigProblems problems;
   Json settings = read_document(text, source_name, overrides, problems);
-  Experiment experiment = parse_document(std::move(settings), std::move(problems), source_name,
-                                         source.parent_path(), overrides);
+  Experiment experiment =
+      parse_document(std::move(settings), std::move(problems), source_name, source.parent_path(), overrides);
   experiment.source = source;
   experiment.overrides.assign(overrides.begin(), overrides.end());
   return experiment;
@@ -210,8 +210,8 @@ std::optional<RunConfig> run_before(const RunConfig& config) {
   return config.derived("before", [&] {
     Json settings = config.resolved();
     settings["initial"].erase("after");
-    return std::optional(with_changes(std::move(settings), config.folder(), "the run before",
-                                      initial.texts("after")));
+    return std::optional(
+        with_changes(std::move(settings), config.folder(), "the run before", initial.texts("after")));
   });
 }
 

@@ -49,12 +49,12 @@ std::optional<RunConfig> reference_of(const RunConfig& config, Against against, 
 /// A swept pointer and its values, normalised.
 using Axis = std::pair<std::string, std::vector<Json>>;
 
-/// What a covering array holds of a sweep.
+/// How much of a sweep a covering array has.
 struct Covered {
-  int strength = 0;  ///< of how many axes every combination of values is in some run; 0: the sweep is whole
-  std::size_t tuples = 0;            ///< these combinations
-  std::size_t missing = 0;           ///< of these, how many no run has
-  std::vector<std::string> refused;  ///< why: the values that do not go together, as "/a = 1, /b = 2"
+  int strength = 0;  ///< every combination of values of this many axes is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< how many such combinations there are
+  std::size_t missing = 0;           ///< how many of them are in no run
+  std::vector<std::string> refused;  ///< the missing ones, as "/a = 1, /b = 2"
 };
 
 struct Experiment {
@@ -65,7 +65,7 @@ struct Experiment {
   std::vector<Axis> axes;  ///< the sweep
   Covered cover;
   std::vector<Expectation> expectations;
-  /// What its runs may come to without a failing exit code: no part of what a run is.
+  /// Statuses that do not make the exit code a failure. They do not change what a run is.
   std::vector<std::string> allow;
   Json settings;  ///< as written, with overrides, without `sweep` and `expect`
   std::vector<std::string> overrides;

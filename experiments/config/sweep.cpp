@@ -193,7 +193,7 @@ std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem:
 }
 
 std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem::path& folder,
-                                    const std::vector<Axis>& axes, const Cover& cover, Covered& told,
+                                    const std::vector<Axis>& axes, const Cover& cover, Covered& covered,
                                     ConfigProblems& problems) {
   std::vector<std::size_t> sizes;
   for (const Axis& axis : axes) sizes.push_back(axis.second.size());
@@ -227,11 +227,11 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
            fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
                        why[tuple].pointer, why[tuple].message)});
     } else {
-      told.refused.push_back(tuple_text(axes, tuple));
+      covered.refused.push_back(tuple_text(axes, tuple));
     }
-  told.strength = cover.strength;
-  told.tuples = covering.tuples;
-  told.missing = covering.missing;
+  covered.strength = cover.strength;
+  covered.tuples = covering.tuples;
+  covered.missing = covering.missing;
 
   std::vector<RunConfig> runs;
   std::set<std::string> seen;

@@ -34,7 +34,7 @@ void add_message(RunOutcome& outcome, const std::string& text) {
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
 }
 
-// A run that was stopped may yet break a bound, or did: it is run again. One that diverged says both.
+// A stopped run gets no verdict: it will be run again. A diverged run reports the broken bound, too.
 void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   if (!broken || outcome.status == RunStatus::interrupted) return;
   if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
@@ -131,8 +131,8 @@ std::string id_of_other(const RunConfig& other, const std::string& pointer) try 
   throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
 }
 
-// Errors are in the summary: another reference makes another run. Settings that can't be are told when its
-// turn comes.
+// The summary has errors against a reference, so another reference makes another run. Wrong settings of the
+// reference are reported when it is needed.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
   return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";

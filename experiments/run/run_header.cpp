@@ -17,7 +17,7 @@
 namespace bendlab {
 namespace {
 
-// Null where constraints of that kind have none, or all the same.
+// The constraint's own softness; null where this kind has none, or all have the same.
 template <class List>
 const double* softness_of(const List& list, std::size_t constraint) {
   if constexpr (requires { list.softness; })
@@ -78,12 +78,13 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   header.metrics = recorder.metrics();
   header.cell_fields = recorder.cell_fields();
   header.constraints = {
-      record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
-                [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
-                  const InverseRest& q = scene.input.strain.inverse_rest[c];
-                  return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
-                },
-                [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
+      record_of(
+          "strain", scene.input.strain, simulation.strain_order(), in_full,
+          [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+            const InverseRest& q = scene.input.strain.inverse_rest[c];
+            return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
+          },
+          [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
       record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
                 [&](std::size_t c) { return std::array{scene.input.distance.rest_length[c]}; })};
   if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)

@@ -247,8 +247,8 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
 AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const ParameterValues values = config.section("/mesh");
   const BadTriangles policy = policy_for_bad_triangles(values);
-  AcceptedMesh accepted =
-      config.mesh_file().empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file(), policy);
+  AcceptedMesh accepted = config.mesh_file().empty() ? generated_mesh(values, policy)
+                                                     : mesh_from_file(config.mesh_file(), policy);
   accepted.mesh.positions *= values.number("scale");
   accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
   return accepted;

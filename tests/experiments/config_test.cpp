@@ -206,7 +206,8 @@ TEST_CASE("config: the name names a folder") {
 TEST_CASE("config: a mesh file takes the place of the generator") {
   const RunConfig run = single_run(with(R"("mesh": {"file": "shirt.obj", "scale": 0.001})"));
   CHECK(run.section("/mesh").text("file") == "shirt.obj");
-  CHECK(run.resolved()["mesh"].size() == 4);  // the file, its scale, offset and what is done with bad triangles
+  CHECK(run.resolved()["mesh"].size() ==
+        4);  // the file, its scale, offset and what is done with bad triangles
   CHECK(single_run(with(R"("mesh": {"file": null})")).section("/mesh").text("generator") == "grid");
   CHECK_THAT(only_problem(with(R"("mesh": {"file": "shirt.obj", "generator": "grid"})"), "/mesh/generator"),
              Catch::Matchers::ContainsSubstring("does not go with /mesh/file"));
@@ -324,7 +325,8 @@ TEST_CASE("config: equal physics has equal text") {
                        "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4,
                        "initial": {"tilt": -0.0},
                        "effects": [{"acceleration": [0, 0, -9.81], "type": "gravity"}], "name": "u"})")
-            .resolved().dump() == minimal);
+            .resolved()
+            .dump() == minimal);
   CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved().dump() != minimal);
 }
 
@@ -391,7 +393,8 @@ TEST_CASE("config: the resolved config reads back as itself") {
     const std::string text =
         single_run(with(R"("bending": {"model": ")" + std::string(model->name) +
                         R"("}, "effects": [{"type": "rigid_damping"}], "duration": 1e-3)"))
-            .resolved().dump();
+            .resolved()
+            .dump();
     CHECK(single_run(text, {"/name=again"}).resolved().dump() == text);
   }
   const std::string file = single_run(with(R"("mesh": {"file": "a.obj"})")).resolved().dump();

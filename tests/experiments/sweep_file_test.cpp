@@ -41,7 +41,8 @@ TEST_CASE("sweep file: has every run of the sweep with its place, id and folder"
 TEST_CASE("sweep file: a trial with other settings does not replace the sweep as it is written",
           "[campaign]") {
   Workplace place;
-  place.write("first.json", R"({"name": "s", "duration": 0.05, "effects": [], "sweep": {"/mesh/cells": [2, 3]}})");
+  place.write("first.json",
+              R"({"name": "s", "duration": 0.05, "effects": [], "sweep": {"/mesh/cells": [2, 3]}})");
   REQUIRE(place.run("run first.json") == 0);
   const std::string written = test::read(place.folder / "results/s/first.sweep.json");
   REQUIRE(place.run("run first.json --set /mesh/cells=4") == 0);

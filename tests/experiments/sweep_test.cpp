@@ -35,7 +35,8 @@ void check_problem(const std::string& rest, const std::string& pointer, const st
 // The values at `pointer` over the runs, as JSON texts.
 std::vector<std::string> values(const Experiment& of, const std::string& pointer) {
   std::vector<std::string> result;
-  for (const RunConfig& run : of.runs) result.push_back(run.resolved().at(Json::json_pointer(pointer)).dump());
+  for (const RunConfig& run : of.runs)
+    result.push_back(run.resolved().at(Json::json_pointer(pointer)).dump());
   return result;
 }
 
