@@ -40,7 +40,7 @@
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/reference.hpp"
 #include "bendlab/solver/colouring.hpp"
-#include "bendlab/solver/flight.hpp"
+#include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/tiling.hpp"
@@ -167,7 +167,7 @@ class PbdStep final : public TimeStep<Real> {
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.permutation),
-        flight_limit_(own_settings(input).number("flight_limit")),
+        force_step_limit_(own_settings(input).number("flight_limit")),
         on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
       predicted_.resize(state_.position.size());
@@ -220,10 +220,10 @@ class PbdStep final : public TimeStep<Real> {
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
-    const int parts = flight_limit_ > 0 ? parts_of(context) : 1;
-    context.substep = whole / static_cast<Real>(parts);
+    const int steps = force_step_limit_ > 0 ? needed_force_steps(context) : 1;
+    context.substep = whole / static_cast<Real>(steps);
     last_substep_ = static_cast<double>(context.substep);
-    for (int part = 0; part < parts; ++part) {
+    for (int step = 0; step < steps; ++step) {
       run(forces_, context);
       run(before_, context);
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
@@ -233,20 +233,21 @@ class PbdStep final : public TimeStep<Real> {
       run(after_, context);
       context.time += static_cast<double>(context.substep);
     }
-    cut_substeps_ += static_cast<std::uint64_t>(parts - 1);
+    cut_substeps_ += static_cast<std::uint64_t>(steps - 1);
     context.substep = whole;
   }
 
-  // By what forces do in a whole substep. Not by velocities: a cloth that is slow to come together would be
-  // cut into ever shorter parts, and each turns the strain that a longer one left into speed.
-  int parts_of(PassContext<Real>& context) {
+  // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth that
+  // is still strained would cut it ever finer, and each shorter step turns more of that strain into speed.
+  int needed_force_steps(PassContext<Real>& context) {
     before_forces_ = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
     run(forces_, context);
-    const Real gained = largest_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
+    const Real gained =
+        largest_gained_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
     std::swap(state_.velocity, before_forces_);
     state_.velocity_remainder = remainder;
-    return parts_of_flight(gained * context.substep, flight_limit_);
+    return force_steps(gained * context.substep, force_step_limit_);
   }
 
   std::uint64_t projections_per_substep() const override {
@@ -491,9 +492,9 @@ class PbdStep final : public TimeStep<Real> {
     find_divergence();
   }
 
-  double
-      // 1: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
-      flight_limit_;
+  // 1, the setting flight_limit: the forces of a substep may change a deformation gradient by no more, see
+  // force_steps.hpp. 0: no limit.
+  double force_step_limit_;
   // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it
   // was (see Places); else whole positions.
   bool on_moves_;
