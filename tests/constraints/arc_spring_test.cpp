@@ -3,7 +3,7 @@
 
 #include "bendlab/constraints/energy.hpp"
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -119,7 +119,7 @@ TEMPLATE_TEST_CASE("projecting a buckled segment solves its equations", "[constr
     const double limit = law == Law::exact ? 12 : 12.112;
     Pairs<TestType> before(6000, law, 21), after = before, oracle = before;
     project(after.points.data(), after.batch, 0, after.batch.order.run_count(), TestType(1));
-    project_reference(oracle.points.data(), oracle.batch, TestType(1));
+    project_by_oracle(oracle.points.data(), oracle.batch, TestType(1));
     std::array<int, 3> solved{};  // released, straight, buckled
     for (std::size_t lane = 0; lane < before.batch.order.constraint_of_lane.size(); ++lane) {
       const int pair = before.batch.order.constraint_of_lane[lane];
@@ -196,7 +196,7 @@ TEMPLATE_TEST_CASE("a buckled segment is damped only while it is compressed", "[
   for (const bool oracle : {false, true}) {
     Points<TestType> damped = velocities;
     if (oracle)
-      damp_reference(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
+      damp_by_oracle(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
     else
       damp(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
     // Of equal masses the one along the pair goes, half of it each; all small numbers.

@@ -30,7 +30,7 @@ struct BatchOrder {
   std::vector<int> constraint_of_lane;
   std::vector<std::size_t> runs;     ///< first lane of each run, then the number of lanes
   std::vector<std::size_t> colours;  ///< first run of each colour, then the number of runs
-  bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the reference may run it
+  bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the oracle may project it
 
   std::size_t run_count() const { return runs.size() - 1; }
 };

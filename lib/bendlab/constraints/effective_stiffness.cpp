@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 namespace bendlab {
 namespace {
@@ -62,7 +62,7 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& st
                                        state.positions[place_at(batch.b[lane])],
                                        state.positions[place_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // As the oracle has it (reference.cpp): α = compliance / A0, and four times that on S_ii - 1 = 2 E_ii.
+    // As the oracle has it (oracle.cpp): α = compliance / A0, and four times that on S_ii - 1 = 2 E_ii.
     const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
     const double stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
     const auto add_term = [&](std::size_t term, Real k, const ConstraintValue<double, 3>& c,

@@ -22,7 +22,7 @@ void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std:
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
 /// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Of a triangle
 /// the normalised warp, weft and shear terms are damped. The batch must be conflict-free (else see
-/// damp_reference()).
+/// damp_by_oracle()).
 template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch, Real k);
 template <class Real>

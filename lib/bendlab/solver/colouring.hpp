@@ -22,7 +22,7 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
 /// word.
 BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count);
 
-/// List order, one after another (for project_reference()).
+/// List order, one after another (for project_by_oracle()).
 BatchOrder list_order(std::size_t constraint_count);
 
 }  // namespace bendlab

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/memory.hpp"
 
 namespace bendlab {

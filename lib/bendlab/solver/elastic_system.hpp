@@ -3,7 +3,7 @@
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
-// C and ∇C are the oracle's (reference.hpp), so every kind of constraint has its equilibrium; ∇²C is the
+// C and ∇C are the oracle's (oracle.hpp), so every kind of constraint has its equilibrium; ∇²C is the
 // central difference of ∇C, which is exact to about ten digits and decides only how fast Newton's method
 // converges. A term's multiplier is its ψ'(C), or an estimate of it. A kind that is OneSided has its own ψ.
 // Where its force jumps (ArcSpring straight), it falls to 0 over `ramp` of its length instead: Newton's

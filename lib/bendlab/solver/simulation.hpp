@@ -29,7 +29,7 @@ inline constexpr std::array<std::string_view, 2> sweep_names = {"forward", "symm
 
 enum class ConstraintOrder {
   colour,  ///< by colour, lanes and threads side by side
-  mesh,    ///< in the order of the lists, one after another, by the reference implementation
+  mesh,    ///< in the order of the lists, one after another, by the oracle
   pins,    ///< as mesh, of lists that order_from_pins() has sorted
 };
 inline constexpr std::array<std::string_view, 3> constraint_order_names = {"colour", "mesh", "pins"};

@@ -28,7 +28,7 @@
 //
 // What colouring costs is convergence: a colour sees its neighbours' corrections only after a whole colour,
 // where list order passes them on at once. `bendlab bench` measures by how much; `order: mesh` runs the list
-// order on the reference kernels.
+// order on the oracle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,7 +38,7 @@
 #include <utility>
 
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
@@ -460,7 +460,7 @@ class PbdStep final : public TimeStep<Real> {
   void sweep(Batch& batch, const std::vector<RunRange>& tiles, Real h, bool backwards) {
     const Places<Real> places = this->places();
     if (!batch.order.conflict_free) {
-      project_reference(places, batch, h, backwards);
+      project_by_oracle(places, batch, h, backwards);
       return;
     }
     for (std::size_t step = 0; step < tiles.size(); ++step) {

@@ -1,4 +1,4 @@
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 #include <algorithm>
 
@@ -83,13 +83,13 @@ void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintVal
   std::array<double, Kind::rest_values> exact_rest;
   std::copy(rest.begin(), rest.end(), exact_rest.begin());
   const auto change = static_cast<Real>(Kind::change(c.value, exact_rest, law, w, alpha, multiplier));
-  multiplier += move_reference(p, c, change, reach);
+  multiplier += move_by_oracle(p, c, change, reach);
 }
 
 }  // namespace
 
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
@@ -98,13 +98,13 @@ void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch,
     const bool compliant = batch.kind == StiffnessKind::compliance;
     const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
-    project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
+    project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
                       compliant ? alpha : Real(0));
   });
 }
 
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
+void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
@@ -117,7 +117,7 @@ void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
     const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at,
                            int most_sizes = largest_move) {
       if (k == 0) return;
-      project_reference(p, opening(p, rest, value_at), k,
+      project_by_oracle(p, opening(p, rest, value_at), k,
                         compliant ? &batch.multiplier[term * count + lane] : nullptr,
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
@@ -149,19 +149,19 @@ void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t run) {
     const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
                                                  &point_at(points, batch.b[lane])};
     const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, run)),
                                            &point_at(velocities, batch.b[lane])};
-    damp_reference(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
+    damp_by_oracle(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
   });
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const std::array<const Point<Real>*, 3> p = {
@@ -171,14 +171,14 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const St
                                            &point_at(velocities, batch.c[lane])};
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     const auto x = vectors_of<Real>(p);
-    if (batch.warp != 0) damp_reference(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);
-    if (batch.weft != 0) damp_reference(p, v, stretch_constraint(x, q, 1, StrainForm::normalised), k);
-    if (batch.shear != 0) damp_reference(p, v, shear_constraint(x, q, StrainForm::normalised), k);
+    if (batch.warp != 0) damp_by_oracle(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);
+    if (batch.weft != 0) damp_by_oracle(p, v, stretch_constraint(x, q, 1, StrainForm::normalised), k);
+    if (batch.shear != 0) damp_by_oracle(p, v, shear_constraint(x, q, StrainForm::normalised), k);
   });
 }
 
 template <class Real, class Kind>
-void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
                        bool backwards) {
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
@@ -196,39 +196,39 @@ void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
       if (compliant)
         project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane], reach);
       else if (c.value < 0)
-        project_reference<Real>(p, c, batch.k, nullptr, 0, reach);
+        project_by_oracle<Real>(p, c, batch.k, nullptr, 0, reach);
     } else {
-      project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
+      project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
     }
   });
 }
 
 template <class Real, class Kind>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const auto p = corners_of<Kind>(points, batch, lane);
     const auto c = Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law);
     if (OneSided<Kind> && !(c.value < 0)) return;
-    damp_reference(p, corners_of<Kind>(velocities, batch, lane), c, k);
+    damp_by_oracle(p, corners_of<Kind>(velocities, batch, lane), c, k);
   });
 }
 
-#define BENDLAB_ELEMENT_REFERENCE(Kind)                                                                      \
-  template void project_reference(const Places<float>&, ElementBatch<float, Kind>&, float, bool);            \
-  template void project_reference(const Places<double>&, ElementBatch<double, Kind>&, double, bool);         \
-  template void damp_reference(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
-  template void damp_reference(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
+#define BENDLAB_ELEMENT_ORACLE(Kind)                                                                         \
+  template void project_by_oracle(const Places<float>&, ElementBatch<float, Kind>&, float, bool);            \
+  template void project_by_oracle(const Places<double>&, ElementBatch<double, Kind>&, double, bool);         \
+  template void damp_by_oracle(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
+  template void damp_by_oracle(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
                                double);
-BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ELEMENT_REFERENCE)
+BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ELEMENT_ORACLE)
 
-template void damp_reference(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
-template void damp_reference(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
-template void damp_reference(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
-template void damp_reference(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
-template void project_reference(const Places<float>&, DistanceBatch<float>&, float, bool);
-template void project_reference(const Places<double>&, DistanceBatch<double>&, double, bool);
-template void project_reference(const Places<float>&, StrainBatch<float>&, float, bool);
-template void project_reference(const Places<double>&, StrainBatch<double>&, double, bool);
+template void damp_by_oracle(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
+template void damp_by_oracle(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
+template void damp_by_oracle(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
+template void damp_by_oracle(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
+template void project_by_oracle(const Places<float>&, DistanceBatch<float>&, float, bool);
+template void project_by_oracle(const Places<double>&, DistanceBatch<double>&, double, bool);
+template void project_by_oracle(const Places<float>&, StrainBatch<float>&, float, bool);
+template void project_by_oracle(const Places<double>&, StrainBatch<double>&, double, bool);
 
 }  // namespace bendlab

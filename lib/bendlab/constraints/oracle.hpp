@@ -162,7 +162,7 @@ inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
 
 /// Δx = w ∇C Δλ, of a Δλ that is shortened where a corner would move farther than `reach`. Returns it.
 template <class Real, std::size_t N>
-Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
+Real move_by_oracle(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
                     Real reach) {
   Real farthest = 0;
   for (std::size_t i = 0; i < N; ++i)
@@ -175,20 +175,20 @@ Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<R
 /// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is not null (α̃ =
 /// `compliance_over_h2`).
 template <class Real, std::size_t N>
-void project_reference(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
+void project_by_oracle(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
                        Real* multiplier, Real compliance_over_h2, Real reach = anywhere<Real>) {
   if (!c.defined) return;
   const Real w = weighted_square(inverse_masses(corners), c);
   if (!(w > 0)) return;
   const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / (w + compliance_over_h2)
                                  : -k * c.value / w;
-  const Real done = move_reference(corners, c, change, reach);
+  const Real done = move_by_oracle(corners, c, change, reach);
   if (multiplier) *multiplier += done;
 }
 
 /// Removes the fraction `k` of Ċ from the velocities: Δv = -k Ċ / Σ w|∇C|² w ∇C.
 template <class Real, std::size_t N>
-void damp_reference(const std::array<const Point<Real>*, N>& points,
+void damp_by_oracle(const std::array<const Point<Real>*, N>& points,
                     const std::array<Point<Real>*, N>& velocities, const ConstraintValue<Real, N>& c,
                     Real k) {
   if (!c.defined) return;
@@ -205,25 +205,25 @@ void damp_reference(const std::array<const Point<Real>*, N>& points,
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k);
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k);
 
 template <class Real, class Kind>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                     Real k);
 
 /// All constraints of a batch once, in the order of their lanes, or backwards.
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards = false);
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
                        bool backwards = false);
 template <class Real, class Kind>
-void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
                        bool backwards = false);
 
 }  // namespace bendlab
