@@ -192,8 +192,8 @@ TEMPLATE_TEST_CASE("kernels agree with the oracle on collapsed elements", "[cons
       // One colour: what comes after it meets elements that are nearly collapsed, where rounding decides.
       project(by_kernel.data(), kernel_batch, batch.order.colours[0], batch.order.colours[1], TestType(1e-2));
       auto& order = oracle_batch.order;
-      std::fill(order.constraint_of_lane.begin() + static_cast<std::ptrdiff_t>(order.runs[order.colours[1]]),
-                order.constraint_of_lane.end(), -1);
+      const auto first_lane = static_cast<std::ptrdiff_t>(order.stacks[order.colours[1]]);
+      std::fill(order.constraint_of_lane.begin() + first_lane, order.constraint_of_lane.end(), -1);
       project_by_oracle(by_oracle.data(), oracle_batch, TestType(1e-2));
       double size = 1;  // XPBD's arcs push as hard as they must
       for (const auto& point : by_oracle) size = std::max<double>(size, point.vector().norm());

@@ -89,10 +89,10 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
   const Pins pins = make_pins(rest, {}, 0);
   const ElementList<HingeAngle> list = angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle,
                                                          [](const RestHinge&) { return 2.0; });
-  BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0, 1}};
+  BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0, 1}};
   for (std::size_t c = 0; c < list.size(); ++c) order.constraint_of_lane.push_back(static_cast<int>(c));
   while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-  order.runs.push_back(order.constraint_of_lane.size());
+  order.stacks.push_back(order.constraint_of_lane.size());
   Constraints<double> constraints;
   auto& batch = std::get<ElementBatch<double, HingeAngle>>(constraints.elements);
   batch = make_element_batch<double>(list, order, rest.vertex_count());
@@ -125,12 +125,12 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   Constraints<double> constraints;
   const auto in_list_order = [](std::size_t count) {
-    BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0}};
-    // A run of a star each: one spring and padding.
+    BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0}};
+    // A stack for each star: one spring and padding.
     for (std::size_t c = 0; c < count; ++c) {
       order.constraint_of_lane.push_back(static_cast<int>(c));
       while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-      order.runs.push_back(order.constraint_of_lane.size()), order.colours.push_back(c + 1);
+      order.stacks.push_back(order.constraint_of_lane.size()), order.colours.push_back(c + 1);
     }
     return order;
   };

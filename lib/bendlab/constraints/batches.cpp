@@ -38,11 +38,11 @@ template <class Real>
 DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count) {
   DistanceBatch<Real> batch;
   batch.count = list.size();
-  // A star that is shorter than its run ends in padded lanes: its centre is that of its first spring.
+  // A star that is shorter than its stack ends in padded lanes: its centre is that of its first spring.
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for (std::size_t run = 0; run < order.run_count(); ++run)
+  for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
     for (std::size_t lane = 0; lane < width; ++lane) {
-      const int first = order.constraint_of_lane[order.runs[run] + lane];
+      const int first = order.constraint_of_lane[order.stacks[stack] + lane];
       batch.a.push_back(offset_of(first >= 0 ? list.vertices[static_cast<std::size_t>(first)][0]
                                              : vertex_count + static_cast<int>(lane)));
     }

@@ -1,11 +1,11 @@
 // Constraints as the kernels want them: a structure of arrays per kind, in groups of max_lanes lanes that are
-// projected side by side. Groups form runs, runs form colours:
+// projected side by side. Groups form stacks, stacks form colours:
 //
 //   group   max_lanes constraints, no two of which share a vertex
-//   run     groups one after another in which every lane keeps its first vertex (a star of springs around one
+//   stack   groups one after another in which every lane keeps its first vertex (a star of springs around one
 //           centre): the kernel holds the centres in registers and moves half as many points through memory
-//   colour  runs no two of which share a vertex: they may go side by side on any number of threads with the
-//           same result
+//   colour  stacks no two of which share a vertex: they may be projected side by side on any number of
+//           threads with the same result
 //
 // A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
 #pragma once
@@ -28,11 +28,11 @@ namespace bendlab {
 struct BatchOrder {
   /// Constraint index, or -1 for a padded lane; as many as a multiple of max_lanes.
   std::vector<int> constraint_of_lane;
-  std::vector<std::size_t> runs;     ///< first lane of each run, then the number of lanes
-  std::vector<std::size_t> colours;  ///< first run of each colour, then the number of runs
+  std::vector<std::size_t> stacks;   ///< first lane of each stack, then the number of lanes
+  std::vector<std::size_t> colours;  ///< first stack of each colour, then the number of stacks
   bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the oracle may project it
 
-  std::size_t run_count() const { return runs.size() - 1; }
+  std::size_t stack_count() const { return stacks.size() - 1; }
 };
 
 /// No constraint has more vertices.
@@ -45,7 +45,7 @@ inline constexpr int dummy_points = dummy_corners * max_lanes;
 template <class Real>
 struct DistanceBatch {
   BatchOrder order;
-  LargeArray<int> a;             ///< max_lanes per run: offset_of() the star's centre
+  LargeArray<int> a;             ///< max_lanes per stack: offset_of() the star's centre
   LargeArray<int> b;             ///< offset_of() the other end
   LargeArray<Real> rest_length;  ///< the largest number in a padded lane: never long enough to be corrected
   LargeArray<Real> softness;     ///< by lane, or empty: 1

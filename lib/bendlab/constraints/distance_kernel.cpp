@@ -62,16 +62,16 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
 enum class Alpha { none, common, own };  // PBD; XPBD with one compliance for all springs; or each its own
 
 template <class Real, Alpha kind, bool split>
-void project_runs(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
-                  Real compliance_over_h2, bool backwards) {
+void project_stacks(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first,
+                    std::size_t last, Real compliance_over_h2, bool backwards) {
   constexpr bool compliant = kind != Alpha::none;
   Pack<Real> alpha = broadcast(compliance_over_h2);
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for (std::size_t run = first; run < last; ++run)
+  for (std::size_t stack = first; stack < last; ++stack)
     for (std::size_t part = 0; part < width; part += static_cast<std::size_t>(lanes<Real>)) {
-      const std::size_t begin = batch.order.runs[run] + part,
-                        groups = (batch.order.runs[run + 1] - begin + part) / width;
-      const int* const centres = &batch.a[run * width + part];
+      const std::size_t begin = batch.order.stacks[stack] + part,
+                        groups = (batch.order.stacks[stack + 1] - begin + part) / width;
+      const int* const centres = &batch.a[stack * width + part];
       PackPoints<Real> a;
       [[maybe_unused]] detail::BaseRows<Real> base;
       if constexpr (split)
@@ -114,11 +114,11 @@ void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size
   const Real compliance = batch.compliance / (substep * substep);
   with_split(places, [&]<bool split>(std::bool_constant<split>) {
     if (batch.kind != StiffnessKind::compliance)
-      project_runs<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
+      project_stacks<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
     else if (batch.softness.empty())
-      project_runs<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
     else
-      project_runs<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
   });
 }
 
@@ -127,10 +127,10 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatc
   using P = Pack<Real>;
   constexpr auto width = static_cast<std::size_t>(max_lanes);
   const P zero{}, one = broadcast<Real>(1);
-  for (std::size_t run = 0; run < batch.order.run_count(); ++run)
-    for (std::size_t lane = batch.order.runs[run]; lane < batch.order.runs[run + 1];
+  for (std::size_t stack = 0; stack < batch.order.stack_count(); ++stack)
+    for (std::size_t lane = batch.order.stacks[stack]; lane < batch.order.stacks[stack + 1];
          lane += static_cast<std::size_t>(lanes<Real>)) {
-      const int* const centres = &batch.a[run * width + lane % width];
+      const int* const centres = &batch.a[stack * width + lane % width];
       const PackPoints<Real> a = gather(points, centres), b = gather(points, &batch.b[lane]);
       PackPoints<Real> va = gather(velocities, centres), vb = gather(velocities, &batch.b[lane]);
       const PackVector<Real> d = a.position - b.position;

@@ -12,15 +12,15 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Calls visit(lane, run) for every lane that holds a constraint.
+// Calls visit(lane, stack) for every lane that holds a constraint.
 template <class Visit>
 void for_constraints(const BatchOrder& order, Visit visit) {
-  for (std::size_t run = 0; run < order.run_count(); ++run)
-    for (std::size_t lane = order.runs[run]; lane < order.runs[run + 1]; ++lane)
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, run);
+  for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
+    for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
+      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
 }
 
-std::size_t place_at(int offset) {
+std::size_t index_at(int offset) {
   return static_cast<std::size_t>(offset / offset_of(1));
 }
 
@@ -53,14 +53,14 @@ void add(AppliedWork& work, const ConstraintValue<double, N>& c, double multipli
 }
 
 template <class Real>
-AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& state) {
+AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& state) {
   AppliedWork work;
   if (!has_compliance(batch)) return work;
   const std::size_t count = batch.order.constraint_of_lane.size();
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
-    const std::array<Vector3d, 3> p = {state.positions[place_at(batch.a[lane])],
-                                       state.positions[place_at(batch.b[lane])],
-                                       state.positions[place_at(batch.c[lane])]};
+    const std::array<Vector3d, 3> p = {state.positions[index_at(batch.a[lane])],
+                                       state.positions[index_at(batch.b[lane])],
+                                       state.positions[index_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     // As the oracle has it (oracle.cpp): α = compliance / A0, and four times that on S_ii - 1 = 2 E_ii.
     const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
@@ -78,23 +78,23 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& st
   return work;
 }
 
-// The Green strain E of the membrane at every place, as a tensor on the rest shape: the mean over the
+// The Green strain E of the membrane at every vertex, as a tensor on the rest shape: the mean over the
 // triangles there, weighted by area. No area: there are none.
 struct MembraneStrain {
   std::vector<Eigen::Matrix3d> strain;
   std::vector<double> area;  // m²
 
   template <class Real>
-  MembraneStrain(const StrainBatch<Real>& batch, const StateByPlace& state)
+  MembraneStrain(const StrainBatch<Real>& batch, const PermutedState& state)
       : strain(state.positions.size(), Eigen::Matrix3d::Zero()), area(state.positions.size(), 0) {
     for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
-      add_triangle({place_at(batch.a[lane]), place_at(batch.b[lane]), place_at(batch.c[lane])}, state);
+      add_triangle({index_at(batch.a[lane]), index_at(batch.b[lane]), index_at(batch.c[lane])}, state);
     });
     for (std::size_t v = 0; v < strain.size(); ++v)
       if (area[v] > 0) strain[v] /= area[v];
   }
 
-  void add_triangle(const std::array<std::size_t, 3>& corner, const StateByPlace& state) {
+  void add_triangle(const std::array<std::size_t, 3>& corner, const PermutedState& state) {
     const auto edges = [&](std::span<const Vector3d> p) {
       Eigen::Matrix<double, 3, 2> e;
       e << p[corner[1]] - p[corner[0]], p[corner[2]] - p[corner[0]];
@@ -120,7 +120,7 @@ struct BendingPart {
 class SpringMeter {
  public:
   template <class Real>
-  SpringMeter(const StrainBatch<Real>& membrane, const StateByPlace& state)
+  SpringMeter(const StrainBatch<Real>& membrane, const PermutedState& state)
       : state_(state), membrane_(membrane, state) {}
 
   std::optional<BendingPart> operator()(std::size_t a, std::size_t b) const {
@@ -139,7 +139,7 @@ class SpringMeter {
   double rounding() const { return 4 * state_.rounding; }
 
  private:
-  const StateByPlace& state_;
+  const PermutedState& state_;
   MembraneStrain membrane_;
 };
 
@@ -155,9 +155,9 @@ template <class Real>
 void add_springs(AppliedWork& work, const DistanceBatch<Real>& batch, const SpringMeter& meter,
                  double substep) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for_constraints(batch.order, [&](std::size_t lane, std::size_t run) {
+  for_constraints(batch.order, [&](std::size_t lane, std::size_t stack) {
     const std::optional<BendingPart> bend =
-        meter(place_at(batch.a[run * width + lane % width]), place_at(batch.b[lane]));
+        meter(index_at(batch.a[stack * width + lane % width]), index_at(batch.b[lane]));
     if (!bend) return;
     const double softness = batch.softness.empty() ? 1 : static_cast<double>(batch.softness[lane]);
     const double alpha = softness * compliance_over_h2(batch, substep);
@@ -172,7 +172,7 @@ void add_springs(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const
                  double substep) {
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
     const std::optional<BendingPart> bend =
-        meter(place_at(batch.corner[0][lane]), place_at(batch.corner[1][lane]));
+        meter(index_at(batch.corner[0][lane]), index_at(batch.corner[1][lane]));
     if (!bend || !(bend->value < 0)) return;
     const double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, substep);
     const double length = static_cast<double>(batch.rest[0][lane]);
@@ -182,11 +182,11 @@ void add_springs(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const
 }
 
 template <class Real, class Kind>
-void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const StateByPlace& state) {
+void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const PermutedState& state) {
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
     std::array<Vector3d, Kind::arity> p;
     std::array<double, Kind::rest_values> rest;
-    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = state.positions[place_at(batch.corner[i][lane])];
+    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = state.positions[index_at(batch.corner[i][lane])];
     for (std::size_t i = 0; i < Kind::rest_values; ++i) rest[i] = static_cast<double>(batch.rest[i][lane]);
     const double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, state.substep);
     add(work, Kind::value(p, rest, batch.law), static_cast<double>(batch.multiplier[lane]), alpha,
@@ -235,7 +235,7 @@ std::optional<double> EffectiveStiffness::membrane_share() const {
 }
 
 template <class Real>
-EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const StateByPlace& state) {
+EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state) {
   EffectiveStiffness result{
       .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
   std::optional<SpringMeter> meter;
@@ -255,7 +255,7 @@ EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, con
   return result;
 }
 
-template EffectiveStiffness effective_stiffness(const Constraints<float>&, const StateByPlace&);
-template EffectiveStiffness effective_stiffness(const Constraints<double>&, const StateByPlace&);
+template EffectiveStiffness effective_stiffness(const Constraints<float>&, const PermutedState&);
+template EffectiveStiffness effective_stiffness(const Constraints<double>&, const PermutedState&);
 
 }  // namespace bendlab

@@ -57,8 +57,8 @@ struct EffectiveStiffness {
   std::optional<double> membrane_share() const;
 };
 
-/// A state by place: everything in the order of the points that the batches' offsets name.
-struct StateByPlace {
+/// A state in the order of the solver's point arrays, which the batches' offsets name.
+struct PermutedState {
   std::span<const Eigen::Vector3d> positions;  ///< m, relative to any origin
   std::span<const Eigen::Vector3d>
       rest;  ///< m, likewise; empty: springs have no bending part and count nothing
@@ -69,6 +69,6 @@ struct StateByPlace {
 
 /// Of the state at the end of a substep, with the multipliers of that substep.
 template <class Real>
-EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const StateByPlace& state);
+EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state);
 
 }  // namespace bendlab

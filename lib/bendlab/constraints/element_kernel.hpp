@@ -209,7 +209,7 @@ template <class Real, class Kind, typename Kind::Law law, bool compliant, bool s
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
 void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
                    std::size_t last, Real compliance_over_h2) {
-  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
+  for (std::size_t lane = batch.order.stacks[first]; lane < batch.order.stacks[last];
        lane += static_cast<std::size_t>(lanes<Real>))
     if (!project_pack<Real, Kind, law, compliant, false, split>(places, batch, lane, compliance_over_h2))
         [[unlikely]]
@@ -249,7 +249,7 @@ void with_law(Law chosen, LawList<laws...>, const Action& action) {
 
 }  // namespace detail
 
-// Within a run no two constraints share a vertex, so backwards is as forwards.
+// No two constraints of a stack share a vertex, so the order within it does not matter.
 template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
              std::size_t last, Real substep, bool) {

@@ -7,24 +7,24 @@
 namespace bendlab {
 namespace {
 
-// Calls visit(lane, run) for every lane that holds a constraint.
+// Calls visit(lane, stack) for every lane that holds a constraint.
 template <class Visit>
 void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
-  for (std::size_t step = 0; step < order.run_count(); ++step) {
-    const std::size_t run = backwards ? order.run_count() - 1 - step : step;
-    const std::size_t begin = order.runs[run], end = order.runs[run + 1];
+  for (std::size_t step = 0; step < order.stack_count(); ++step) {
+    const std::size_t stack = backwards ? order.stack_count() - 1 - step : step;
+    const std::size_t begin = order.stacks[stack], end = order.stacks[stack + 1];
     for (std::size_t at = begin; at < end; ++at) {
       const std::size_t lane = backwards ? end - 1 - (at - begin) : at;
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, run);
+      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
     }
   }
 }
 
 // Offset of a spring's first vertex: the centre of its star.
 template <class Real>
-int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t run) {
+int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t stack) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  return batch.a[run * width + lane % width];
+  return batch.a[stack * width + lane % width];
 }
 
 template <class Real, class P, std::size_t N>
@@ -92,11 +92,11 @@ template <class Real>
 void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
-  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
+  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t stack) {
     const Real alpha = batch.softness.empty() ? compliance : compliance * batch.softness[lane];
-    const auto p = corners_at<Real>(places, centre_of(batch, lane, run), batch.b[lane]);
+    const auto p = corners_at<Real>(places, centre_of(batch, lane, stack), batch.b[lane]);
     const bool compliant = batch.kind == StiffnessKind::compliance;
-    const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
+    const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, stack), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
     project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
                       compliant ? alpha : Real(0));
@@ -151,10 +151,10 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
 template <class Real>
 void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k) {
-  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t run) {
-    const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
+  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t stack) {
+    const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, stack)),
                                                  &point_at(points, batch.b[lane])};
-    const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, run)),
+    const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, stack)),
                                            &point_at(velocities, batch.b[lane])};
     damp_by_oracle(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
   });

@@ -15,7 +15,7 @@ namespace bendlab {
 /// A vertex that an obstacle pushed out in this iteration.
 template <class Real>
 struct Contact {
-  std::size_t vertex;       ///< its place in State's arrays
+  std::size_t vertex;       ///< permuted: its index in State's arrays
   Vector3Of<Real> normal;   ///< unit, out of the obstacle
   Real depth;               ///< m, how far it was pushed along the normal
   Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep

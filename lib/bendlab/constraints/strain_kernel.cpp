@@ -166,7 +166,7 @@ void project_lanes(const Places<Real>& places, StrainBatch<Real>& batch, std::si
                    Real substep) {
   const Real twice_compliance_over_h2 = compliant ? 2 * batch.compliance / (substep * substep) : Real(0);
   constexpr auto width = static_cast<std::size_t>(lanes<Real>);
-  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last]; lane += width)
+  for (std::size_t lane = batch.order.stacks[first]; lane < batch.order.stacks[last]; lane += width)
     if (!project_pack<Real, form, compliant, false, split>(places, batch, lane, twice_compliance_over_h2))
         [[unlikely]]
       project_carefully<Real, form, compliant, split>(places, batch, lane, twice_compliance_over_h2);
@@ -186,7 +186,7 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, T
 
 }  // namespace
 
-// Backwards or not: the triangles of a run share no vertex, so their order does not matter.
+// No two triangles of a stack share a vertex, so the order within it does not matter.
 template <class Real>
 void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {

@@ -126,7 +126,8 @@ class MeshObstacle {
 
   // Every edge belongs to the first of its triangles.
   void own_edges() {
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;  // places, 3 · triangle + side
+    // Permuted vertices, 3 · triangle + side.
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         std::array ends = {triangles_[t][i], triangles_[t][(i + 1) % 3]};

@@ -156,15 +156,15 @@ std::set<int> named_vertices(const EffectInput& input) {
   return named;
 }
 
-// Where each of them stands in the state.
-std::vector<std::size_t> places_of_moving(const EffectInput& input) {
+// Those of them that move, permuted: indices in the state's arrays.
+std::vector<std::size_t> moving_vertices(const EffectInput& input) {
   const std::set<int> named = named_vertices(input);
   const std::vector<int> seed = seeds_of_pins(input.rest, input.pins);
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> vertices;
   for (const int vertex : input.pins.all)
     if (named.contains(vertex) || named.contains(seed[static_cast<std::size_t>(vertex)]))
-      places.push_back(input.permuted(vertex));
-  return places;
+      vertices.push_back(input.permuted(vertex));
+  return vertices;
 }
 
 // A turn about an axis, then an offset; without angles it is start + offset and no other arithmetic.
@@ -204,20 +204,20 @@ class Motion {
 template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
   const Motion motion(input.parameters);
-  std::vector<std::size_t> places = places_of_moving(input);
-  if (places.empty() || motion.none()) return {};
+  std::vector<std::size_t> vertices = moving_vertices(input);
+  if (vertices.empty() || motion.none()) return {};
   return {{"moving_pins", Stage::predicted,
-           [motion, places = std::move(places),
+           [motion, vertices = std::move(vertices),
             starts = std::vector<Vector3>()](PassContext<Real>& context) mutable {
              State<Real>& state = context.state;
              if (starts.empty())
-               for (const std::size_t v : places)
+               for (const std::size_t v : vertices)
                  starts.push_back(state.previous[v].vector().template cast<double>());
              const double end = context.time + static_cast<double>(context.substep);
              motion.at(end, starts, state.origin, [&](std::size_t i, const Vector3& position) {
                const Vector3Of<Real> now = position.template cast<Real>();
-               context.acted += now != state.previous[places[i]].vector();
-               state.position[places[i]].set(now);
+               context.acted += now != state.previous[vertices[i]].vector();
+               state.position[vertices[i]].set(now);
              });
            }}};
 }

@@ -12,7 +12,7 @@
 namespace bendlab {
 
 struct NearPair {
-  std::array<int, 4> place;  ///< of its vertices in State's arrays, as in Corners
+  std::array<int, 4> vertices;  ///< permuted: indices in State's arrays, ordered as in Corners
   Pairing pairing;
   double start;    ///< m, its gap's length at the start of the substep
   Vector3 normal;  ///< the unit vector of that gap
@@ -49,7 +49,7 @@ class NearPairs {
 
  private:
   struct Triangle {
-    std::array<int, 3> place;
+    std::array<int, 3> vertices;  // permuted
     std::array<bool, 3> owns_vertex, owns_edge;  // edge i from corner i to the next
   };
 
@@ -63,12 +63,12 @@ class NearPairs {
   void measure_start(const State<Real>& state, NearPair& pair) const;
   void set_boxes(const State<Real>& state);
   void look_at(const State<Real>& state, std::size_t first, std::size_t second);
-  void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& place);
+  void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices);
   Way edge_way(const Triangle& t, std::size_t edge) const;
 
   double thickness_;
   std::vector<Triangle> triangles_;
-  std::vector<Vector3> rest_;  // m, by place
+  std::vector<Vector3> rest_;  // m, permuted
   BoxTree tree_;
 
   double part_of_target_ = 0, margin_ = 0;  // of the last find
@@ -83,7 +83,7 @@ template <class Real>
 Corners corners_of(const NearPair& pair, const Points<Real>& points) {
   Corners corners;
   for (std::size_t i = 0; i < 4; ++i)
-    corners[i] = points[static_cast<std::size_t>(pair.place[i])].vector().template cast<double>();
+    corners[i] = points[static_cast<std::size_t>(pair.vertices[i])].vector().template cast<double>();
   return corners;
 }
 

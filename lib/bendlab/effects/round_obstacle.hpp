@@ -46,11 +46,11 @@ class RoundObstacle {
     if (longest * longest <= 3 * t * (2 * radius + t)) return;
     near_ = static_cast<Real>(t + longest / std::sqrt(3.0));
     clearance_.resize(static_cast<std::size_t>(input.rest.vertex_count()));
-    const auto place = [&](int v) { return input.permuted(v); };
-    for (const auto& e : input.rest.edges().rowwise()) edges_.push_back({place(e(0)), place(e(1))});
+    for (const auto& e : input.rest.edges().rowwise())
+      edges_.push_back({input.permuted(e(0)), input.permuted(e(1))});
     if (core_.tips.empty()) return;
     for (const auto& t3 : input.rest.triangles().rowwise())
-      triangles_.push_back({place(t3(0)), place(t3(1)), place(t3(2))});
+      triangles_.push_back({input.permuted(t3(0)), input.permuted(t3(1)), input.permuted(t3(2))});
   }
 
   void operator()(PassContext<Real>& context) {

@@ -70,31 +70,31 @@ constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 class Zones {
  public:
   bool joined(const NearPair& pair) {
-    const auto zone = [&](std::size_t i) { return zone_of(pair.place[i]); };
+    const auto zone = [&](std::size_t i) { return zone_of(pair.vertices[i]); };
     return zone(0) == zone(1) && zone(0) == zone(2) && zone(0) == zone(3);
   }
   void join(const NearPair& pair) {
-    for (const int place : pair.place) {
-      if (parent_.try_emplace(place, place).second) members_.push_back(place);
-      parent_[zone_of(place)] = zone_of(pair.place[0]);
+    for (const int vertex : pair.vertices) {
+      if (parent_.try_emplace(vertex, vertex).second) members_.push_back(vertex);
+      parent_[zone_of(vertex)] = zone_of(pair.vertices[0]);
     }
   }
   /// The zones, by members in the order they came.
   std::vector<std::vector<int>> all() {
     std::map<int, std::size_t> index;
     std::vector<std::vector<int>> zones;
-    for (const int place : members_) {
-      const auto [at, is_new] = index.try_emplace(zone_of(place), zones.size());
+    for (const int vertex : members_) {
+      const auto [at, is_new] = index.try_emplace(zone_of(vertex), zones.size());
       if (is_new) zones.emplace_back();
-      zones[at->second].push_back(place);
+      zones[at->second].push_back(vertex);
     }
     return zones;
   }
 
  private:
-  int zone_of(int place) {
-    auto at = parent_.find(place);
-    if (at == parent_.end()) return place;
+  int zone_of(int vertex) {
+    auto at = parent_.find(vertex);
+    if (at == parent_.end()) return vertex;
     while (at->second != at->first) {
       const auto above = parent_.find(at->second);
       at->second = above->second;
@@ -143,8 +143,8 @@ class SelfCollision {
     State<Real>& state = context.state;
     if (!std::exchange(begun_, true)) near_.begin(state, margin_);
     const double recovered = std::min(1.0, static_cast<double>(context.substep) / recovery_time);
-    const auto move = [&](int place, const Vector3& to) {
-      point(state, place).set(to.template cast<Real>());
+    const auto move = [&](int vertex, const Vector3& to) {
+      point(state, vertex).set(to.template cast<Real>());
     };
     for (const NearPair& pair : near_.pairs()) {
       const double target = std::min(pair.target, pair.start + recovered * pair.target);
@@ -156,11 +156,11 @@ class SelfCollision {
   // Stage::velocity.
   void let_nothing_through(PassContext<Real>& context) {
     State<Real>& state = context.state;
-    const auto move = [&](int place, const Vector3& to) {
-      Point<Real>& p = point(state, place);
+    const auto move = [&](int vertex, const Vector3& to) {
+      Point<Real>& p = point(state, vertex);
       const Vector3Of<Real> old = p.vector();
       p.set(to.template cast<Real>());
-      Point<Real>& velocity = state.velocity[static_cast<std::size_t>(place)];
+      Point<Real>& velocity = state.velocity[static_cast<std::size_t>(vertex)];
       velocity.set(velocity.vector() + (p.vector() - old) / context.substep);
     };
     Zones zones;
@@ -184,8 +184,8 @@ class SelfCollision {
   }
 
  private:
-  static Point<Real>& point(State<Real>& state, int place) {
-    return state.position[static_cast<std::size_t>(place)];
+  static Point<Real>& point(State<Real>& state, int vertex) {
+    return state.position[static_cast<std::size_t>(vertex)];
   }
 
   // The gap at which a pair met since the start of the substep; `end` is where it is.
@@ -214,7 +214,7 @@ class SelfCollision {
     std::array<double, 4> share;
     double missing = target, shares = 0, whole = 0, largest_w = 0, largest_share = 0, size = target;
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto w = static_cast<double>(point(state, pair.place[i]).w);
+      const auto w = static_cast<double>(point(state, pair.vertices[i]).w);
       missing -= gap.weight[i] * normal.dot(x[i]);
       share[i] = w * gap.weight[i];
       shares += share[i] * gap.weight[i], whole += gap.weight[i] * gap.weight[i];
@@ -224,7 +224,7 @@ class SelfCollision {
     if (!(missing > 0 && shares > static_cast<double>(least_lever<Real>) * largest_w * whole)) return false;
     missing = std::min(missing, largest_move * size * shares / largest_share);  // no corner farther than that
     for (std::size_t i = 0; i < 4; ++i)
-      if (share[i] != 0) move(pair.place[i], x[i] + missing / shares * share[i] * normal);
+      if (share[i] != 0) move(pair.vertices[i], x[i] + missing / shares * share[i] * normal);
     return true;
   }
 
@@ -235,10 +235,10 @@ class SelfCollision {
     double mass = 0;
     Vector3 centre = Vector3::Zero(), shift = Vector3::Zero();
     bool held = false;
-    for (const int place : zone) held |= point(state, place).w == 0;
+    for (const int vertex : zone) held |= point(state, vertex).w == 0;
     const auto for_deciding = [&](const auto& action) {
-      for (const int place : zone) {
-        const auto p = static_cast<std::size_t>(place);
+      for (const int vertex : zone) {
+        const auto p = static_cast<std::size_t>(vertex);
         if (held && state.position[p].w != 0) continue;
         const Vector3 start = state.previous[p].vector().template cast<double>();
         action(state.mass[p], start, Vector3(state.position[p].vector().template cast<double>() - start));
@@ -252,10 +252,10 @@ class SelfCollision {
     if (!held)
       for_deciding([&](double m, const Vector3& start, const Vector3& d) { turn.add(m, start - centre, d); });
     const Eigen::Matrix3d rotation = held ? Eigen::Matrix3d::Identity() : turn.rotation();
-    for (const int place : zone) {
-      if (point(state, place).w == 0) continue;
-      const Vector3 start = state.previous[static_cast<std::size_t>(place)].vector().template cast<double>();
-      move(place, centre + shift + rotation * (start - centre));
+    for (const int vertex : zone) {
+      if (point(state, vertex).w == 0) continue;
+      const Vector3 start = state.previous[static_cast<std::size_t>(vertex)].vector().template cast<double>();
+      move(vertex, centre + shift + rotation * (start - centre));
     }
   }
 

@@ -48,7 +48,7 @@ using Edges2 = Eigen::Matrix<Real, 3, 2>;  // p1 - p0, p2 - p0
 
 template <class Real>
 struct Triangle {
-  std::array<std::uint32_t, 3> corners;  // places in the state
+  std::array<std::uint32_t, 3> corners;  // permuted
   std::array<Real, 4> inverse_rest;      // Q⁻¹ by rows, 1/m
 };
 
@@ -133,7 +133,7 @@ bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Re
   return true;
 }
 
-// In the order of their first places: near in memory, and the same whatever the threads.
+// Sorted by their first corner: near in memory, and the same whatever the threads.
 template <class Real>
 std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
   const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());

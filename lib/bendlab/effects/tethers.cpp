@@ -41,7 +41,7 @@ constexpr std::array parameters = {
 };
 
 struct Tether {
-  std::size_t vertex, pin;  // places in the state
+  std::size_t vertex, pin;  // permuted
   double length;            // m
 };
 

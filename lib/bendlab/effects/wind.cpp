@@ -117,7 +117,7 @@ class Wind {
   using Vector = Vector3Of<Real>;
 
   struct Triangle {
-    std::array<std::uint32_t, 3> corners;  // places in the state
+    std::array<std::uint32_t, 3> corners;  // permuted
     std::array<Real, 3> share;             // of each corner's mass: the triangle's part of the area around it
   };
 

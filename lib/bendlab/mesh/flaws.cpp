@@ -60,18 +60,19 @@ void add_vertices(TriangleMesh& mesh, const std::vector<Vector3>& points) {
 
 // Without the vertices that no triangle has.
 TriangleMesh compacted(const TriangleMesh& mesh) {
-  std::vector<int> place(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  std::vector<int> new_index(static_cast<std::size_t>(mesh.vertex_count()), -1);
   for (const auto& row : mesh.triangles.rowwise())
-    for (const int v : row) place[static_cast<std::size_t>(v)] = 0;
+    for (const int v : row) new_index[static_cast<std::size_t>(v)] = 0;
   int kept = 0;
-  for (int& at : place)
+  for (int& at : new_index)
     if (at == 0) at = kept++;
   TriangleMesh result{
       .positions = Positions(kept, 3), .triangles = mesh.triangles, .texture_coordinates = {}};
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (place[v] >= 0) result.positions.row(place[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
+  for (std::size_t v = 0; v < new_index.size(); ++v)
+    if (new_index[v] >= 0)
+      result.positions.row(new_index[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
   for (Eigen::Index i = 0; i < result.triangles.size(); ++i)
-    result.triangles.data()[i] = place[static_cast<std::size_t>(result.triangles.data()[i])];
+    result.triangles.data()[i] = new_index[static_cast<std::size_t>(result.triangles.data()[i])];
   return result;
 }
 
@@ -263,15 +264,15 @@ TriangleMesh with_flaw(TriangleMesh mesh, std::string_view flaw) {
 TriangleMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed) {
   refuse_texture(mesh);
   std::mt19937_64 random(seed);
-  const std::vector<int> place = permutation(mesh.vertex_count(), random),
+  const std::vector<int> new_index = permutation(mesh.vertex_count(), random),
                          order = permutation(mesh.triangle_count(), random);
   TriangleMesh result = mesh;
-  for (std::size_t v = 0; v < place.size(); ++v)
-    result.positions.row(place[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
+  for (std::size_t v = 0; v < new_index.size(); ++v)
+    result.positions.row(new_index[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
   for (std::size_t t = 0; t < order.size(); ++t)
     for (int c = 0; c < 3; ++c)
       result.triangles(order[t], c) =
-          place[static_cast<std::size_t>(mesh.triangles(static_cast<Eigen::Index>(t), c))];
+          new_index[static_cast<std::size_t>(mesh.triangles(static_cast<Eigen::Index>(t), c))];
   return result;
 }
 

@@ -68,10 +68,10 @@ std::size_t padded(std::size_t count) {
   return (count + width - 1) / width * width;
 }
 
-// Colours with a group a run: lanes [0, 16), [16, 32), …
-void give_each_group_a_run(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
+// Colours with one group per stack: lanes [0, 16), [16, 32), …
+void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
   for (std::size_t lane = 0; lane <= order.constraint_of_lane.size(); lane += width)
-    order.runs.push_back(lane);
+    order.stacks.push_back(lane);
   for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / width);
 }
 
@@ -128,10 +128,10 @@ std::vector<std::vector<Star>> coloured(const Stars& all, const std::vector<std:
   return colours;
 }
 
-// Stars of one length share a run without padding, but only those of one neighbourhood do: a run that spans
+// Stars of one length share a stack without padding, but only within a neighbourhood: a stack that spans
 // the mesh could not be tiled.
 void sort_by_length_where_they_are(std::vector<Star>& stars) {
-  constexpr std::size_t neighbourhood = 64 * width;  // of whose lanes a partly filled run wastes 1 in 128
+  constexpr std::size_t neighbourhood = 64 * width;  // a partly filled stack wastes 1 in 128 of its lanes
   std::sort(stars.begin(), stars.end(), [](const Star& l, const Star& r) {
     return std::tuple(l.centre, l.begin) < std::tuple(r.centre, r.begin);
   });
@@ -160,7 +160,7 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
   for (const std::size_t size : sizes) first_lane.push_back(first_lane.back() + padded(size));
   BatchOrder order;
   order.constraint_of_lane.assign(first_lane.back(), -1);
-  give_each_group_a_run(order, first_lane);
+  give_each_group_a_stack(order, first_lane);
   for (std::size_t c = 0; c < vertices.size(); ++c)
     order.constraint_of_lane[first_lane[static_cast<std::size_t>(colour[c])]++] = static_cast<int>(c);
   return order;
@@ -172,10 +172,10 @@ BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_c
   order.constraint_of_lane.reserve(pairs.size() + pairs.size() / 16);
   for (std::vector<Star>& stars : coloured(all, pairs, vertex_count)) {
     sort_by_length_where_they_are(stars);
-    order.colours.push_back(order.runs.size());
+    order.colours.push_back(order.stacks.size());
     for (std::size_t first = 0; first < stars.size(); first += width) {
       const std::size_t begin = order.constraint_of_lane.size();
-      order.runs.push_back(begin);
+      order.stacks.push_back(begin);
       order.constraint_of_lane.resize(begin + stars[first].length() * width, -1);
       for (std::size_t lane = 0; lane < width && first + lane < stars.size(); ++lane)
         for (std::size_t step = 0; step < stars[first + lane].length(); ++step)
@@ -183,8 +183,8 @@ BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_c
               all.members[stars[first + lane].begin + step];
     }
   }
-  order.colours.push_back(order.runs.size());
-  order.runs.push_back(order.constraint_of_lane.size());
+  order.colours.push_back(order.stacks.size());
+  order.stacks.push_back(order.constraint_of_lane.size());
   return order;
 }
 
@@ -193,7 +193,7 @@ BatchOrder list_order(std::size_t constraint_count) {
   order.constraint_of_lane.resize(constraint_count);
   std::iota(order.constraint_of_lane.begin(), order.constraint_of_lane.end(), 0);
   order.constraint_of_lane.resize(padded(constraint_count), -1);
-  give_each_group_a_run(order, {0, order.constraint_of_lane.size()});
+  give_each_group_a_stack(order, {0, order.constraint_of_lane.size()});
   order.conflict_free = false;
   return order;
 }

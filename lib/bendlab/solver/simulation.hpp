@@ -146,7 +146,7 @@ class Simulation {
   /// The order the constraints stand in: original index per lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
-  /// Of the kind with that Kind::name; throws as kind_place() does.
+  /// Of the kind with that Kind::name; throws as index_of_kind() does.
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;
   /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has, of a
   /// method that knows. Takes up to about ten sweeps' time.

@@ -18,7 +18,7 @@
 
 namespace bendlab {
 
-/// Between the places a and b.
+/// Between the permuted vertices a and b.
 struct Spring {
   int a, b;
   double rest_length;  ///< m
@@ -35,7 +35,7 @@ struct SpringRows {
   std::size_t slice_count() const { return slices.size() - 1; }
 };
 
-/// Rows of as many places as `needs_row` has; a place that needs none has an empty one.
+/// Rows of as many vertices as `needs_row` has; a vertex that needs none has an empty one.
 template <class Real>
 SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std::vector<char>& needs_row);
 

@@ -61,10 +61,10 @@ constexpr std::array own_passes = {
 // clang-format off
 constexpr std::array parameters = {
     Parameter{.name = "flight_limit", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
-              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, at pins for "
-                         "example, before anything is projected; a substep in which they do more is cut into equal parts, at "
-                         "most 1000. 0: none is cut. Of gravity at a pinned row of triangles of height a it is g h² / a: 0.17 "
-                         "for 64 cells a metre and 1/60 s",
+              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, before "
+                         "anything is projected; where forces do more, at pins for example, the substep is cut "
+                         "into equal parts, at most 1000. 0: none is cut. Gravity changes it by g h² / a in a "
+                         "pinned row of triangles of height a: 0.17 for 64 cells a metre and 1/60 s",
               .minimum = 0},
 };
 // clang-format on
@@ -75,25 +75,26 @@ constexpr std::size_t worthwhile_lanes = 2048;
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
-// A list's constraints by place instead of vertex, in the order of their first place, and where each came
-// from.
+// A list's constraints with permuted vertices, sorted by the lowest of them, and the index of each in the
+// list.
 template <std::size_t arity>
-struct Placed {
+struct PermutedList {
   std::vector<std::array<int, arity>> vertices;
   std::vector<int> original;
 
-  Placed(const std::vector<std::array<int, arity>>& list, const std::vector<int>& place)
+  PermutedList(const std::vector<std::array<int, arity>>& list, const std::vector<int>& permutation)
       : original(list.size()) {
-    std::vector<std::array<int, arity>> placed(list.size());
+    std::vector<std::array<int, arity>> permuted(list.size());
     for (std::size_t c = 0; c < list.size(); ++c)
-      for (std::size_t i = 0; i < arity; ++i) placed[c][i] = place[static_cast<std::size_t>(list[c][i])];
+      for (std::size_t i = 0; i < arity; ++i)
+        permuted[c][i] = permutation[static_cast<std::size_t>(list[c][i])];
     const auto first = [&](int c) {
-      const auto& corners = placed[static_cast<std::size_t>(c)];
+      const auto& corners = permuted[static_cast<std::size_t>(c)];
       return *std::min_element(corners.begin(), corners.end());
     };
     std::iota(original.begin(), original.end(), 0);
     std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
-    for (const int c : original) vertices.push_back(placed[static_cast<std::size_t>(c)]);
+    for (const int c : original) vertices.push_back(permuted[static_cast<std::size_t>(c)]);
   }
 
   BatchOrder in_terms_of_the_list(BatchOrder order) const {
@@ -191,7 +192,7 @@ class PbdStep final : public TimeStep<Real> {
     for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
       orders[kind_index<Kind>] = &batch.order;
     });
-    return *orders[kind_place(kind)];
+    return *orders[index_of_kind(kind)];
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -237,8 +238,8 @@ class PbdStep final : public TimeStep<Real> {
     context.substep = whole;
   }
 
-  // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth that
-  // is still strained would cut it ever finer, and each shorter step turns more of that strain into speed.
+  // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth
+  // that is still strained would cut it ever finer, and each cut turns more of that strain into speed.
   int needed_force_steps(PassContext<Real>& context) {
     before_forces_ = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
@@ -254,10 +255,10 @@ class PbdStep final : public TimeStep<Real> {
     return static_cast<std::uint64_t>(settings_.projections_per_substep()) * constraint_count();
   }
 
-  // A batch of a list's constraints, of vertices where they stand, ordered by `colour`; and one thread's way
-  // through it. Several threads go colour by colour.
+  // A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
+  // one thread goes. Several threads go colour by colour.
   template <class List, class Colour, class Make>
-  auto batch_of(const List& list, Colour colour, Make make, std::vector<RunRange>& tiles) const {
+  auto batch_of(const List& list, Colour colour, Make make, std::vector<StackRange>& tiles) const {
     const auto ordered = [&](const auto& corners) {
       BatchOrder order = colour(corners, state_.vertex_count);
       if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
@@ -267,13 +268,13 @@ class PbdStep final : public TimeStep<Real> {
     if (permutation_.empty())
       return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
                   state_.vertex_count);
-    const Placed placed(list.vertices, permutation_);
-    List in_place = list;
+    const PermutedList sorted(list.vertices, permutation_);
+    List permuted_list = list;
     for (std::size_t c = 0; c < list.size(); ++c)
-      in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];
+      permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
     return make(
-        in_place,
-        in_list_order ? list_order(list.size()) : placed.in_terms_of_the_list(ordered(placed.vertices)),
+        permuted_list,
+        in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
         state_.vertex_count);
   }
 
@@ -355,7 +356,7 @@ class PbdStep final : public TimeStep<Real> {
 
   // A kind of constraint that the scene has none of gets no pass.
   template <class Batch>
-  void add_projection(Batch& batch, const std::vector<RunRange>& tiles, const char* name) {
+  void add_projection(Batch& batch, const std::vector<StackRange>& tiles, const char* name) {
     if (batch.count == 0) return;
     const std::size_t row = add_statistics(name);
     forward_.push_back(
@@ -457,23 +458,23 @@ class PbdStep final : public TimeStep<Real> {
   }
 
   template <class Batch>
-  void sweep(Batch& batch, const std::vector<RunRange>& tiles, Real h, bool backwards) {
+  void sweep(Batch& batch, const std::vector<StackRange>& tiles, Real h, bool backwards) {
     const Places<Real> places = this->places();
     if (!batch.order.conflict_free) {
       project_by_oracle(places, batch, h, backwards);
       return;
     }
     for (std::size_t step = 0; step < tiles.size(); ++step) {
-      const RunRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
+      const StackRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
       project(places, batch, range.first, range.last, h, backwards);
     }
     if (!tiles.empty()) return;
-    const std::vector<std::size_t>&colours = batch.order.colours, &runs = batch.order.runs;
+    const std::vector<std::size_t>&colours = batch.order.colours, &stacks = batch.order.stacks;
     for (std::size_t step = 0; step + 1 < colours.size(); ++step) {
       const std::size_t colour = backwards ? colours.size() - 2 - step : step;
       const std::size_t first = colours[colour], last = colours[colour + 1];
       workers_.for_range(
-          first, last, runs[last] - runs[first] >= worthwhile_lanes,
+          first, last, stacks[last] - stacks[first] >= worthwhile_lanes,
           [&](std::size_t from, std::size_t to) { project(places, batch, from, to, h, backwards); });
     }
   }
@@ -498,11 +499,11 @@ class PbdStep final : public TimeStep<Real> {
   // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it
   // was (see Places); else whole positions.
   bool on_moves_;
-  std::vector<RunRange> strain_tiles_, distance_tiles_;
-  std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
+  std::vector<StackRange> strain_tiles_, distance_tiles_;
+  std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
-  std::vector<std::size_t> pinned_;  // places; single precision
+  std::vector<std::size_t> pinned_;  // permuted vertices; single precision
   Points<Real> put_;                 // where effects put these in this substep
   bool are_put_ = false;
   // In single precision what projections change, as the substep predicts it, and m since its start if they
