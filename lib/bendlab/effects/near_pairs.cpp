@@ -7,9 +7,9 @@
 namespace bendlab {
 namespace {
 
-// Beyond the margin, for rounding: of float boxes, relative to the largest coordinate.
+// Added to the margin for the rounding of float boxes; relative to the largest coordinate.
 constexpr double box_rounding = 4e-7;
-// A pair this near at rest, relative to the thickness, touches: a seam that is not welded.
+// Relative to the thickness: a pair nearer than this at rest touches (a seam that is not welded).
 constexpr double touching = 1e-6;
 
 Positions centres_of(const RestMesh& rest) {
@@ -22,7 +22,7 @@ Positions centres_of(const RestMesh& rest) {
   return centres;
 }
 
-// Each edge to the first triangle that has it.
+// Gives each edge to the first triangle that has it.
 template <class Triangles>
 void give_edges(Triangles& triangles) {
   struct Side {
@@ -42,7 +42,7 @@ void give_edges(Triangles& triangles) {
         s == 0 || sides[s - 1].low != sides[s].low || sides[s - 1].high != sides[s].high;
 }
 
-// The least and the largest of vertices' vectors along each axis: their order does not matter.
+// The least and the largest component of vertices' vectors along each axis: the same in any order.
 template <class Real>
 struct Range {
   Vector3 low, high;
@@ -111,7 +111,7 @@ void NearPairs<Real>::find(const State<Real>& state, double part_of_target, doub
       [&](int a, int b) { look_at(state, static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
 }
 
-// On the same side along an axis, at the start and at the end: on that side all the way.
+// Two elements on the same sides along an axis at the start and at the end are so all the way.
 template <class Real>
 bool NearPairs<Real>::Way::meets(const Way& other) const {
   const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
@@ -198,7 +198,7 @@ template <class Real>
 void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices) {
   NearPair pair{vertices, pairing, 0, {}, thickness_};
   measure_start(state, pair);
-  // Two vertices come nearer by their margins besides.
+  // Each of the two elements may come nearer by its margin.
   const double end = separation_along(pair.normal, pairing, corners_of(pair, state.position)) - 2 * margin_;
   const double least = std::min(pair.start, end);
   if (least > part_of_target_ * thickness_) return;
