@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 12> flaws = {"none",
                                                     "mixed_orientation",
                                                     "hole"};
 
-constexpr int every = 20;  // one in so many is hit
+constexpr int every = 20;  // one in so many gets the flaw
 
 void refuse_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() > 0)
@@ -106,15 +106,15 @@ std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   return stars;
 }
 
-// Moves the vertex of every star to where `place` puts it: place(vertex, the two others of one of its
-// triangles).
-template <class Place>
-TriangleMesh with_moved(TriangleMesh mesh, Place place) {
+// Moves the vertex of every star to target(p, a, b): p is its position, a and b are those of the other two
+// corners of one of its triangles.
+template <class Target>
+TriangleMesh with_moved(TriangleMesh mesh, Target target) {
   for (const Star& star : scattered_stars(mesh)) {
     const Eigen::RowVector3i& corners = star.triangles.front();
     const Vector3 p = mesh.positions.row(corners(0)), a = mesh.positions.row(corners(1)),
                   b = mesh.positions.row(corners(2));
-    mesh.positions.row(star.vertex) = place(p, a, b).transpose();
+    mesh.positions.row(star.vertex) = target(p, a, b).transpose();
   }
   return mesh;
 }
