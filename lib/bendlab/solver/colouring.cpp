@@ -10,15 +10,15 @@
 namespace bendlab {
 namespace {
 
-// Which colours a vertex has used, as bits; all vertices have room for the same number of colours.
+// The colours that each vertex has used, as bits. All vertices have room for the same number of colours.
 class UsedColours {
  public:
   UsedColours(int vertex_count, int colours)
       : words_(static_cast<std::size_t>(colours / 64 + 1)),
         bits_(static_cast<std::size_t>(vertex_count) * words_, 0) {}
 
-  // The first colour that none of the vertices has used, which all of them use from now on; -1: no room for
-  // it.
+  // The first colour that none of the vertices has used; from now on all of them use it. -1: there is no room
+  // for it.
   int take_first_free(std::span<const int> vertices) {
     for (std::size_t word = 0; word < words_; ++word) {
       std::uint64_t used = 0;
@@ -31,7 +31,7 @@ class UsedColours {
     return -1;
   }
 
-  // Twice as many colours.
+  // Makes room for twice as many colours.
   void make_room() {
     std::vector<std::uint64_t> wider(2 * bits_.size(), 0);
     for (std::size_t row = 0; row * words_ < bits_.size(); ++row)
@@ -58,10 +58,10 @@ int largest_degree(const std::vector<std::array<int, arity>>& vertices, int vert
 
 constexpr auto width = static_cast<std::size_t>(max_lanes);
 
-// Springs that follow one another at one centre. Long stars would save more traffic (a fifth of the time at
-// 30), but a centre that is moved thirty times in a row leaves its neighbours behind: at m = 4 the sheet's
-// mean strain after as many iterations is 3 to 4 times larger. Four cost no convergence against springs one
-// by one.
+// Springs that follow one another at one centre. Longer stars save more memory traffic (a fifth of the time
+// at 30) but converge worse, because a centre that moves thirty times in a row leaves its neighbours behind:
+// at m = 4 the sheet's mean strain after as many iterations is 3 to 4 times larger. With four, convergence is
+// as good as with single springs.
 constexpr std::size_t star_length = 4;
 
 std::size_t padded(std::size_t count) {
@@ -146,7 +146,8 @@ void sort_by_length_where_they_are(std::vector<Star>& stars) {
 
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
-  // A constraint's corners have together used at most arity · (degree - 1) colours when its own is chosen.
+  // When a constraint's colour is chosen, its corners together have used at most arity · (degree - 1)
+  // colours.
   UsedColours used(vertex_count, static_cast<int>(arity) * largest_degree(vertices, vertex_count));
   std::vector<int> colour(vertices.size());
   std::vector<std::size_t> sizes;

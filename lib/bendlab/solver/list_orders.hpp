@@ -1,4 +1,4 @@
-// The constraints of a scene in the order of their lists, for methods that do not group them.
+// The orders of a scene's constraints for methods that keep their lists.
 #pragma once
 
 #include <array>

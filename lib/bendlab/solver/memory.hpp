@@ -1,4 +1,4 @@
-// How many bytes the solver's arrays hold.
+// The number of bytes in the solver's arrays.
 #pragma once
 
 #include <Eigen/SparseCore>

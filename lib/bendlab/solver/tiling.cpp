@@ -42,7 +42,7 @@ std::vector<StackRange> tiled(const BatchOrder& order, const std::vector<std::ar
   }
   std::vector<StackRange> ranges;
   for (int end = std::min(tile_vertices, vertex_count);; end = std::min(end + tile_vertices, vertex_count)) {
-    int settled = end;  // all colours before this one have done their work below it
+    int settled = end;  // below this vertex all colours before the current one are done
     for (std::size_t colour = 0; colour < next.size(); ++colour) {
       const std::size_t first = next[colour];
       while (next[colour] < order.colours[colour + 1] && extents[next[colour]].highest < settled)

@@ -1,4 +1,4 @@
-// One thread's way through a batch larger than its cache.
+// The order in which one thread goes through a batch that is larger than its cache.
 #pragma once
 
 #include <array>
