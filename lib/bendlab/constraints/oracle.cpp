@@ -20,7 +20,7 @@ void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
   }
 }
 
-// Offset of a spring's first vertex: the centre of its star.
+// Offset of a spring's first vertex, the centre of its star.
 template <class Real>
 int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t stack) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
@@ -54,8 +54,8 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
-// A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if
-// any.
+// value_at(p). If the constraint has collapsed, with the gradient at the rest shape, whose corners are `rest`
+// (null: there is none).
 template <class Real, std::size_t N, class ValueAt>
 ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
                                  const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
@@ -72,7 +72,7 @@ std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real
   return {&point_at(rest_points, offsets)...};
 }
 
-// XPBD where the kind itself says how the multiplier changes.
+// XPBD for a kind that defines the change of the multiplier itself.
 template <class Real, OneSided Kind, std::size_t N>
 void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintValue<Real, N>& c,
                        const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
@@ -110,7 +110,7 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
+    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|), and four times that for S_ii - 1 = 2 E_ii.
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
     const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
     const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
@@ -122,8 +122,8 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
-    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever
-    // that term has made of f.
+    // A stretch that had collapsed before the first term is C = f·d - 1 with the direction d at rest, however
+    // that term changed f.
     const auto start = vectors_of<Real>(p);
     const auto stretch = [&](int axis) {
       const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };
