@@ -193,7 +193,7 @@ TEST_CASE("weighted hinges of an irregular sheet have nearly one rigidity at bot
   }
 }
 
-TEST_CASE("a clamped strip that bends a little has the rigidity that it was stated to have there",
+TEST_CASE("a clamped strip that bends a little has the rigidity that was stated for that",
           "[bending][calibration]") {
   // Half a row of the clamp: hinges at its edge have twice their stiffness, and the strip begins there. What
   // is left is of the order of a share of a cell in the length, 3 % on nine cells.

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// offset_of() corner `corner` in every lane: of the constraint's vertex, or of the lane's own dummy.
+// For every lane offset_of() the constraint's corner `corner`, or the lane's own dummy.
 template <std::size_t arity>
 LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
                                int corner, int vertex_count) {
@@ -22,7 +22,7 @@ LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertic
   return offsets;
 }
 
-// Rest data of every lane; a padded lane gets `padding`.
+// Rest values of all lanes; a padded lane gets `padding`.
 template <class Real, class Get>
 LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   LargeArray<Real> values(order.constraint_of_lane.size(), padding);

@@ -1,6 +1,5 @@
-// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness (of a OneSided kind
-// its own energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count
-// nothing.
+// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness; for
+// a OneSided kind its own energy / softness. Undefined (collapsed) constraints do not count.
 #pragma once
 
 #include "bendlab/constraints/kinds.hpp"

@@ -1,4 +1,4 @@
-// Every element kind. A new one is added to the list, and calibrate() has to know how it resists.
+// Every element kind. A new kind is added to the list here, and calibrate() has to know how it resists.
 #pragma once
 
 #include <string_view>
