@@ -231,7 +231,8 @@ TEST_CASE("accuracy: from where a run ends its own basin is found") {
       "pins": {"vertices": ["centre"], "ring": 6}, "initial": {"perturbation": 0.001},
       "bending": {"model": "discrete_shells", "stiffness": "physical", "flexural_rigidity": 1.05584e-05},
       "material": {"density": 0.1629, "strain": {"stiffness": "compliance", "compliance": 0.001}},
-      "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 2}], "output": {"frames_per_second": 2},
+      "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 2}],
+      "output": {"frames_per_second": 2},
       "solver": {"iterations": 1, "sweep": "symmetric", "precision": "double", "substeps": 64})";
   const Results results;
   const std::vector<RunOutcome> outcomes = results.run(
@@ -279,7 +280,7 @@ TEST_CASE("accuracy: what a reference can't be is told, when the config is read 
   const std::vector<RunOutcome> mixed =
       results.run(strip + xpbd + R"(, "accuracy": {"solver": )" + equilibrium +
                   R"(}, "sweep": {"/bending": [{"model": "dihedral", "stiffness": "k"},
-                                   {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696}]})");
+                      {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696}]})");
   CHECK_THAT(mixed[0].message, ContainsSubstring("/accuracy/solver") && ContainsSubstring("k has no energy"));
   CHECK(is_whole(mixed[0].status));
   CHECK_FALSE(mixed[0].summary.contains("error_solver_rms"));
@@ -330,9 +331,9 @@ TEST_CASE("accuracy: motion is compared at common times, its energy too") {
   // reference from a start that is twice as fast, so that they part by v t: at 0.1, 0.2, 0.3 s.
   const Results results;
   const RunOutcome outcome = results.run_one(
-      R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [], "material": {"density": 2},
-         "initial": {"velocity": [0, 0, 0.1]}, "output": {"frames_per_second": 10},
-         "solver": {"dt": 0.01, "precision": "double"},
+      R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [],
+         "material": {"density": 2}, "initial": {"velocity": [0, 0, 0.1]},
+         "output": {"frames_per_second": 10}, "solver": {"dt": 0.01, "precision": "double"},
          "accuracy": {"over_time": true, "solver": ["/initial/velocity=[0, 0, 0.2]", "/solver/dt=0.005"],
                       "solver_coarser": ["/initial/velocity=[0, 0, 0.25]"]})");
   const double size = std::numbers::sqrt2;

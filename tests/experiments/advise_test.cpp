@@ -89,7 +89,8 @@ std::vector<Rated> everything() {
 
 const char* cantilever = R"({
   "name": "strip", "duration": 2,
-  "mesh": {"generator": "equilateral", "width": 0.23335, "height": 0.12, "rows": "perpendicular", "cells": 10},
+  "mesh": {"generator": "equilateral", "width": 0.23335, "height": 0.12, "rows": "perpendicular",
+           "cells": 10},
   "pins": {"vertices": ["left"], "ring": 0, "distance": 0.0338},
   "material": {"strain": {"stiffness": "compliance", "compliance": 1e-5}},
   "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696},
@@ -461,7 +462,8 @@ TEST_CASE("advise: a motion is compared over time with its own refinement", "[ad
   CHECK(
       advice(
           place,
-          R"(strip.json --error 20% --models dihedral --set /duration=0.2 --set '/effects=[{"type":"gravity"}]')")
+          "strip.json --error 20% --models dihedral --set /duration=0.2 "
+          R"(--set '/effects=[{"type":"gravity"}]')")
           .at("error_of") == "motion");
 }
 
@@ -488,7 +490,8 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
   refused("strip.json --error 5% --set '/sweep={\"/mesh/cells\":[8],\"/solver/dt\":[0.01,0.02]}'", 3,
           "--set /solver/dt=VALUE");
   refused(
-      R"(strip.json --error 5% --set '/bending={"model":"none","stiffness":"physical","quartic_coefficient":1e-8}')",
+      "strip.json --error 5% "
+      R"(--set '/bending={"model":"none","stiffness":"physical","quartic_coefficient":1e-8}')",
       3, "/bending/model");
   refused("strip.json --error 5% --write strip.json", 2, "the config itself");
   refused("strip.json --error 5% --write nowhere/best.json", 2, "does not exist");

@@ -291,7 +291,8 @@ TEST_CASE("config: a duplicate key hides nothing else") {
 TEST_CASE("config: all problems of a file come at once") {
   const ConfigProblems problems = problems_of(R"({
     "name": "a b", "mesh": {"cels": 1, "width": -1, "width": 1}, "bending": {"k": 2, "model": "x"},
-    "effects": [{"type": "gravity", "acceleration": 1}], "sweep": {"/mesh/cel": [1], "/bending/k": [0.5, "x"]},
+    "effects": [{"type": "gravity", "acceleration": 1}],
+    "sweep": {"/mesh/cel": [1], "/bending/k": [0.5, "x"]},
     "expect": [{"metric": "drop", "max": 1}]})",
                                               {"/solver/dtt=1"});
   std::vector<std::string> pointers;
@@ -313,7 +314,8 @@ TEST_CASE("config: equal physics has equal text") {
   const std::string minimal = single_run(R"({"name": "t"})").resolved.dump();
   // Other name, order of keys, ways to write numbers, and settings of a model that is not chosen.
   CHECK(single_run(R"({"solver": {"iterations": 10.0, "substeps": 1}, "description": "other",
-                       "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4, "initial": {"tilt": -0.0},
+                       "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4,
+                       "initial": {"tilt": -0.0},
                        "effects": [{"acceleration": [0, 0, -9.81], "type": "gravity"}], "name": "u"})")
             .resolved.dump() == minimal);
   CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved.dump() != minimal);
@@ -444,7 +446,8 @@ TEST_CASE("config: of a stiffness only what it uses is part of the result") {
 TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1") {
   const std::string text =
       R"({"name": "t", "mesh": {"generator": "equilateral", "width": 0.24, "height": 0.24, "cells": 12},
-    "pins": {"vertices": []}, "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 3e-5}})";
+    "pins": {"vertices": []},
+    "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 3e-5}})";
   const Scene scene = build_scene(single_run(text));
   CHECK(scene.input.bending_stiffness.kind == StiffnessKind::compliance);
   CHECK(scene.input.bending_stiffness.compliance == 1);

@@ -168,8 +168,9 @@ TEST_CASE("stability: a tumbling sheet's energy is elastic, kinetic and never mo
           "[experiments]") {
   const auto seen = looked_at(
       scene_of(
-          R"("initial": {"spin": [5, 0, 0]}, "bending": {"model": "discrete_shells", "stiffness": "compliance",
-                  "compliance": 100000}, "material": {"strain": {"stiffness": "compliance", "compliance": 0.001}},
+          R"("initial": {"spin": [5, 0, 0]},
+                  "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 100000},
+                  "material": {"strain": {"stiffness": "compliance", "compliance": 0.001}},
                   "solver": {"substeps": 8, "precision": "double"})"),
       1);
   // The sheet starts flat: what there is at the start is ½ I ω², I = ρ h ∫ y² of point masses on lines 1/8
