@@ -20,11 +20,11 @@ struct Span {
   double seen = 1;
 };
 
-/// Of a hinge: the third of each triangle that is nearest to the edge. If one triangle is held, half of the
-/// angle is left.
+/// The span of a hinge: the third of each triangle that is nearest to the edge. If one triangle is held, half
+/// of the angle is left.
 Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins);
 
-/// Of pairs: the line between the two, from s = 0 to 1, bends by κ(s) and shortens by δ,
+/// The spans of pairs: the line between the two, from s = 0 to 1, bends by κ(s) and shortens by δ,
 ///
 ///     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
 ///
@@ -36,7 +36,7 @@ class PairSpans {
   PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<char>& held,
             std::span<const Vector2> plane);
 
-  /// Of the pair a, b.
+  /// The span of the pair a, b.
   Span operator()(int a, int b) const;
 
  private:

@@ -38,8 +38,8 @@ using Rigidity = Eigen::Matrix3d;
 /// Bent along d to a cylinder: the rigidity B of the energy ½ B κ².
 double cylinder_rigidity(const Rigidity& rigidity, const Vector2& d);
 
-/// Of a narrow strip along d that is bent by a moment and free to curve across and to twist: 1 / (D⁻¹)_dd. On
-/// an isotropic sheet it is 1 - ν² times the cylinder's.
+/// The rigidity 1 / (D⁻¹)_dd of a narrow strip along d that is bent by a moment and free to curve across and
+/// to twist. On an isotropic sheet it is 1 - ν² times the cylinder's.
 double strip_rigidity(const Rigidity& rigidity, const Vector2& d);
 
 class SheetResponse {

@@ -1,7 +1,7 @@
 // A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices
 // come, and by which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth
-// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) of what the chord of
-// a smooth arc does.
+// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) times as much as the
+// chord of a smooth arc.
 #pragma once
 
 #include <array>

@@ -13,7 +13,7 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Of warp, weft and shear in the normalised form, α = compliance / rest area.
+/// The energy of warp, weft and shear in the normalised form, α = compliance / rest area.
 double elastic_energy(const StrainConstraints& list, const Positions& positions);
 
 }  // namespace bendlab

@@ -35,7 +35,7 @@ struct Corners {
     return c.position - a.position;
   }
   BENDLAB_INLINE Pack<Real> largest_w() const { return larger<Real>(larger<Real>(a.w, b.w), c.w); }
-  // Of the longest edge, or `at_rest` if that is larger.
+  // The square of the longest edge, or `at_rest` if that is larger.
   BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const {
     const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
     return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));

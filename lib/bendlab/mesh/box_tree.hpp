@@ -21,7 +21,7 @@ struct Box {
   void include(const Box& other) { low = low.min(other.low), high = high.max(other.high); }
   bool empty() const { return !(low(0) <= high(0)); }
   bool overlaps(const Box& other) const { return (low - other.high).max(other.low - high).maxCoeff() <= 0; }
-  /// To the nearest point of the box; infinite to an empty one.
+  /// The squared distance to the nearest point of the box; infinite if it is empty.
   double squared_distance(const Vector3& point) const {
     const Eigen::Array3d p = point.array();
     return (low.head<3>().cast<double>() - p).max(p - high.head<3>().cast<double>()).max(0).square().sum();

@@ -16,9 +16,9 @@ struct Drape {
   std::vector<double> reach;  ///< m, of the shadow from the table's centre, at equal angles around it
 };
 
-/// Of a cloth at `positions` (#V by 3, m). Its pinned triangles are the table, and its shadow falls along
-/// `down` (unit length). The outline of the shadow is found from the table's centre, so no cloth may hang
-/// back under the table. Throws std::invalid_argument if no triangle is pinned or nothing hangs over.
+/// The drape of a cloth at `positions` (#V by 3, m). Its pinned triangles are the table, and its shadow falls
+/// along `down` (unit length). The outline of the shadow is found from the table's centre, so no cloth may
+/// hang back under the table. Throws std::invalid_argument if no triangle is pinned or nothing hangs over.
 Drape drape_of(const RestMesh& rest, const Pins& pins, const Positions& positions, const Vector3& down);
 
 }  // namespace bendlab

@@ -93,8 +93,8 @@ class StiffnessMeter {
   /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
   std::span<const double> along() const { return s_; }
 
-  /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument if they are not finite or the
-  /// clamp has moved.
+  /// Measures the strip at `positions` (#V by 3, m). Throws std::invalid_argument if they are not finite or
+  /// the clamp has moved.
   StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
   /// H/W alone; the strip may still move. Throws as measure().

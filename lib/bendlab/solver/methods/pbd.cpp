@@ -509,8 +509,8 @@ class PbdStep final : public TimeStep<Real> {
   std::vector<std::size_t> pinned_;  // permuted vertices; single precision
   Points<Real> put_;                 // positions that effects gave them in this substep
   bool are_put_ = false;
-  // Single precision: the predicted values of what projections change; and if that is moves, these in m since
-  // the start of the substep.
+  // Single precision: the predicted positions or moves, whichever projections change; and the moves in m
+  // since the start of the substep, if they are changed.
   Points<Real> predicted_, moved_;
   double last_substep_ = 0;  // s, of a part if flight_limit cut the substep; 0: there was none yet
 };
