@@ -13,7 +13,7 @@ namespace {
 // Hinges of which each has the share `share`.
 EffectiveStiffness of_share(double share) {
   EffectiveStiffness stiffness;
-  stiffness.hinges = {.applied = share, .told = 1, .spent = share * share, .measured = 1, .rounding = 0};
+  stiffness.hinges = {.applied = share, .stated = 1, .spent = share * share, .measured = 1, .rounding = 0};
   return stiffness;
 }
 

@@ -1,7 +1,7 @@
 #include "bendlab/constraints/energy.hpp"
 
 #include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 namespace bendlab {
 double elastic_energy(const DistanceConstraints& list, const Positions& positions) {

@@ -1,6 +1,5 @@
-// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness (of a OneSided kind
-// its own energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count
-// nothing.
+// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness; for
+// a OneSided kind its own energy / softness. Undefined (collapsed) constraints do not count.
 #pragma once
 
 #include "bendlab/constraints/kinds.hpp"
@@ -14,7 +13,7 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Of warp, weft and shear in the normalised form, α = compliance / rest area.
+/// The energy of warp, weft and shear in the normalised form, α = compliance / rest area.
 double elastic_energy(const StrainConstraints& list, const Positions& positions);
 
 }  // namespace bendlab

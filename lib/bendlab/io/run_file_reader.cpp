@@ -38,7 +38,7 @@ RunRecord read_run(const fs::path& path) {
     run.passes = read_passes(timing);
     run.wall_s = hdf5::read_number_attribute(timing, "wall_s");
     run.cpu_s = hdf5::read_number_attribute(timing, "cpu_s");
-    run.step_cpu_s = hdf5::read_number_attributes(timing)["step_cpu_s"];  // 0 in files that are older than it
+    run.step_cpu_s = hdf5::read_number_attributes(timing)["step_cpu_s"];  // 0 in older files
     run.summary = hdf5::read_number_attributes(hdf5::open_group(file, "summary"));
     return run;
   });

@@ -44,8 +44,7 @@ extern constinit const BendingModel lod{
     .source = "Kim, §II.4 and Fig. 4",
     .limits =
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; wrinkles shorter "
-        "than t "
-        "edges can escape the long springs",
+        "than t edges can escape the long springs",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
     .springs_only = true,

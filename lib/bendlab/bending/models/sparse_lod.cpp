@@ -4,8 +4,8 @@
 namespace bendlab {
 namespace {
 
-// Bent to the curvature κ a span of length l shortens by l³ κ² / 24: all springs with the same ½ (l³ κ² /
-// 24)² / α make a sheet that is equally stiff in all directions.
+// Bent to the curvature κ, a span of length l shortens by δ = l³ κ² / 24. If all springs have the same energy
+// ½ δ² / α, the sheet is equally stiff in all directions.
 BendingConstraints build(const BendingInput& input) {
   return thinned_rings(input, 6);
 }
