@@ -5,7 +5,7 @@
 
 namespace bendlab {
 
-/// Of strain (normalised form) and bending constraints with a compliance above 0; with k they have none.
+/// Of strain and bending constraints with a compliance above 0; with k they have none.
 double elastic_energy(const SimulationInput& input, const Positions& positions);
 
 /// Elastic energy plus energy of weight, which is 0 in the pose at the start.

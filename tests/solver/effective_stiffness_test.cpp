@@ -73,8 +73,7 @@ Settled settled(SimulationInput input, int substeps) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a single hinge has the stated stiffness", "[effective stiffness]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a single hinge has the stated stiffness", "[effective stiffness]", float, double) {
   SimulationInput input = one_hinge();
   const auto simulation = in_gravity<TestType>(input);
   for (int step = 0; step < 20; ++step) REQUIRE(simulation->step());
@@ -267,8 +266,8 @@ TEST_CASE("a hanging membrane stretches as far as its effective stiffness says",
   CHECK_THAT(share, WithinRel(stated / elongation, 0.2));
 }
 
-TEMPLATE_TEST_CASE("a flat sheet at rest, and one with k, have no share", "[effective stiffness]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a flat sheet at rest, and one with k, have no share", "[effective stiffness]", float,
+                   double) {
   SimulationInput input = strip(0.02);
   SECTION("flat") {
     const auto simulation = make_simulation<TestType>(input, {});

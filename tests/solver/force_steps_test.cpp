@@ -49,8 +49,8 @@ std::unique_ptr<Simulation> falling(const SimulationInput& input) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[force_steps]",
-                   float, double) {
+TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[force_steps]", float,
+                   double) {
   // Differences of velocities of a few m/s, over edges of 0.2 m and more.
   const double tolerance = 40 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
   std::mt19937_64 random(3);

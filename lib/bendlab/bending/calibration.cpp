@@ -158,8 +158,7 @@ class Calibration {
         const double relaxed = mean(in_all_directions([&](const Vector2& d) {
           return square(now(0) * d.x() * d.x() + now(1) * d.y() * d.y() + now(2) * d.x() * d.y());
         }));
-        if (cylinder > 0)
-          linear_.factors()[c] *= std::exp(std::clamp(relaxed / cylinder - 1, -1.0, 1.0));
+        if (cylinder > 0) linear_.factors()[c] *= std::exp(std::clamp(relaxed / cylinder - 1, -1.0, 1.0));
       }
       linear_.refit(energy, refits);
       answer = response(stencils_, linear_.factors());

@@ -68,6 +68,12 @@ enum class StrainForm {
 };
 inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
 
+/// What a stretch's α is times that of shear, so that all forms have one stiffness at rest: green's
+/// S_ii - 1 is about 2 (√S_ii - 1).
+constexpr int stretch_softness(StrainForm form) {
+  return form == StrainForm::green ? 4 : 1;
+}
+
 template <class Real>
 struct StrainBatch {
   BatchOrder order;

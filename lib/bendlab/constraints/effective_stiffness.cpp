@@ -62,9 +62,9 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& s
                                        state.positions[index_at(batch.b[lane])],
                                        state.positions[index_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // As in oracle.cpp: α = compliance / A0, and four times that for S_ii - 1 = 2 E_ii.
+    // As in oracle.cpp: α = compliance / A0.
     const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
-    const double stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
+    const double stretch_alpha = stretch_softness(batch.form) * alpha;
     const auto add_term = [&](std::size_t term, Real k, const ConstraintValue<double, 3>& c,
                               double term_alpha) {
       if (k != 0)

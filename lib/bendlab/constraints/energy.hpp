@@ -2,6 +2,7 @@
 // a OneSided kind its own energy / softness. Undefined (collapsed) constraints do not count.
 #pragma once
 
+#include "bendlab/constraints/batches.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
 
@@ -13,7 +14,8 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// The energy of warp, weft and shear in the normalised form, α = compliance / rest area.
-double elastic_energy(const StrainConstraints& list, const Positions& positions);
+/// Of warp, weft and shear in this form, α = compliance / rest area (stretch_softness() times that for warp and
+/// weft).
+double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
 
 }  // namespace bendlab

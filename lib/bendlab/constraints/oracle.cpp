@@ -110,9 +110,9 @@ void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|), and four times that for S_ii - 1 = 2 E_ii.
+    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|).
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
-    const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
+    const Real stretch_alpha = static_cast<Real>(stretch_softness(batch.form)) * alpha;
     const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
     const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at,
                            int most_sizes = largest_move) {

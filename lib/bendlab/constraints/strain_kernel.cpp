@@ -45,11 +45,11 @@ struct TriangleLanes {
   const StrainBatch<Real>& batch;
   std::size_t lane;
   RestInverse<Real> q;
-  Pack<Real> alpha, stretch_alpha;  // XPBD: α̃
-  std::array<Pack<Real>, 4> multipliers{};  // XPBD: λ
+  Pack<Real> alpha, stretch_alpha;                        // XPBD: α̃
+  std::array<Pack<Real>, 4> multipliers{};                // XPBD: λ
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are
   Pack<Real> least_weight;  // Σ w|∇C|² / Σ|∇C|² of a gradient that is more than rounding (see least_lever)
-  Pack<Real> way{};  // over all terms so far: no corner moved farther than √(way · largest w)
+  Pack<Real> way{};         // over all terms so far: no corner moved farther than √(way · largest w)
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}

@@ -50,7 +50,7 @@ class NearPairs {
 
  private:
   struct Triangle {
-    std::array<int, 3> vertices;  // permuted
+    std::array<int, 3> vertices;                 // permuted
     std::array<bool, 3> owns_vertex, owns_edge;  // edge i from corner i to the next
   };
 

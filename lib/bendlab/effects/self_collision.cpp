@@ -44,14 +44,13 @@ namespace bendlab {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter{
-        .name = "thickness",
-        .type = ParameterType::number,
-        .unit = "m",
-        .default_value = 0.005,
-        .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
-        .minimum = 0,
-        .above = true},
+    Parameter{.name = "thickness",
+              .type = ParameterType::number,
+              .unit = "m",
+              .default_value = 0.005,
+              .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
+              .minimum = 0,
+              .above = true},
 };
 
 // s: in this time a pair that is nearer than its target comes apart by the target.
