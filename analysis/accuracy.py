@@ -2,14 +2,13 @@
 import numpy as np
 
 import style
-from load import group, load_experiment
+from load import load_experiment
 from report import rounded
 
 LEVELS = (0.20, 0.05, 0.01)  # errors; the tables state the time to reach each
 FRONTS = (("front", "front_slow", "front_work_slow"),  # configs that share a scene: curtain, cantilever
           ("front_cantilever", "front_cantilever_slow", "front_cantilever_work_slow"))
 FRAMES_PER_SECOND = 60  # a frame is 1/60 s of simulated time
-NAMES = {**style.MODEL_NAMES, "k_ring": "k-ring, k = 2"}  # k in configs/accuracy
 UNBALANCED = 1e-3  # share of the loads: a reference with more is no equilibrium
 MEANING = {"rms": "root mean square distance between the points of the run and of its reference, in "
            "diagonals of the rest box", "hausdorff": "largest distance of either surface from the other, in "
@@ -18,6 +17,11 @@ MEANING = {"rms": "root mean square distance between the points of the run and o
            "energy": "for motions only: energy (kinetic, elastic, of weight) gained since the start, "
            "difference to the reference, mean over the frames, divided by the scene's scale. The scale is "
            "kinetic and elastic energy at the start, plus weight times size",}
+
+
+def name_of(model):
+    """Label of a model; configs/accuracy have k_ring with k = 2."""
+    return style.model_name(model, 2)
 
 
 def experiment_runs(results, section, *names):
@@ -96,12 +100,6 @@ def front(runs, measure="rms", against="physical"):
 def reaching(runs, level, measure="rms", against="physical"):
     """The cheapest run whose error is at most a level; None if there is none."""
     return min((run for run in runs if error(run, measure, against) <= level), key=cost, default=None)
-
-
-def by_model(runs):
-    """Model → runs, in the order of the colours."""
-    found = group(runs, lambda run: run.model)
-    return {model: found[model] for model in style.MODEL_COLOURS if model in found}
 
 
 def slope(x, y):

@@ -32,16 +32,16 @@ def main(results, out):
                                 "the last second and over seeds",
                                 ["model", "N", "pin fails at (s)", "stretch − 1 at the pin",
                                  "largest anywhere", "mean strain"],
-                                [[style.MODEL_NAMES[model], n,
+                                [[style.model_name(model), n,
                                   *(style.number(s[model, n].median) for s in (onset, pin, anywhere, mean))]
                                  for model, n in groups]))
     section.claims.append(Claim("1", "With strain constraints and one pinned corner, the strain at the pin "
                                 "is wrong.", "without bending springs and with crossover springs, at every "
                                 "N, the median stretch − 1 at the pin over the last second is above 1: a "
                                 "triangle is more than twice its length at rest",
-                                {f"stretch − 1 at the pin, {style.MODEL_NAMES[model]}, N = {n}": pin[
+                                {f"stretch − 1 at the pin, {style.model_name(model)}, N = {n}": pin[
                                 model, n].median for model, n in groups}
-                                | {f"mean strain, {style.MODEL_NAMES[model]}, N = {n}": mean[model, n].median
+                                | {f"mean strain, {style.model_name(model)}, N = {n}": mean[model, n].median
                                    for model, n in groups}, all(s.median > WRONG for s in pin.values())
                                 if all(s.known for s in pin.values()) else None))
     return section
@@ -70,7 +70,7 @@ def _pictures(groups, out):
                 style.caption(pin,
                               "at the pin: σ₁ − 1 = "
                               f"{style.number(run.metrics['pin_max_stretch'][frame] - 1)}")
-            whole.set_title(f"{style.MODEL_NAMES[model]}, N = {n}")
+            whole.set_title(f"{style.model_name(model)}, N = {n}")
     style.stretch_bar(figure, axes, shrink=0.7, pad=0.01)
     return style.save(figure, out, "fig_1")
 
@@ -86,7 +86,7 @@ def _curves(groups, out):
             curves = np.array([run.metrics[metric][1:length] - offset for run in group])
             time = group[0].metrics["time"][1:length]
             look = dict(color=style.MODEL_COLOURS[model], linestyle="-" if n == CELLS[-1] else "--")
-            panel.plot(time, np.median(curves, axis=0), label=f"{style.MODEL_NAMES[model]}, N = {n}", **look)
+            panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}", **look)
             panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=look["color"], alpha=0.15,
                                linewidth=0)
         panel.set_ylim(bottom=1e-3)

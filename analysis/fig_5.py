@@ -102,7 +102,7 @@ def _sheets(samples, camera, rows, cells, out, name):
             sample = samples[model, ring, n]
             style.draw_cloth(axes[row, column], sample, camera, width=360, text=_pin_text(sample))
             axes[row, column].set_title(f"N = {n}")
-        axes[row, 0].text(-0.03, 0.5, f"{style.MODEL_NAMES[model]}, {PINS[ring]}",
+        axes[row, 0].text(-0.03, 0.5, f"{style.model_name(model)}, {PINS[ring]}",
                           transform=axes[row, 0].transAxes, rotation=90, ha="right", va="center", fontsize=10)
     style.stretch_bar(figure, axes, shrink=min(1, 1.6 / len(rows)), pad=0.01, aspect=24)
     return style.save(figure, out, name)
@@ -121,7 +121,7 @@ def _numbers(grid, out, name):
         for i, model in enumerate(MODELS):
             for ring in (0, 1):
                 style.with_range(panel, grid.cells, grid.over_cells(model, ring, metric, offset),
-                                 label=f"{style.MODEL_NAMES[model]}, {PINS[ring]}",
+                                 label=f"{style.model_name(model)}, {PINS[ring]}",
                                  shift=1.02 ** (2 * i + ring - 2.5), color=style.MODEL_COLOURS[model],
                                  linestyle="-" if ring else "--", marker="o",
                                  markerfacecolor=style.MODEL_COLOURS[model] if ring else "white")
@@ -194,7 +194,7 @@ def _table(grid):
             runs = grid.runs.get((model, ring, n), [])
             springs = summary_spread(runs, "springs")
             state = statuses(runs)
-            rows.append([style.MODEL_NAMES[model], PINS[ring], n, f"{springs.median:,.0f}" if springs.known
+            rows.append([style.model_name(model), PINS[ring], n, f"{springs.median:,.0f}" if springs.known
                          else "–", *(_text(grid.spread(model, ring, n, metric, offset))
                                      for metric, offset, _ in METRICS),
                          ", ".join(f"{count} {status}" for status, count in state.items()) or "missing"])

@@ -18,8 +18,8 @@ def main(results, out):
     rows, experiments = [], []
     for config in sorted(CONFIGS.glob("ablations/*.json")):
         experiment = load_experiment(results, f"ablations/{config.stem}")
-        if experiment.missing:
-            section.missing.append(f"configs/ablations/{config.name}: {len(experiment.missing)} runs")
+        if experiment.missing_text:
+            section.missing.append(f"configs/ablations/{config.name}: {experiment.missing_text}")
         if experiment.runs:
             experiments.append(config.stem)
             rows += _rows(config.stem, experiment)

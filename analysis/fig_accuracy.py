@@ -5,6 +5,7 @@ from matplotlib.lines import Line2D
 
 import accuracy
 import style
+from load import by_model, models
 from report import Section, Table, figure_main
 
 PAPER = "10 iterations, 1/60 s, k = 0.5"  # the paper's own setting
@@ -71,8 +72,8 @@ def main(results, out):
 def levels_table(runs, scene, against, meaning):
     """Table of the time of each model's cheapest run within each level that the reference can resolve."""
     rows, gap, known = [], accuracy.gap(runs, against), accuracy.known_levels(runs, against)
-    for model, some in accuracy.by_model(runs).items():
-        row = [accuracy.NAMES[model]]
+    for model, some in by_model(runs).items():
+        row = [accuracy.name_of(model)]
         for level in accuracy.LEVELS:
             run = accuracy.reaching(some, level, against=against) if level in known else None
             row += [style.number(accuracy.cost(run)) if run else "–", accuracy.settings(run) if run else ""
@@ -88,11 +89,11 @@ def levels_table(runs, scene, against, meaning):
 def _levels(scenes, out):
     figure, axes = plt.subplots(1, len(scenes), figsize=(10.4, 4.2), layout="constrained", squeeze=False,
                                 sharey=True)
-    models = list(accuracy.by_model(sum((stated for stated, _ in scenes.values()), [])))[::-1]
+    models = list(by_model(sum((stated for stated, _ in scenes.values()), [])))[::-1]
     titles = []
     for panel, (scene, (stated, _)) in zip(axes[0], scenes.items()):
         reached = {level: {} for level in accuracy.known_levels(stated)}
-        for model, some in accuracy.by_model(stated).items():
+        for model, some in by_model(stated).items():
             for level in reached:
                 run = accuracy.reaching(some, level)
                 if run:
@@ -104,9 +105,9 @@ def _levels(scenes, out):
         panel.set_xlabel("CPU time per frame of 1/60 s (ms)")
         panel.set_title(scene)
         nearest = min(reached, default=np.nan)
-        titles.append(f"{scene} {len(reached.get(nearest, {}))} of {len(accuracy.by_model(stated))} within "
+        titles.append(f"{scene} {len(reached.get(nearest, {}))} of {len(by_model(stated))} within "
                       f"{100 * nearest:g} %")
-    axes[0, 0].set_yticks(range(len(models)), [accuracy.NAMES[model] for model in models])
+    axes[0, 0].set_yticks(range(len(models)), [accuracy.name_of(model) for model in models])
     max(axes[0],
         key=lambda panel: len(panel.get_legend_handles_labels()[0])).legend(title="within", loc="lower left",
                                                                             frameon=True, framealpha=0.9)
@@ -117,7 +118,7 @@ def _levels(scenes, out):
 def _front_table(runs, scene, gap):
     return Table(f"{scene}: the front of the physical error",
                  ["model", "substeps × iterations", "ms per frame", "projections per frame", "error (%)"],
-                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.name_of(run.model), accuracy.settings(run), style.number(accuracy.cost(run)),
                    f"{accuracy.projections(run):.3g}", accuracy.percent(accuracy.error(run), gap)]
                   for run in accuracy.front(runs)])
 
@@ -127,9 +128,9 @@ def _stiffness_table(runs):
     gap = accuracy.gap(runs)
     return Table("cantilever: stiffness error",
                  ["model", "substeps × iterations", "ms per frame", "B measured over B stated", "error (%)"],
-                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.name_of(run.model), accuracy.settings(run), style.number(accuracy.cost(run)),
                    style.number(run.summary.get("stiffness_flexural_rigidity", np.nan) / STATED),
-                   accuracy.percent(accuracy.error(run), gap)] for some in accuracy.by_model(runs).values()
+                   accuracy.percent(accuracy.error(run), gap)] for some in by_model(runs).values()
                   for run in accuracy.front(some)])
 
 
@@ -172,13 +173,13 @@ def _basins(basins, out):
 def _legend(figure, panels, others=()):
     """Draws the legend below all panels: every model with a dot in one of them, then `others`."""
     found = {label: handle for panel in panels for handle, label in zip(*panel.get_legend_handles_labels())}
-    models = [found[name] for model, name in accuracy.NAMES.items() if name in found]
-    figure.legend(handles=[*models, *others], loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=7)
+    known = [found[name] for name in map(accuracy.name_of, models()) if name in found]
+    figure.legend(handles=[*known, *others], loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=7)
 
 
 def _front(panel, stated, against):
     gap = accuracy.gap(stated, against)
-    for model, some in accuracy.by_model(stated).items():
+    for model, some in by_model(stated).items():
         points = [(accuracy.cost(run), 100 * accuracy.error(run, against=against)) for run in some]
         points = [point for point in points if np.isfinite(point).all()]
         if points:
@@ -186,7 +187,7 @@ def _front(panel, stated, against):
             panel.scatter(*zip(*points), s=15,
                           color=["white" if error < 100 * gap else colour for _, error in points],
                           edgecolors=colour, linewidths=0.8)
-            panel.scatter([], [], s=15, color=colour, label=accuracy.NAMES[model])
+            panel.scatter([], [], s=15, color=colour, label=accuracy.name_of(model))
     best = accuracy.front(stated, against=against)
     panel.step([accuracy.cost(run) for run in best],
                [100 * accuracy.error(run, against=against) for run in best], where="post", color=style.INK,
@@ -208,7 +209,7 @@ def message(stated, paper):
             parts.append(f"errors of {100 * level:g} % are not known")
             continue
         run = accuracy.reaching(stated, level)
-        parts.append(f"{accuracy.NAMES[run.model]} is within {100 * level:g} % in "
+        parts.append(f"{accuracy.name_of(run.model)} is within {100 * level:g} % in "
                      f"{style.number(accuracy.cost(run), 2)} ms" if run
                      else f"none is within {100 * level:g} %")
     star = next((run for run in paper if run.model == "adaptive"), None)

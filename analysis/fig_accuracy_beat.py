@@ -9,7 +9,7 @@ from matplotlib.lines import Line2D
 
 import accuracy
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 TENTH = 0.1  # the goal: share of the paper's time, and of its error
@@ -34,7 +34,7 @@ def main(results, out):
                              "cells."))
     section.tables += [_control_table(rest, line),
                        Table("The front, and the paper's setting", ["model", "cells", *COLUMNS],
-                             [[accuracy.NAMES[run.model], cells(run), *_numbers(run)]
+                             [[accuracy.name_of(run.model), cells(run), *_numbers(run)]
                               for run in accuracy.front(rest) + line
                               + [run for run in paper if run is not star]])]
     return section
@@ -110,16 +110,16 @@ def _control_table(rest, line):
         for what, run, ratio in zip(("time for its error", "error in its time"), chosen(same, star),
                                     ratios(same, star)):
             rows.append([cells(star), *_numbers(star)[1:], what, style.number(ratio),
-                         *([accuracy.NAMES[run.model], *_numbers(run)] if run else ["–"] * 5)])
+                         *([accuracy.name_of(run.model), *_numbers(run)] if run else ["–"] * 5)])
     return Table("At equal cells: the paper's adaptive model, and models that are given the cloth on the "
                  "same mesh", ["cells", *COLUMNS[1:], "question", "ratio", "best model", *COLUMNS], rows)
 
 
 def _picture(rest, paper, line, star, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
-    for model, some in accuracy.by_model(rest).items():
+    for model, some in by_model(rest).items():
         axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], s=14,
-                     color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model], linewidths=0)
+                     color=style.MODEL_COLOURS[model], label=accuracy.name_of(model), linewidths=0)
     best = accuracy.front(rest)
     axes.step(*_places(best), where="post", color=style.INK, linewidth=1, zorder=0)
     axes.plot(*_places(line), "--", color=style.MODEL_COLOURS["adaptive"], linewidth=1, zorder=1)
@@ -139,7 +139,7 @@ def _picture(rest, paper, line, star, out):
                     markeredgecolor=style.INK, markeredgewidth=0.6, linestyle="--" if run is star else "",
                     linewidth=1,
                     label="the paper's "
-                    f"{accuracy.NAMES[run.model]}{', 8 to 64 cells' if run is star else ', 64 cells'}")
+                    f"{accuracy.name_of(run.model)}{', 8 to 64 cells' if run is star else ', 64 cells'}")
              for run in sorted(paper, key=lambda run: run is not star)]
     axes.legend(handles=[*axes.get_legend_handles_labels()[0], *stars], loc="upper left",
                 bbox_to_anchor=(1, 1))

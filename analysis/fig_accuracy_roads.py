@@ -4,7 +4,7 @@ import numpy as np
 
 import accuracy
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 AGREE = 0.005  # largest distance between two methods, in sizes
@@ -39,7 +39,7 @@ def road_checks(name, runs):
     moving = [run for run in runs if run.get("/solver/method") == "pbd"
               and run.get("/accuracy/start_from_end") in (name in ("drape", "one_pin"), None)]
     finest = [max(some, key=lambda run: run.get("/solver/substeps"))
-              for some in accuracy.by_model(moving).values()]
+              for some in by_model(moving).values()]
     return [Check(f"{name.replace('_', ' ')}: XPBD with {run.get('/solver/substeps')} substeps from Newton's "
                   "equilibrium", run.model, f"{run.get('/mesh/cells')} cells", AGREE,
                   accuracy.error(run, against="solver"), 0, "the same energies", "most") for run in finest]

@@ -5,7 +5,7 @@ from matplotlib.lines import Line2D
 
 import accuracy
 import style
-from load import group
+from load import by_model, group
 from report import Section, Table, figure_main
 
 LEVEL, MOTION = 0.01, 0.05  # sizes; distances from the model's own equilibrium and motion
@@ -54,7 +54,7 @@ def cost_at(runs, level):
 def _growth(runs, out):
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.3), layout="constrained")
     looks, slopes = {12: ":", 24: "--", 48: "-"}, {}
-    for model, some in accuracy.by_model(runs).items():
+    for model, some in by_model(runs).items():
         line = []
         for cells, of_size in sorted(group(some, lambda run: run.get("/mesh/cells")).items()):
             of_size = sorted(of_size, key=lambda run: run.get("/solver/substeps"))
@@ -62,7 +62,7 @@ def _growth(runs, out):
                       [100 * accuracy.error(run, against="solver") for run in of_size], looks.get(cells, "-"),
                       marker="o", markersize=4, color=style.MODEL_COLOURS[model])
             line.append((of_size[0].summary["vertices"], cost_at(of_size, LEVEL)))
-        right.plot(*zip(*line), "o-", color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model])
+        right.plot(*zip(*line), "o-", color=style.MODEL_COLOURS[model], label=accuracy.name_of(model))
         slopes[model] = accuracy.slope(*zip(*line))
     left.axhline(100 * LEVEL, color=style.GREY, linewidth=0.8)
     left.set_xscale("log", base=4), left.set_yscale("log")
@@ -75,7 +75,7 @@ def _growth(runs, out):
                          for cells, look in looks.items()])
     right.legend()
     found = {model: p for model, p in slopes.items() if np.isfinite(p)}
-    text = ", ".join(f"{accuracy.NAMES[model]} V^{p:.1f}" for model, p in found.items())
+    text = ", ".join(f"{accuracy.name_of(model)} V^{p:.1f}" for model, p in found.items())
     figure.suptitle(f"Time for an error of {100 * LEVEL:g} % "
                     f"{'grows faster than' if min(found.values()) > 1 else 'over'} the number V of vertices: "
                     f"{text}" if found else f"Time for an error of {100 * LEVEL:g} % over the size of the "
@@ -90,7 +90,7 @@ def known(run):
 
 def _motion(runs, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.4), layout="constrained")
-    for model, some in accuracy.by_model(runs).items():
+    for model, some in by_model(runs).items():
         colour = style.MODEL_COLOURS[model]
         axes.scatter([accuracy.cost(run) for run in some],
                      [100 * accuracy.error(run, against="solver") for run in some], s=18,
@@ -105,20 +105,20 @@ def _motion(runs, out):
     axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel(
         "distance from its motion (% of size)")
     axes.legend(handles=[Line2D([], [], marker="o", linewidth=1, color=style.MODEL_COLOURS[model],
-                                label=accuracy.NAMES[model]) for model in accuracy.by_model(runs)])
+                                label=accuracy.name_of(model)) for model in by_model(runs)])
     figure.suptitle(motion_message(runs), x=0.01, ha="left", fontsize=11)
     return style.save(figure, out, "fig_accuracy_motion")
 
 
 def motion_message(runs):
     """The cheapest setting that keeps most models near their own motions, as text."""
-    models = len(accuracy.by_model(runs))
+    models = len(by_model(runs))
     kept = group([run for run in runs if accuracy.error(run, against="solver") <= MOTION], accuracy.settings)
     if not kept:
         return f"No setting keeps a model within {100 * MOTION:g} % of its own motion"
     middle = {setting: np.median([accuracy.cost(run) for run in some]) for setting, some in kept.items()}
-    best = min(kept, key=lambda setting: (-len(accuracy.by_model(kept[setting])), middle[setting]))
-    return (f"{best}: {len(accuracy.by_model(kept[best]))} of {models} models stay within {100 * MOTION:g} % "
+    best = min(kept, key=lambda setting: (-len(by_model(kept[setting])), middle[setting]))
+    return (f"{best}: {len(by_model(kept[best]))} of {models} models stay within {100 * MOTION:g} % "
             f"of their own motion, at {style.number(middle[best], 2)} ms (median)")
 
 
@@ -130,11 +130,11 @@ def _motion_table(runs):
                  "of times the scale; it then shows how stretched the cloth is, and not how it moves.",
                  ["model", "substeps × iterations", "ms per frame", "distance (%)", "worst frame (%)",
                   "energy (%)", "uncertainty of the reference (%)", "at most a tenth of the distance"],
-                 [[accuracy.NAMES[run.model], accuracy.settings(run), style.number(accuracy.cost(run)),
+                 [[accuracy.name_of(run.model), accuracy.settings(run), style.number(accuracy.cost(run)),
                    *(style.number(100 * accuracy.error(run, measure, "solver"))
                      for measure in ("rms", "rms_worst", "energy")),
                    style.number(100 * accuracy.gap([run], "solver")), "yes" if known(run) else "no"]
-                  for some in accuracy.by_model(runs).values() for run in sorted(some, key=accuracy.cost)])
+                  for some in by_model(runs).values() for run in sorted(some, key=accuracy.cost)])
 
 
 if __name__ == "__main__":

@@ -4,7 +4,7 @@ import numpy as np
 
 import accuracy
 import style
-from load import group
+from load import by_model, group
 from report import Section, Table, figure_main
 
 EQUAL = (16, 64, 256)  # substeps × iterations
@@ -65,11 +65,11 @@ def _substeps(stated, out):
     figure, axes = plt.subplots(1, len(EQUAL), figsize=(10.4, 4.3), layout="constrained", sharey=True)
     gains, between = {}, {}
     for panel, work in zip(axes, EQUAL):
-        for model, some in accuracy.by_model(stated).items():
+        for model, some in by_model(stated).items():
             line = along(some, work)
             if len(line) > 1:
                 panel.plot([s for s, _ in line], [100 * e for _, e in line], linewidth=1.2,
-                           color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model],
+                           color=style.MODEL_COLOURS[model], label=accuracy.name_of(model),
                            **MARKS.get(model, dict(marker="o", markersize=4)))
             if np.isfinite(gain(some, work)):
                 gains[model, work], between[model, work] = gain(some, work), best_between(line)
@@ -93,14 +93,14 @@ def message(gains, between):
                                    and best is not None]))
     return (f"In {wins} of {len(gains)} comparisons the error is smaller with all work in substeps than with "
             f"all in iterations:\nby × {style.number(np.median(list(gains.values())), 2)} (median), from × "
-            f"{style.number(gains[worst, least], 2)} ({accuracy.NAMES[worst]}, work {least}) to × "
-            f"{style.number(gains[best, most], 2)} ({accuracy.NAMES[best]}, work {most}).\nA mixture of both "
+            f"{style.number(gains[worst, least], 2)} ({accuracy.name_of(worst)}, work {least}) to × "
+            f"{style.number(gains[best, most], 2)} ({accuracy.name_of(best)}, work {most}).\nA mixture of both "
             f"is best in {mixed or 'none'}")
 
 
 def finest_best(runs):
     """For how many models the smallest time step has the smallest error: '3 of 4'."""
-    models = accuracy.by_model(runs).values()
+    models = by_model(runs).values()
     best = [min(some, key=lambda run: accuracy.error(run, against="solver")) for some in models]
     finest = min((run.get("/solver/dt") for run in runs), default=None)
     return f"{sum(run.get('/solver/dt') == finest for run in best)} of {len(best)}"
@@ -108,11 +108,11 @@ def finest_best(runs):
 
 def _steps_and_precision(time_step, precision, out):
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.4, 4.1), layout="constrained")
-    for model, some in accuracy.by_model(time_step).items():
+    for model, some in by_model(time_step).items():
         some = sorted(some, key=lambda run: -run.get("/solver/dt"))
         left.plot([1 / run.get("/solver/dt") for run in some],
                   [100 * accuracy.error(run, against="solver") for run in some], "o-",
-                  color=style.MODEL_COLOURS[model], label=accuracy.NAMES[model])
+                  color=style.MODEL_COLOURS[model], label=accuracy.name_of(model))
     left.set_xscale("log"), left.set_yscale("log")
     rates = sorted({round(1 / run.get("/solver/dt")) for run in time_step})
     left.set_xticks(rates, labels=rates), left.minorticks_off()
@@ -120,13 +120,13 @@ def _steps_and_precision(time_step, precision, out):
     left.set_ylabel("distance from its equilibrium (% of size)")
     left.legend()
     worst = 1.0
-    for model, some in accuracy.by_model(precision).items():
+    for model, some in by_model(precision).items():
         found = {(run.get("/solver/precision"),
                   run.get("/solver/substeps")): accuracy.error(run, against="solver") for run in some}
         substeps = sorted({s for _, s in found})
         for kind, look in (("single", "o-"), ("double", "s:")):
             right.plot(substeps, [100 * found.get((kind, s), np.nan) for s in substeps], look,
-                       color=style.MODEL_COLOURS[model], label=f"{accuracy.NAMES[model]}, {kind}")
+                       color=style.MODEL_COLOURS[model], label=f"{accuracy.name_of(model)}, {kind}")
         worst = max([worst, *(found[("single", s)] / found[("double", s)] for s in substeps
                               if ("single", s) in found and ("double", s) in found)])
     right.set_xscale("log", base=4), right.set_yscale("log")
@@ -145,7 +145,7 @@ def _order_table(runs):
                                                 lambda run: (run.model, run.get("/solver/substeps"),
                                                              run.get("/solver/sweep"))).items():
         found = {run.get("/solver/order"): run for run in some}
-        row = [accuracy.NAMES[model], f"{substeps} × {some[0].get('/solver/iterations')} {sweep}"]
+        row = [accuracy.name_of(model), f"{substeps} × {some[0].get('/solver/iterations')} {sweep}"]
         for order in ("colour", "mesh", "pins"):
             run = found.get(order)
             row += [style.number(100 * accuracy.error(run, against="solver")),

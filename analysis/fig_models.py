@@ -4,7 +4,7 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 import style
-from load import group, load_experiment, summary_spread, swept_value, typical_frame
+from load import group, load_experiment, summary_spread, typical_frame
 from report import Section, Table, figure_main
 
 HOLDS, TORN = 0.1, 1  # mean strain; below HOLDS a sheet is cloth, above TORN it is more than twice as long
@@ -29,7 +29,7 @@ def main(results, out):
 
 def name_of(run):
     """Name of a run's model; for k_ring with its ring."""
-    return f"{run.get('/bending/k_ring/k')}-ring" if run.model == "k_ring" else style.MODEL_NAMES[run.model]
+    return style.model_name(run.model, run.get("/bending/k_ring/k"))
 
 
 def cost(runs):
@@ -281,8 +281,7 @@ def _strip_table(experiment):
     for run in experiment.runs:
         tip = profile(run)[-1]
         rows.append([name_of(run), run.get("/bending/stiffness"),
-                     style.number(swept_value(run.config, "/bending",
-                                              experiment.sweep).get("compliance", np.nan)),
+                     style.number(run.point["/bending"].get("compliance", np.nan)),
                      f"{-100 * tip[1]:.2f}", f"{100 * tip[0]:.2f}", style.number(run.summary["mean_strain"])])
     return Table("The clamped strip", ["model", "stiffness", "compliance", "tip below the clamp (cm)",
                                        "tip from the clamp (cm)", "mean strain"], rows)

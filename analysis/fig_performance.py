@@ -1,102 +1,156 @@
-"""Cost of a constraint over the size of the cloth, from `bendlab bench --json`."""
-import argparse
-import json
-import sys
-from pathlib import Path
+"""Rows of `bendlab bench --json`, and what a constraint costs over the size of the cloth."""
+from collections import Counter
 
 import matplotlib.pyplot as plt
 import numpy as np
 
 import style
+from report import Section, Table
 
-ROOT = Path(__file__).resolve().parent.parent
-KINDS = {"strain": ("strain triangle", style.SEQUENCE[0]),
-         "crossover": ("crossover spring", style.SEQUENCE[1]),
-         "dense": ("spring of dense rings", style.SEQUENCE[2])}
+# The constraints that are timed: in rows → name and colour on the page.
+STRAIN = {"strain": ("strain triangles", style.INK),
+          "strain_angle": ("strain triangles, shear as an angle", style.GREY)}
+BENDING = {"crossover": ("crossover springs", style.MODEL_COLOURS["crossover"]),
+           "dense": ("adaptive springs", style.MODEL_COLOURS["adaptive"]),
+           "dihedral": ("dihedral hinges", style.MODEL_COLOURS["dihedral"]),
+           "bridson": ("Bridson hinges", style.MODEL_COLOURS["bridson"]),
+           "isometric": ("isometric hinges", style.MODEL_COLOURS["isometric"]),
+           "choi_ko": ("Choi-Ko springs", style.MODEL_COLOURS["choi_ko"]),
+           "choi_ko_compliance": ("Choi-Ko springs with compliance", style.MODEL_COLOURS["choi_ko"])}
+KINDS = STRAIN | BENDING
+PRECISION = {"float": "single", "double": "double"}
 SCALARS = {"float": dict(ls="-", marker="o"), "double": dict(ls="--", marker="s", mfc="white")}
+ORACLES = {"float": dict(marker="x", mew=1.8), "double": dict(marker="+", mew=1.2)}
+OVER_SIZE = {"strain": 1, "crossover": 0.83, "dense": 1.2}  # oracles are moved sideways to be told apart
 
 
-def main(bench, out):
-    """Draws the figure; returns its title."""
-    rows = series(bench["rows"])
-    if not any((kind, scalar) in rows for kind in KINDS for scalar in SCALARS):
-        raise ValueError("no kernels among the rows")
-    figure, axes = plt.subplots(figsize=(7.6, 4.6), layout="constrained")
-    for kind, (name, colour) in KINDS.items():
-        for scalar, look in SCALARS.items():
-            _line(axes, rows.get((kind, scalar), []), f"{name}, {scalar}", color=colour, **look)
-            _oracle(axes, rows.get((f"{kind}_oracle", scalar), []), colour, look)
-    if any(kind.endswith("_oracle") for kind, _ in rows):
-        axes.plot([], [], ls="none", marker="x", color=style.GREY,
-                  label="the same, oracle (scalar code) in mesh order")
-    style.plain_log(axes, "y")
-    axes.set_xscale("log")
-    axes.set_xlabel("vertices")
-    axes.set_ylabel("time per constraint and projection (ns)")
-    title = title_of(rows)
-    axes.set_title(title)
-    context = bench["context"]
-    axes.text(0, -0.16, f"{context['processor']}, {context['vector_bits']} bits, {context['compiler']}, one "
-              f"thread, {context['date'][:10]}; medians; bars: lowest to highest", transform=axes.transAxes,
-              fontsize=7.5, color=style.GREY, va="top")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
-    style.save(figure, out, "fig_performance")
-    return title
+# Rows -----------------------------------------------------------------------------------------------------
+
+def kind(row):
+    """'strain_oracle' of the row strain_oracle/128, 'effect/wind' of effect/wind/100."""
+    return row["name"].rpartition("/")[0]
 
 
 def series(rows):
     """(kind, scalar) → timed rows of one thread, sorted by vertices."""
     found = {}
     for row in rows:
-        kind = row["name"].split("/")[0]
         if row["threads"] == 1 and row["ns_per_constraint"] is not None:
-            found.setdefault((kind, row["scalar"]), []).append(row)
+            found.setdefault((kind(row), row["scalar"]), []).append(row)
     return {key: sorted(some, key=lambda row: row["vertices"]) for key, some in found.items()}
 
 
-def title_of(rows):
-    """The title: cost, speed relative to the oracle, and growth from 10⁴ vertices to the largest cloth."""
-    parts = []
-    for kind in ("strain", "crossover"):
-        some = [row for row in rows.get((kind, "float"), []) if row["vertices"] > 1e4]
-        if len(some) > 1:
-            first, last = some[0], some[-1]
-            parts.append(f"{KINDS[kind][0]}: {first['ns_per_constraint']:.1f} ns, "
-                         f"{first['ratio_to_oracle']:.0f} times as fast as the oracle; × "
-                         f"{last['ns_per_constraint'] / first['ns_per_constraint']:.2f} from "
-                         f"{first['vertices']:,} to {last['vertices']:,} vertices")
-    return "\n".join(parts) or "Time per constraint"
+def at(table, name, scalar, vertices):
+    """The row of a kind at a size, None if there is none."""
+    return next((row for row in table.get((name, scalar), []) if row["vertices"] == vertices), None)
 
 
-def _line(axes, rows, label, **look):
-    if not rows:
-        return
-    at, middle, low, high = (np.array([row[key] for row in rows], float)
-                             for key in ("vertices", "ns_per_constraint", "ns_lowest", "ns_highest"))
-    axes.errorbar(at, middle, yerr=[middle - low, high - middle], label=label, capsize=2.5, elinewidth=1,
-                  **look)
+def usual(table):
+    """The number of vertices at which most kinds of constraints are timed; None without any."""
+    sizes = Counter(row["vertices"] for (name, _), rows in table.items() if name in KINDS for row in rows)
+    return max(sizes, key=lambda size: (sizes[size], -size), default=None)
 
 
-def _oracle(axes, rows, colour, look):
-    is_float = look["ls"] == "-"
+def per_vertex(row, time="ns_per_constraint"):
+    """ns per vertex and iteration (effects: and step); `time` may be the lowest or highest one."""
+    return row[time] * row["constraints"] / row["vertices"]
+
+
+def iterations(rows):
+    """How many iterations a step of the rows has, from its time; None without a row of a step."""
     for row in rows:
-        at = row["vertices"], row["ns_per_constraint"]
-        axes.plot(*at, "x", color=colour, mew=1.8 if is_float else 0.9, ms=7)
-        axes.annotate(row["scalar"], at, xytext=(-7 if is_float else 7, 0), textcoords="offset points",
-                      color=colour, fontsize=7.5, ha="right" if is_float else "left", va="center")
+        if kind(row) == "step":
+            return round(1e6 * row["step_ms"] / (row["ns_per_constraint"] * row["constraints"]))
+    return None
 
 
-def _arguments():
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("bench", nargs="?", type=Path, default=ROOT / "results/performance/bench.json",
-                        help="what `bendlab bench --json` printed (default: %(default)s)")
-    parser.add_argument("--out", type=Path, help="folder of the picture (default: beside the file)")
-    return parser.parse_args()
+def lacking(table, names):
+    """A line for each precision in which kinds have no row at all."""
+    return [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar in SCALARS
+            if (absent := [KINDS[name][0] for name in names if (name, scalar) not in table])]
 
 
-if __name__ == "__main__":
-    arguments = _arguments()
-    try:
-        print(main(json.loads(arguments.bench.read_text()), arguments.out or arguments.bench.parent))
-    except (OSError, ValueError) as error:
-        sys.exit(f"{arguments.bench}: {error}; make it with: bendlab bench --json > {arguments.bench}")
+def part(value):
+    """A share between 0 and 1 as text in %."""
+    return "–" if value is None else f"{style.number(100 * value, 2)} %"
+
+
+def to(values, digits=2):
+    """'1.3 to 8.4', or one number where both are alike."""
+    low, high = (style.number(value, digits) for value in (min(values), max(values)))
+    return low if low == high else f"{low} to {high}"
+
+
+def columns(row):
+    """The columns of a timed row that every table has."""
+    return [row["scalar"], f"{row['vertices']:,}", style.number(row["ns_per_constraint"]),
+            f"{style.number(row['ns_lowest'])} – {style.number(row['ns_highest'])}"]
+
+
+COLUMNS = ["scalar", "vertices", "ns", "lowest – highest"]
+
+
+# The figure -----------------------------------------------------------------------------------------------
+
+def main(bench, out):
+    table = series(bench["rows"])
+    section = Section("Does a constraint cost more on a larger cloth?", "size",
+                      missing=lacking(table, OVER_SIZE),
+                      commands=["./bendlab bench --filter '^(strain|crossover|dense)'"])
+    section.text = ("A larger cloth no longer fits the caches of the processor, so its constraints wait for "
+                    "memory. An iteration visits every constraint once; the time is that of one constraint "
+                    "in one iteration.")
+    rows = [(name, row) for name in OVER_SIZE for scalar in SCALARS for row in table.get((name, scalar), [])]
+    if rows:
+        section.pictures.append((_draw(table, out), "Marks on lines: medians; bars: lowest to highest. × and "
+                                 "+: the oracle, the scalar code that projects one constraint at a time in "
+                                 "list order. It is timed at one size; marks are moved sideways to be told "
+                                 "apart."))
+        section.tables.append(Table("Cost over size: ns per constraint and iteration",
+                                    ["constraint", *COLUMNS, "times as fast as the oracle"],
+                                    [[KINDS[name][0], *columns(row), style.number(row["ratio_to_oracle"])]
+                                     for name, row in rows]))
+    return section
+
+
+def title(table):
+    """How the cost grows from the usual cloth to the largest, over the constraints that are timed on both."""
+    size, rows = usual(table), {name: table.get((name, "float"), []) for name in OVER_SIZE}
+    largest = max((row["vertices"] for some in rows.values() for row in some), default=0)
+    grown = {KINDS[name][0]: some[-1]["ns_per_constraint"] / first["ns_per_constraint"]
+             for name, some in rows.items() if (first := at(table, name, "float", size))
+             and some[-1]["vertices"] == largest > size}
+    if not grown:
+        return "Time per constraint over the size of the cloth"
+    parts = " and ".join(f"{style.number(times)} for {name}" for name, times in grown.items())
+    return (f"Cost of a constraint on {largest:,} vertices over that on {size:,}:\n{parts} (single "
+            "precision)")
+
+
+def _draw(table, out):
+    figure, axes = plt.subplots(figsize=(8.6, 4.6), layout="constrained")
+    for name in OVER_SIZE:
+        for scalar, look in SCALARS.items():
+            _line(axes, table.get((name, scalar), []), color=KINDS[name][1], **look,
+                  label=f"{KINDS[name][0]}, {PRECISION[scalar]}")
+    for scalar, look in ORACLES.items():
+        for name, shift in OVER_SIZE.items():
+            for row in table.get((f"{name}_oracle", scalar), []):
+                axes.plot(shift * row["vertices"], row["ns_per_constraint"], color=KINDS[name][1], ms=7,
+                          **look)
+        axes.plot([], [], ls="none", color=style.GREY, **look,
+                  label=f"oracle of the same colour, {PRECISION[scalar]}")
+    axes.set_xscale("log")
+    style.plain_log(axes, "y")
+    axes.set_xlabel("vertices")
+    axes.set_ylabel("ns per constraint and iteration")
+    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    figure.suptitle(title(table), x=0.01, ha="left", fontsize=11)
+    return style.save(figure, out, "fig_performance")
+
+
+def _line(axes, rows, **look):
+    if rows:
+        x, middle, low, high = (np.array([row[key] for row in rows], float)
+                                for key in ("vertices", "ns_per_constraint", "ns_lowest", "ns_highest"))
+        axes.errorbar(x, middle, yerr=[middle - low, high - middle], capsize=2.5, elinewidth=1, **look)

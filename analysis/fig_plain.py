@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import MODELS, group, load_experiment, swept_value
+from load import group, load_experiment, models
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, Table, figure_main
 
@@ -16,7 +16,7 @@ NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
 WRONG = (SILENT, TOLD)
 MIXED = ("metres", "millimetres")  # covering arrays: with each value the other settings are mixed evenly
 ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
-                  "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"], "model": MODELS,
+                  "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
          "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
          "height / width": ["0.25", "1", "4"],
          "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"],
@@ -34,7 +34,7 @@ def main(results, out):
     for name in CONFIGS:
         experiment = load_experiment(results, f"{FOLDER}/{name}")
         runs = [run for run in section.uses(experiment) if run.over]
-        section.judged += [judge(run, name, experiment.sweep) for run in runs]
+        section.judged += [judge(run, name) for run in runs]
         if "cover" in experiment.settings and runs:
             section.covered.append((name, len(runs), *coverage(experiment, runs)))
         if name in TWINS:
@@ -55,8 +55,7 @@ def coverage(experiment, runs):
     cover = experiment.settings["cover"]
     strength = cover if isinstance(cover, int) else cover["strength"]
     sweep = experiment.sweep
-    places = [tuple(sweep[pointer].index(swept_value(run.config, pointer, sweep)) for pointer in sweep)
-              for run in runs]
+    places = [tuple(sweep[pointer].index(run.point[pointer]) for pointer in sweep) for run in runs]
     held, wanted, absent = 0, 0, []
     for axes in itertools.combinations(range(len(sweep)), strength):
         there = {tuple(place[axis] for axis in axes) for place in places}
@@ -78,7 +77,7 @@ class Twins:
 
     def add(self, name, experiment, runs):
         for run in runs:
-            place = tuple(experiment.sweep[pointer].index(swept_value(run.config, pointer, experiment.sweep))
+            place = tuple(experiment.sweep[pointer].index(run.point[pointer])
                           for pointer in experiment.sweep)
             other = self.places.setdefault(place, {})
             other[name] = run
@@ -120,7 +119,7 @@ def _caption(judged):
 def values_of(judged, axis):
     """The values of an axis in the runs, in the order of ORDER."""
     values = sorted({one.settings[axis] for one in judged})
-    known = ORDER.get(axis, [])
+    known = models() if axis == "model" else ORDER.get(axis, [])
     return sorted(values, key=lambda value: known.index(value) if value in known else len(known))
 
 
@@ -166,7 +165,7 @@ def _short(axis, value):
     """Text of a value beside its bar."""
     if axis != "model":
         return str(value)
-    return style.MODEL_NAMES.get(value, str(value)).replace(" (k_ring 1)", "")
+    return style.model_name(value)
 
 
 def _models_and_meshes(judged, out):

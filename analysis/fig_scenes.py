@@ -106,7 +106,7 @@ def _sheet(experiments, out):
             panel.imshow(picture(run, frame, camera, view), interpolation="lanczos")
             style.caption(panel, caption(run, frame))
     for panel, model in zip(axes[0], models):
-        panel.set_title(style.MODEL_NAMES[model], fontweight="bold")
+        panel.set_title(style.model_name(model), fontweight="bold")
     figure.suptitle(title(experiments), x=0.01, ha="left", fontsize=12.5)
     return style.save(figure, out, "fig_scenes", palette=False, dpi=DPI)
 
@@ -132,7 +132,7 @@ def title(experiments):
     return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
             f"complete\nLast frame: {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
             f"Largest stretch, median of the last second: {style.number(worst.summary['max_stretch'])} "
-            f"({name.replace('_', ' ')}, {style.MODEL_NAMES[worst.model]})")
+            f"({name.replace('_', ' ')}, {style.model_name(worst.model)})")
 
 
 def _table(experiments):

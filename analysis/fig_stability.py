@@ -8,7 +8,7 @@ from matplotlib.patches import Patch
 
 import render
 import style
-from load import MODELS, group, load_experiment, swept_value
+from load import group, load_experiment, models
 from report import Section, Table, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, judge
 from stability_reasons import explain
@@ -58,8 +58,7 @@ def _swept(experiment, pointer, value):
 
 def _at(experiment, where):
     """(model, precision) → the run at a point of the sweep."""
-    here = lambda run: all(swept_value(run.config, pointer,
-                                       experiment.sweep) == _swept(experiment, pointer, value)
+    here = lambda run: all(run.point.get(pointer) == _swept(experiment, pointer, value)
                            for pointer, value in where.items())
     return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
             if run.over and here(run)}
@@ -90,7 +89,7 @@ def _matrix(cells, out):
     halves, colours = [], []
     for place, case in places:
         axes.text(-0.15, place + 0.5, case.title, ha="right", va="center", fontsize=8)
-        for (column, model), precision in itertools.product(enumerate(MODELS), PRECISIONS):
+        for (column, model), precision in itertools.product(enumerate(models()), PRECISIONS):
             cell = cells.get((case.name, model, precision))
             halves.append(_half(column, place, precision))
             colours.append(COLOURS[cell.verdict] if cell else MISSING)
@@ -99,9 +98,9 @@ def _matrix(cells, out):
     axes.add_collection(PolyCollection(halves, facecolors=colours, linewidths=0))
     for place, title in heads:
         axes.text(-0.15, place + 0.12, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
-    axes.set_xlim(0, len(MODELS)), axes.set_ylim(y + 0.1, -0.1)
-    axes.set_xticks(np.arange(len(MODELS)) + 0.5,
-                    [style.MODEL_NAMES.get(model, model).replace(" (k_ring 1)", "") for model in MODELS],
+    axes.set_xlim(0, len(models())), axes.set_ylim(y + 0.1, -0.1)
+    axes.set_xticks(np.arange(len(models())) + 0.5,
+                    [style.model_name(model) for model in models()],
                     rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.tick_params(length=0)
@@ -134,7 +133,7 @@ def shown(cells, cases):
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
-        of_case.sort(key=lambda cell: MODELS.index(cell.model))
+        of_case.sort(key=lambda cell: models().index(cell.model))
         red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
         found += [some[0]
                   for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
@@ -170,7 +169,7 @@ def _still(axes, sheet, cell, left, top):
     drawn_out = excess > 1
     axes.add_collection(_slivers(places, triangles[drawn_out], colours[drawn_out]))
     axes.scatter(*places[run.pinned].T, s=4, c="#111418", edgecolors="white", linewidths=0.25, zorder=3)
-    axes.text(left, top - 4, f"{cell.case.title}\n{style.MODEL_NAMES.get(cell.model, cell.model)}, "
+    axes.text(left, top - 4, f"{cell.case.title}\n{style.model_name(cell.model)}, "
               f"{cell.precision}", va="bottom", fontsize=TEXT)
     axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "
               "sizes across", va="top", fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")

@@ -165,7 +165,7 @@ def _frames(stories, out):
             for row, (field, _, _) in enumerate(rows):
                 axes[row, column].plot(s.time, np.maximum(getattr(s, field), 1e-3), color=colours[name],
                                        linewidth=2.2 if name == "as published" else 1, label=name)
-        axes[0, column].set_title(style.MODEL_NAMES[model])
+        axes[0, column].set_title(style.model_name(model))
         axes[-1, column].set_xlabel("time (s)")
     for row, (_, label, bound) in enumerate(rows):
         axes[row, 0].set_ylabel(label)
@@ -222,7 +222,7 @@ def _remedies(stories, out):
             some = [s for s in shown if s.run.model == model]
             panel.plot([value(s) for s in some],
                        [names.index(remedy(s.run)) + 0.2 * (place - 1) for s in some], "o",
-                       color=style.MODEL_COLOURS[model], markersize=5, label=style.MODEL_NAMES[model])
+                       color=style.MODEL_COLOURS[model], markersize=5, label=style.model_name(model))
         if bound:
             panel.axvline(bound, color=style.GREY, linewidth=0.8, linestyle="--")
         panel.set_xscale("log")
@@ -252,7 +252,7 @@ def _force(stories, out):
                   f"substep{'s' if substeps > 1 else ''}")
     axes.axhline(STRETCHED, color=style.GREY, linewidth=0.8, linestyle="--")
     axes.set_yscale("log")
-    axes.set_xticks(range(len(models)), labels=[style.MODEL_NAMES[model] for model in models])
+    axes.set_xticks(range(len(models)), labels=[style.model_name(model) for model in models])
     axes.set_ylabel("stretch − 1 near the pin")
     axes.legend(loc="upper left", bbox_to_anchor=(1, 1))
     held = [s for s in stories if s.worst < STRETCHED]

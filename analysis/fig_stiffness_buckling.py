@@ -113,7 +113,7 @@ def _picture(stiff, springs, out):
         expected = theory(some[0])
         some = sorted(some, key=load_number)
         left.plot([load_number(run) / expected for run in some], [1e4 * deflection(run)**2 for run in some],
-                  "o-", color=colour, label=f"{style.MODEL_NAMES[model]}, width "
+                  "o-", color=colour, label=f"{style.model_name(model)}, width "
                   f"{width_over_length(some[0]):.2f} L, {cells} cells")
         found.append(critical_load(some) / expected)
     left.axvline(1, color=style.INK, linewidth=0.8)

@@ -5,7 +5,7 @@ import numpy as np
 import strips
 import style
 from fig_stiffness_resolution import ratio
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 GOALS = {"equilateral": 0.05, "delaunay": 0.15}
@@ -138,7 +138,7 @@ def share(run):
 
 def _picture(runs, before, out):
     figure, (left, right, zoom) = plt.subplots(1, 3, figsize=(12.6, 4.3), layout="constrained")
-    models = strips.by_model(runs)
+    models = by_model(runs)
     ratios = {"before": [], "after": []}
     for model in models:
         for family, look in LOOKS.items():
@@ -155,7 +155,7 @@ def _picture(runs, before, out):
                 for panel in (right, zoom):
                     panel.plot([strips.cells(run) for run in some], [share(run) for run in some], look,
                                marker="o", markersize=4, color=style.MODEL_COLOURS[model],
-                               label=style.MODEL_NAMES[model] if family == "equilateral" else None)
+                               label=style.model_name(model) if family == "equilateral" else None)
                 ratios["after"].append(strips.largest_ratio(map(share, some)))
     for panel in (left, right, zoom):
         style.resolution_axis(panel, sorted({strips.cells(run) for run in [*runs, *before]}))
@@ -184,12 +184,12 @@ def _membrane_picture(runs, out):
     alpha = lambda run: run.get("/material/strain/compliance")
     extremes = {}
     for panel, family in zip(axes, LOOKS):
-        for model, some in strips.by_model([run for run in runs if strips.family(run) == family]).items():
+        for model, some in by_model([run for run in runs if strips.family(run) == family]).items():
             for cells, look in ((12, "--"), (24, "-")):
                 line = sorted((run for run in some if strips.cells(run) == cells), key=alpha)
                 x = [alpha(run) for run in line]
                 panel.plot(x, list(map(share, line)), look, color=style.MODEL_COLOURS[model],
-                           label=style.MODEL_NAMES[model] if cells == 24 else None)
+                           label=style.model_name(model) if cells == 24 else None)
                 panel.plot(x, list(map(share_of_droop, line)), "x", color=style.MODEL_COLOURS[model],
                            markersize=4, alpha=0.6)
                 extremes.setdefault(family, []).extend(map(share, line))

@@ -4,7 +4,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 
@@ -66,7 +66,7 @@ def static_and_dynamic(runs):
 def _growth(check, runs, setting):
     """Checks the ratio of stiffness between finest and coarsest setting, the largest of all models."""
     ratios = {}
-    for model, some in strips.by_model(runs).items():
+    for model, some in by_model(runs).items():
         ends = [strips.rigidity(pick(some, key=setting)) for pick in (min, max)]
         if model != "none" and np.isfinite(ends).all():
             ratios[model] = ends[1] / ends[0]
@@ -85,7 +85,7 @@ def _approach(series, cheap, out):
         error = [abs(strips.droop(run) / strips.droop(static) - 1) for run in some]
         left.plot([substeps(run) for run in some], [100 * e for e in error], looks.get(cells, "-"),
                   marker="o", color=style.MODEL_COLOURS[model],
-                  label=f"{style.MODEL_NAMES[model]}, {cells} cells")
+                  label=f"{style.model_name(model)}, {cells} cells")
         last.append(error[-1])
     left.axhline(1, color=style.GREY, linewidth=0.8)
     for panel in (left, right):
@@ -94,15 +94,15 @@ def _approach(series, cheap, out):
         panel.set_xlabel("substeps of 1/60 s")
         panel.set_yscale("log")
     left.set_ylabel("|H/W − static| (%)")
-    left.legend()
-    for model, some in strips.by_model(cheap).items():
+    left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=3, columnspacing=1)
+    for model, some in by_model(cheap).items():
         some = sorted(some, key=substeps)
         rigidity = some[0].get("/bending/flexural_rigidity")
         stated = rigidity or some[0].get("/bending/quartic_coefficient")
         share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity
                                else "stiffness_quartic") / stated for run in some]
         right.plot([substeps(run) for run in some], share, "o-", color=style.MODEL_COLOURS[model],
-                   label=style.MODEL_NAMES[model])
+                   label=style.model_name(model))
     right.axhline(1, color=style.INK, linewidth=0.8)
     right.set_ylabel("stiffness, measured / stated")
     right.legend()
@@ -120,7 +120,7 @@ def _pbd(iterations, time_step, out):
     sides = ((iterations, lambda run: run.get("/solver/iterations"), "iterations per step of 1/60 s"),
              (time_step, lambda run: 1 / run.get("/solver/dt"), "steps per second, 10 iterations each"))
     for panel, (runs, x, label) in zip(axes, sides):
-        for model, some in strips.by_model(runs).items():
+        for model, some in by_model(runs).items():
             some = sorted(some, key=x)
             values = np.array([strips.rigidity(run) for run in some])
             panel.plot([x(run) for run in some], values, marker="o", markersize=4,

@@ -4,7 +4,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 SPRINGS = ("adaptive", "lod", "sparse_lod")  # their stiffness is C in m = C κ³
@@ -46,7 +46,7 @@ def main(results, out):
 def shares(runs):
     """A dict per run that has an estimate and a static run of the same model."""
     rows = []
-    for model, some in strips.by_model(runs).items():
+    for model, some in by_model(runs).items():
         name = "stiffness_quartic" if model in SPRINGS else "stiffness_flexural_rigidity"
         static = [run for run in some if run.get("/solver/method") == "equilibrium"]
         for run in some if static else []:
@@ -97,7 +97,7 @@ def _picture(rows, out):
     for model, some in group(shown, lambda row: row["model"]).items():
         look = {"color": style.MODEL_COLOURS[model], "marker": "s" if model in SPRINGS else "o"}
         left.plot([row["measured"] for row in some], [row["estimate"] for row in some], linestyle="",
-                  markersize=6, alpha=0.8, label=style.MODEL_NAMES[model], **look)
+                  markersize=6, alpha=0.8, label=style.model_name(model), **look)
         once = [row for row in some if row["iterations"] == 1]
         right.plot([row["substeps"] for row in once], [row["measured"] for row in once], "-", markersize=4,
                    **look)

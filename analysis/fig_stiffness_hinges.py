@@ -4,7 +4,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 CURVE = "heavy elastica, Runge-Kutta (analysis/strips.py)"
@@ -101,7 +101,7 @@ def _picture(runs, out):
                                          gridspec_kw={"width_ratios": [1, 1.15]})
     loads = np.geomspace(0.2, 200, 60)
     left.plot(loads, strips.elastica_droop(loads), color=style.INK, linewidth=1, label="heavy elastica")
-    finest = {model: max(map(strips.cells, some)) for model, some in strips.by_model(runs).items()}
+    finest = {model: max(map(strips.cells, some)) for model, some in by_model(runs).items()}
     worst = []
     for (model, cells), some in group(runs, lambda run: (run.model, strips.cells(run))).items():
         load = np.array([strips.load_number(run, rigidity_given(run)) for run in some])
@@ -109,7 +109,7 @@ def _picture(runs, out):
         colour, marker = style.MODEL_COLOURS[model], MARKERS[model]
         if cells == finest[model]:
             left.plot(load, measured, marker, color=colour, markerfacecolor="none",
-                      label=style.MODEL_NAMES[model])
+                      label=style.model_name(model))
         size = {24: 4, 48: 6, 96: 8}.get(cells, 5)
         right.plot(load, 100 * (measured / theory - 1), marker, color=colour, markersize=size,
                    markerfacecolor="none" if cells < 48 else colour, alpha=0.8)

@@ -4,7 +4,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from load import by_model, group
 from report import Check, Section, Table, figure_main
 
 FAMILY_LOOKS = {"equilateral": ("#0072b2", "o-"), "same": ("#d55e00", "s-"), "alternating": ("#e69f00", "^-"),
@@ -51,7 +51,7 @@ def _range(runs, family):
 
 
 def _picture(runs, out):
-    models = [model for model in strips.by_model(runs) if model != "none"]
+    models = [model for model in by_model(runs) if model != "none"]
     columns = 4
     figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4),
                                 layout="constrained", sharex=True, sharey=True)

@@ -3,9 +3,7 @@
 A run file is open only while something is read from it, so that hundreds of runs can be listed at once.
 Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
-import itertools
 import json
-import re
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -40,6 +38,21 @@ class Metrics(Mapping):
         return len(self._found)
 
 
+class Labels(dict):
+    """Name of a bending model → its name in figures; the name itself until a file has told the label."""
+
+    def __missing__(self, name):
+        return name
+
+
+MODEL_LABELS = Labels()  # what the files that were read have told, in the order of the program's registry
+
+
+def models():
+    """Names of the registered bending models, as far as files were read."""
+    return list(MODEL_LABELS)
+
+
 @dataclass
 class Run:
     """One run. Small data are read at once, metrics and frames on demand."""
@@ -56,6 +69,7 @@ class Run:
     cpu_s: float = 0.0
     passes: dict = field(default_factory=dict)  # pass → seconds
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
+    point: dict = field(default_factory=dict)  # JSON pointer → value: the place on the sweep
     source_hash: str = ""  # identifies the program that wrote the run
 
     def get(self, pointer, default=None):
@@ -176,6 +190,8 @@ def load_run(path):
         if "pass" in timing:
             passes = dict(zip(map(_text, timing["pass"][()]), map(float, timing["seconds"][()])))
         status = _text(file.attrs["status"])
+        provenance = attributes("provenance")
+        MODEL_LABELS.update(json.loads(_text(provenance.get("models", "{}"))))
         return Run(
             file=path,
             id=_text(file.attrs["id"]),
@@ -188,56 +204,41 @@ def load_run(path):
             step_cpu_s=float(np.ravel(attributes("timing").get("step_cpu_s", 0))[0]),
             cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
             passes=passes,
-            source_hash=_text(attributes("provenance").get("source_hash", "")),
+            source_hash=_text(provenance.get("source_hash", "")),
+            point=json.loads(_text(provenance.get("point", "{}"))),
             counts={kind: int(np.ravel(data.attrs["count"])[0])
                     for kind, data in group("constraints").items()},
         )
 
 
-def load_runs(folder, axes=None):
+def load_runs(folder):
     """Every run below a folder, in the order of their configs; of equal configs the newest complete one. []
     if none.
 
-    Old results may lie beside new ones. `axes` are the JSON pointers of a sweep. With `axes`, only runs of
-    the newest run's program are kept, and of these only runs whose other settings equal the newest run's.
-    Thus no figure mixes programs, or trials with other settings. Reference runs (`/accuracy`) lie in a folder
-    `references` of their own. They are left out unless `folder` is that folder.
+    Old results may lie beside new ones: load_experiment() has only those of one program and one sweep. Reference
+    runs (`/accuracy`) lie in a folder `references` of their own. They are left out unless `folder` is that
+    folder.
     """
     found = {}
     for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
         if path.suffix not in (".vtkhdf", ".part") or "references" in path.relative_to(folder).parts:
             continue
-        try:
-            run = load_run(path)
-        except (OSError, KeyError, ValueError):
-            continue  # cut off before its first frame
-        if run.frames:
+        run = _load_if_begun(path)
+        if run:
             key = json.dumps(run.config, sort_keys=True)
             rank = (run.complete, path.stat().st_mtime)
             if key not in found or rank > found[key][0]:
                 found[key] = (rank, run)
-    runs = [run for _, run in sorted(found.values(), key=lambda entry: entry[0][1])]
-    if axes is not None and runs:
-        runs = [run for run in runs if run.source_hash == runs[-1].source_hash]
-        newest = {}
-        for run in runs:
-            newest[run.model] = _fixed_part(run.config, axes)
-            newest["any"] = newest[run.model][0]
-        runs = [run for run in runs if _fixed_part(run.config, axes) == (newest["any"], newest[run.model][1])]
-    return sorted(runs, key=lambda run: json.dumps(run.config, sort_keys=True))
+    return [found[key][1] for key in sorted(found)]
 
 
-def _fixed_part(config, axes):
-    """The settings that are not on the axes: (all but bending, bending)."""
-    rest = json.loads(json.dumps(config))
-    for pointer in [*axes, "/name", "/description", "/expect", "/sweep"]:
-        parent, _, last = pointer.rpartition("/")
-        node = at(rest, parent)
-        if isinstance(node, list) and last.isdigit() and int(last) < len(node):
-            node[int(last)] = None
-        elif isinstance(node, dict):
-            node.pop(last, None)
-    return rest, rest.pop("bending", {})
+def _load_if_begun(path):
+    """The run, or None if the file is cut off before its first frame."""
+    try:
+        run = load_run(path)
+    except (OSError, KeyError, ValueError):
+        return None
+    return run if run.frames else None
 
 
 def select(runs, **wanted):
@@ -252,6 +253,13 @@ def group(runs, key):
     for run in runs:
         groups.setdefault(key(run), []).append(run)
     return groups
+
+
+def by_model(runs):
+    """Model → runs, in the order of the registry."""
+    found, known = group(runs, lambda run: run.model), models()
+    return {model: found[model] for model in sorted(found, key=lambda model: known.index(model) if model in known
+                                                    else len(known))}
 
 
 def values(runs, name):
@@ -309,10 +317,7 @@ def typical_frame(runs, metric="pin_max_stretch"):
     return run, int(frame)
 
 
-ROOT = Path(__file__).resolve().parent.parent
-CONFIGS = ROOT / "configs"
-MODELS = re.findall(r"^BENDLAB_BENDING_MODEL\((\w+)\)",
-                    (ROOT / "lib/bendlab/bending/models.def").read_text(encoding="utf-8"), re.M)
+CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 
 
 @dataclass
@@ -321,13 +326,18 @@ class Experiment:
 
     config: str  # file below configs/, as in "paper/fig5"
     settings: dict  # the config as written
-    runs: list
+    sweep: dict  # JSON pointer → values
+    runs: list  # in the order of the sweep
     missing: list  # points of the sweep without a finished run, as text
+    absent: str = ""  # why there is no run at all
 
     @property
-    def sweep(self):
-        """JSON pointer → values"""
-        return self.settings.get("sweep", {})
+    def missing_text(self):
+        """What is missing, "" for nothing."""
+        if self.absent or not self.missing:
+            return self.absent
+        runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
+        return f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}"
 
     @property
     def command(self):
@@ -335,88 +345,47 @@ class Experiment:
 
 
 def load_experiment(results, config):
-    """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run."""
+    """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
+
+    `bendlab run` writes which runs these are into <config>.sweep.json beside them.
+    """
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
-    sweep = settings["sweep"] = {pointer: _listed(pointer, values)
-                                 for pointer, values in settings.get("sweep", {}).items()}
-    runs = [run for run in load_runs(Path(results) / settings["name"], list(sweep))
-            if _on_sweep(run.config, sweep)]
-    if config.endswith("_full"):  # run on request only: may be from an older program
-        sources = {run.source_hash for run in load_experiment(results, config.removesuffix("_full")).runs}
-        runs = [run for run in runs if run.source_hash in sources]
-    there = {_place(run.config, sweep) for run in runs if run.over}
-    # Only the program knows the points of a covering array. fig_plain.py checks that they cover.
-    points = [] if "cover" in settings else _points(sweep)
-    wanted = dict.fromkeys(_place(_with(settings, point), sweep) for point in points)
-    missing = [", ".join(f"{pointer} {value}" for pointer, value in place) for place in wanted
-               if place not in there]
-    return Experiment(config, settings, runs, missing)
+    folder = Path(results) / settings["name"]
+    written = settings.get("sweep", {})
+    experiment = Experiment(config, settings, written, [], [])
+    try:
+        sweep = json.loads((folder / f"{Path(config).name}.sweep.json").read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        experiment.absent = "none of its runs"
+        return experiment
+    if _decides_runs(settings) != _decides_runs(sweep["settings"]) or not _same_axes(written, sweep["axes"]):
+        experiment.absent = "none of its runs, because the config was changed after it was run"
+        return experiment
+    MODEL_LABELS.update(sweep["models"])
+    experiment.sweep = sweep["axes"]
+    for entry in sweep["runs"]:
+        run = _load_if_begun(_file_in(folder / entry["folder"])) if entry["folder"] else None
+        if run:
+            run.point = entry["point"]
+            experiment.runs.append(run)
+        if not run or not run.over:
+            experiment.missing.append(", ".join(f"{pointer} {value}" for pointer, value in entry["point"].items()))
+    return experiment
 
 
-def _listed(pointer, values):
-    """The swept values. "all" stands for every bending model."""
-    if values != "all":
-        return values
-    if pointer != "/bending/model":
-        raise ValueError(f"'all' is known for /bending/model only, not for {pointer}")
-    return MODELS
+def _file_in(folder):
+    """The run file of a run's folder, finished or not."""
+    whole = folder / "run.vtkhdf"
+    return whole if whole.exists() else folder / "run.vtkhdf.part"
 
 
-def _points(sweep):
-    for values in itertools.product(*sweep.values()):
-        yield dict(zip(sweep, values))
+def _decides_runs(settings):
+    """The settings that decide what the runs are. A config without effects has gravity."""
+    beside = ("description", "sweep", "expect", "allow", "cover")
+    return {"effects": [{"type": "gravity"}],
+            **{key: value for key, value in settings.items() if key not in beside}}
 
 
-def _with(settings, point):
-    """A config with the values of a point; complete as far as _place() needs."""
-    config = json.loads(json.dumps(settings))
-    for pointer, value in point.items():
-        *path, last = pointer.split("/")[1:]
-        node = config
-        for key in path:
-            node = node[int(key)] if isinstance(node, list) else node.setdefault(key, {})
-        node[int(last) if isinstance(node, list) else last] = value
-    return config
-
-
-def _place(config, sweep):
-    """The point of the sweep that a config is: ((pointer, value), …), without settings of other models."""
-    used = [pointer for pointer in sweep if _applies(config, pointer)]
-    return tuple((pointer, _hashable(swept_value(config, pointer, sweep))) for pointer in used)
-
-
-def swept_value(config, pointer, sweep):
-    """The swept value that a config has at a pointer, None if it has none of them."""
-    actual = at(config, pointer)
-    return next((value for value in sweep[pointer] if _matches(actual, value)), None)
-
-
-LEFT_OUT = ("at_curvature",)  # the program omits these if the model does not use them
-
-
-def _matches(actual, wanted):
-    """Whether a value fits a swept one. A swept object names some settings only: the others are defaults."""
-    if isinstance(wanted, list):
-        return isinstance(actual, list) and len(actual) == len(wanted) and all(map(_matches, actual, wanted))
-    if isinstance(wanted, dict):
-        return isinstance(actual, dict) and all(_matches(actual.get(key), value)
-                                                for key, value in wanted.items() if key in actual
-                                                or key not in LEFT_OUT)
-    return actual == wanted
-
-
-def _hashable(value):
-    if isinstance(value, dict):
-        return json.dumps(value, sort_keys=True)
-    # 0 and 0.0 are equal and hash alike
-    return tuple(map(_hashable, value)) if isinstance(value, list) else value
-
-
-def _applies(config, pointer):
-    keys = pointer.split("/")[1:]
-    return len(keys) < 3 or keys[0] != "bending" or keys[1] == at(config, "/bending/model")
-
-
-def _on_sweep(config, sweep):
-    return all(swept_value(config, pointer, sweep) is not None for pointer in sweep
-               if _applies(config, pointer))
+def _same_axes(written, axes):
+    """Whether the axes as a config writes them are those of its runs. "all" is every choice of a setting."""
+    return list(written) == list(axes) and all(written[pointer] in ("all", axes[pointer]) for pointer in axes)

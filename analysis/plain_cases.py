@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 import h5py
 import numpy as np
 
-from load import _text, swept_value
+from load import _text
 
 FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres")
@@ -150,11 +150,11 @@ def settings_of(config):
     return {name: read(config) for name, read in AXES.items()}
 
 
-def command_of(config_name, sweep, config):
-    """The command that repeats one run of a sweep."""
+def command_of(config_name, point):
+    """The command that repeats the run at a point of a sweep."""
     parts = [
         f"'{pointer}={json.dumps(value, separators=(',', ':')) if not isinstance(value, str) else value}'"
-        for pointer in sweep if (value := swept_value(config, pointer, sweep)) is not None]
+        for pointer, value in point.items()]
     return " ".join([f"./bendlab run configs/{config_name}.json", *(f"--set {part}" for part in parts)])
 
 
@@ -306,6 +306,6 @@ def told_by(run):
                                    if warning["code"] not in NO_ANSWER))
 
 
-def judge(run, config_name, sweep):
+def judge(run, config_name):
     return Judged(config_name, run, settings_of(run.config), bounds_of(run), told_by(run),
-                  command_of(f"{FOLDER}/{config_name}", sweep, run.config))
+                  command_of(f"{FOLDER}/{config_name}", run.point))

@@ -11,7 +11,7 @@ import plain_cases
 import style
 from html_parts import document, escape, section_html, table_html
 from load import group
-from plain_cases import ALARM, AXES, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
+from plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
 from report import Table, rounded, write_objects
 
 EVERYTHING = "./bendlab reproduce plain      # everything, and this page"

@@ -79,10 +79,8 @@ class Section:
     def uses(self, experiment):
         """Adds the experiment's command and its missing points to the section; returns its runs."""
         self.commands.append(experiment.command)
-        if experiment.missing:
-            shown = "; ".join(experiment.missing[:3]) + (" …" if len(experiment.missing) > 3 else "")
-            self.missing.append(f"configs/{experiment.config}.json: {len(experiment.missing)} runs, first "
-                                f"{shown}")
+        if experiment.missing_text:
+            self.missing.append(f"configs/{experiment.config}.json: {experiment.missing_text}")
         return experiment.runs
 
 

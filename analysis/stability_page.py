@@ -7,7 +7,7 @@ import fig_stability
 import fig_stability_pin
 import style
 from html_parts import document, escape, section_html, table_html
-from load import MODELS, group
+from load import group, models
 from report import Table, rounded, write_objects
 from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,
                              STRAIN_CEILING, STRAIN_FLOOR)
@@ -72,10 +72,10 @@ def overview(cells):
     """Shares of verdicts per model, of its own runs: some cases are made for some models only."""
     head = "<tr><th class='t'>model</th><th>red</th><th>amber</th><th>green</th><th>runs</th></tr>"
     rows = []
-    for model in MODELS:
+    for model in models():
         numbers = [fig_stability.count(cells, verdict, model) for verdict in VERDICTS]
         if sum(numbers):
-            rows.append(f"<tr><td class='t'>{escape(style.MODEL_NAMES.get(model, model))}</td>" + "".join(
+            rows.append(f"<tr><td class='t'>{escape(style.model_name(model))}</td>" + "".join(
                 f"<td><span class='verdict {KIND[verdict]}'>{100 * number / sum(numbers):.0f} %</span></td>"
                 for verdict, number in zip(VERDICTS, numbers)) + f"<td>{sum(numbers)}</td></tr>")
     table = f"<table class='overview'>{head}{''.join(rows)}</table>"
@@ -139,11 +139,11 @@ def failed_html(failed):
 def models_text(cells):
     """Models of some cells as text, with the precision if it is only one."""
     precisions = group(cells, lambda cell: cell.model)
-    name = lambda model: style.MODEL_NAMES.get(model, model)
-    if set(precisions) == set(MODELS) and all(len(some) == 2 for some in precisions.values()):
+    name = lambda model: style.model_name(model)
+    if set(precisions) == set(models()) and all(len(some) == 2 for some in precisions.values()):
         return "all"
     return ", ".join(name(model) + ("" if len(precisions[model]) == 2
-                                    else f" ({precisions[model][0].precision})") for model in MODELS
+                                    else f" ({precisions[model][0].precision})") for model in models()
                      if model in precisions)
 
 

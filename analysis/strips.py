@@ -2,7 +2,7 @@
 import numpy as np
 
 import style
-from load import group, load_experiment
+from load import load_experiment
 
 GRAVITY = 9.81  # m/s², as in the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",
@@ -42,13 +42,7 @@ def mesh_name(run):
 
 
 def model_name(run):
-    return "k-ring, k = 2" if run.model == "k_ring" else style.MODEL_NAMES[run.model]
-
-
-def by_model(runs):
-    """Model → runs, in the order of the colours."""
-    found = group(runs, lambda run: run.model)
-    return {model: found[model] for model in style.MODEL_COLOURS if model in found}
+    return style.model_name(run.model, run.get("/bending/k_ring/k"))
 
 
 def gravity(run):

@@ -11,16 +11,20 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from PIL import Image
 
 import render
+from load import MODEL_LABELS
+
+class Colours(dict):
+    """Black for a model without a colour of its own."""
+
+    def __missing__(self, name):
+        return "#000000"
+
 
 # Palette of Okabe and Ito: the colour-blind can tell the colours apart.
-MODEL_COLOURS = {"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
+MODEL_COLOURS = Colours({"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
                  "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
                  "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
-                 "prestressed": "#c2185b"}
-MODEL_NAMES = {"none": "no bending", "crossover": "crossover", "k_ring": "edge springs (k_ring 1)",
-               "adaptive": "adaptive", "lod": "LOD", "sparse_lod": "sparse LOD", "choi_ko": "Choi-Ko",
-               "dihedral": "dihedral", "bridson": "Bridson", "discrete_shells": "discrete shells",
-               "isometric": "isometric", "prestressed": "prestressed"}
+                 "prestressed": "#c2185b"})
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 
@@ -40,6 +44,11 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
                      "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "axes.axisbelow": True,
                      "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
                      "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",})
+
+
+def model_name(model, k=None):
+    """The label of a bending model; of springs to rings 1 … `k` with k."""
+    return MODEL_LABELS[model] + (f", k = {k}" if model == "k_ring" and k else "")
 
 
 def stretch_colours(excess):

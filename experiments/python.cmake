@@ -1,5 +1,5 @@
-# BENDLAB_PYTHON: a Python that has what the scripts in analysis/ import. The `python3` on PATH is often another one
-# (pyenv, conda, a virtual environment) than the one that the system's packages belong to, so candidates are tried.
+# BENDLAB_PYTHON: a Python that has what the scripts in analysis/ import. The `python3` on PATH is often not
+# the one that the system's packages belong to (pyenv, conda, a virtual environment), so several are tried.
 set(BENDLAB_PYTHON_MODULES "numpy, h5py, matplotlib")
 
 function(bendlab_python_works python result)
@@ -32,8 +32,9 @@ function(bendlab_find_python)
     endif()
   endforeach()
   string(REPLACE ";" ", " tried "${candidates}")
-  message(FATAL_ERROR "No Python with ${BENDLAB_PYTHON_MODULES} found (tried ${tried}). Install python3-numpy, "
-    "python3-h5py and python3-matplotlib, or name one that has them: cmake --preset release -DBENDLAB_PYTHON=/path/to/python3")
+  message(FATAL_ERROR "No Python with ${BENDLAB_PYTHON_MODULES} found (tried ${tried}). Install "
+    "python3-numpy, python3-h5py and python3-matplotlib, or name one that has them: "
+    "cmake --preset release -DBENDLAB_PYTHON=/path/to/python3")
 endfunction()
 
 bendlab_find_python()

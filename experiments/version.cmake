@@ -1,5 +1,5 @@
-# Run at every build (cmake -P): writes OUTPUT with what the program is built from, and touches it only when that
-# changed. Arguments: SOURCE, OUTPUT, VERSION, COMPILER, FLAGS, BUILD_TYPE.
+# Run at every build (cmake -P): writes to OUTPUT what the program is built from, but only if that changed.
+# Arguments: SOURCE, OUTPUT, VERSION, COMPILER, FLAGS, BUILD_TYPE.
 set(commit unknown)
 set(dirty false)
 find_program(GIT git)
@@ -21,7 +21,8 @@ file(GLOB_RECURSE library LIST_DIRECTORIES false RELATIVE "${SOURCE}"
   "${SOURCE}/lib/bendlab/*.hpp" "${SOURCE}/lib/bendlab/*.cpp" "${SOURCE}/lib/bendlab/*.def")
 file(GLOB runner LIST_DIRECTORIES false RELATIVE "${SOURCE}"
   "${SOURCE}/experiments/config/*.?pp" "${SOURCE}/experiments/scene/*.?pp"
-  "${SOURCE}/experiments/measures/*.?pp" "${SOURCE}/experiments/measures/*.def" "${SOURCE}/experiments/run/*.?pp")
+  "${SOURCE}/experiments/measures/*.?pp" "${SOURCE}/experiments/measures/*.def"
+  "${SOURCE}/experiments/run/*.?pp")
 set(sources ${library} ${runner})
 list(SORT sources)
 set(hashes "")

@@ -1,5 +1,5 @@
-// What most files of the library include, parsed once for all of them (target_precompile_headers). No file
-// may rely on it: each includes what it uses, and the debug preset builds without.
+// The headers that most files of the library include, parsed once (target_precompile_headers). No file may
+// rely on it: each includes what it uses, and the debug preset builds without it.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
-// Switches floating-point traps on before main(), for this thread and those that it starts: an invalid
-// operation (0/0, inf - inf, a comparison of a NaN) or a division by zero ends the program where it happens,
-// not where its NaN is noticed. Overflow and underflow do not: a diverging cloth overflows, and is to be
-// reported as such. (What single precision makes of the infinities within that step is invalid, though, and
-// traps.)
+// Switches floating-point traps on before main(), for this thread and those that it starts. An invalid
+// operation (0/0, inf - inf, a comparison of a NaN) or a division by zero then ends the program where it
+// happens, not where its NaN is noticed. Overflow and underflow do not trap: a diverging cloth overflows, and
+// the program has to report that. (In single precision, later operations on the infinities of that step may
+// be invalid and trap.)
 #include <fenv.h>
 
 namespace {

@@ -15,6 +15,7 @@
 #include "bendlab/metrics/shape_error.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/measures/trajectory.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/scene/scene.hpp"
@@ -24,21 +25,21 @@ namespace bendlab {
 namespace {
 
 constexpr double frames_per_second = 60;
-constexpr double share_of_search = 0.7;  // of the time limit: the rest is for running what predictions advise
+constexpr double share_of_search = 0.7;  // of the time limit; the rest is for running what predictions advise
 
-// What a run says of its setting.
+// What a run says about its setting.
 struct Measured {
   std::optional<double> error, gap, strain;
   double cpu_s = 0;   // per frame
-  double wall_s = 0;  // of the run itself; 0 where it was there
-  std::string why;    // no error
+  double wall_s = 0;  // of the run itself; 0 if it was complete before
+  std::string why;    // why there is no error
   bool failed = false, diverged = false;
   double kinetic_energy = 0;  // at the end, J
-  double stretch = 1;         // of a triangle, the largest: of the motion, or at the end
+  double stretch = 1;         // largest of a triangle, in the motion or at the end
   bool implausible = false;
 };
 
-// Also of a status that no number can be: what is not finite is stretched without bound.
+// What is not finite counts as stretched without bound.
 double or_endless(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
@@ -63,7 +64,7 @@ double stretch_in(const std::filesystem::path& file, bool over_time) {
   return std::max(1.0, or_endless(largest));
 }
 
-// CPU seconds of the steps of a run: simulated again, without recording, until it took long enough to be told
+// CPU seconds of the steps of a run, simulated again without recording until it took long enough to stand out
 // from noise.
 double steps_again(const RunConfig& config, double simulated) {
   constexpr double long_enough = 0.05, rounding = 1e-9;  // s
@@ -113,8 +114,7 @@ Measured measured_by(const CampaignRun& run) {
                     .wall_s = outcome.reused ? 0 : outcome.wall_s,
                     .why = outcome.message,
                     .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
-                    // By its name: there are programs that know no such status.
-                    .implausible = to_string(outcome.status) == "implausible"};
+                    .implausible = outcome.status == RunStatus::implausible};
   if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
     measured.error.reset();
   measured.diverged = outcome.status == RunStatus::diverged;
@@ -149,7 +149,7 @@ class Advisor {
                   {.most_substeps = most_substeps(), .least_error = 2 * advice_.reference_gap.value_or(0)});
     start_ = Clock::now();
     beside_runs_s_ = 0;
-    // It is a setting as others are, and often the first that is fit.
+    // The probe is a setting like others, and often the first fit one.
     if (probe_ && reference_model_asked) take(probe_->first, probe_->second, search);
     while (reference_tells(advice_) && measure_some(search)) {
     }
@@ -162,7 +162,7 @@ class Advisor {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Asked for and able to be this cloth; what can't is left out.
+  // The models that were asked for and can be this cloth; the others are listed as left out.
   std::vector<std::string> models_that_can() {
     std::vector<std::string> models;
     std::optional<ConfigError> first;
@@ -182,7 +182,7 @@ class Advisor {
     return models;
   }
 
-  // Models that can't for the same reason stand together.
+  // Lists models with the same reason together.
   void leave_out(const std::string& model, const ConfigProblem& problem) {
     std::string why = problem.pointer + " " + problem.message;
     if (const std::size_t at = why.find(" of " + model); at != std::string::npos)
@@ -194,7 +194,7 @@ class Advisor {
       advice_.left_out.push_back({model, why});
   }
 
-  // A motion's reference is itself known no better than to its own time step.
+  // The reference of a motion is exact to its own time step only.
   int most_substeps() const {
     constexpr int most = 256;
     return advice_.error_of == ErrorOf::motion ? std::min(most, question_.reference_substeps() / 4) : most;
@@ -204,23 +204,23 @@ class Advisor {
     advice_.error_of = options_.error_of.value_or(question_.natural_error());
     if (advice_.error_of == ErrorOf::rest && !choose_equilibrium()) {
       if (advice_.exit_code != 0) return;
-      tell_("the scene comes to no equilibrium; its motion is compared");
+      tell_("the scene has no equilibrium; its motion is compared instead");
       advice_.error_of = ErrorOf::motion;
     }
     if (advice_.error_of == ErrorOf::rest) return;
     advice_.accuracy = question_.accuracy(advice_.error_of);
     if (advice_.error_of == ErrorOf::motion)
-      tell_(fmt::format("the reference is the same motion with {} substeps, and {} to know its own error",
-                        question_.reference_substeps(), question_.reference_substeps() / 2));
-    const std::vector<Measured> found = probe({advice_.accuracy});  // which makes it
+      tell_(fmt::format(
+          "the reference is the same motion with {} substeps; one with {} shows the reference's own error",
+          question_.reference_substeps(), question_.reference_substeps() / 2));
+    const std::vector<Measured> found = probe({advice_.accuracy});  // this computes the reference
     if (advice_.exit_code != 0) return;
     if (!found.front().error)
       throw std::runtime_error("there is nothing to measure errors against: " + why_no_error(found.front()));
     keep_probe(found.front());
   }
 
-  // A pose that a run with hinges comes to has an equilibrium beside it: is that the one found from the
-  // start?
+  // Is the equilibrium found from a run's end the one found from its start? If not, the scene has many.
   bool choose_equilibrium() {
     constexpr double same = 0.002;  // of the size
     const std::vector<Json> accuracies = {question_.accuracy(ErrorOf::rest, false),
@@ -231,7 +231,7 @@ class Advisor {
     const auto &first = found[0].error, &beside = found[1].error;
     if (!first && !beside) {
       if (options_.error_of || found[0].diverged)
-        throw std::runtime_error("there is no equilibrium that errors could be measured against: " +
+        throw std::runtime_error("there is no equilibrium to measure errors against: " +
                                  why_no_error(found[0]) + "; --what motion compares the motion instead");
       return false;
     }
@@ -242,7 +242,7 @@ class Advisor {
     return true;
   }
 
-  // How the reference itself is stretched: a membrane that is told to give way does so rightly.
+  // Finds how the reference itself is stretched: a membrane with a compliance stretches rightly.
   void keep_probe(const Measured& found) {
     const Setting setting{question_.reference_model(), probe_substeps_};
     probe_ = {setting, found};
@@ -260,7 +260,7 @@ class Advisor {
     }
   }
 
-  // Beyond the reference, unless it is a ruin.
+  // Compared with the reference, unless that is torn apart itself.
   Strained strained(const Measured& found) const {
     if (!reference_tells(advice_)) return {found.strain.value_or(0), found.stretch, found.implausible};
     return {std::max(0.0, found.strain.value_or(0) - advice_.reference_strain),
@@ -269,14 +269,13 @@ class Advisor {
 
   // Of the probe.
   std::string why_no_error(const Measured& found) const {
-    return found.diverged
-               ? fmt::format("{} diverges even with 256 substeps in /solver/dt; a smaller one may help",
-                             question_.reference_model())
-               : found.why;
+    return found.diverged ? fmt::format("{} diverges even with 256 substeps; a smaller /solver/dt may help",
+                                        question_.reference_model())
+                          : found.why;
   }
 
-  // The reference's model, as coarse as it stays whole, with each of these accuracies. Beside a pose that is
-  // torn apart an equilibrium is looked for in vain, and for long.
+  // Runs the reference's model with each of these accuracies, as coarse as it stays in one piece: from a pose
+  // that is torn apart, the search for an equilibrium takes long and finds none.
   std::vector<Measured> probe(const std::vector<Json>& accuracies) {
     std::vector<Measured> found;
     constexpr int finest = 256;
@@ -324,7 +323,7 @@ class Advisor {
     return measured;
   }
 
-  // A round of as many runs as go side by side. False when the search is over, or the time.
+  // Runs as many settings as go side by side. False when the search is over, or the time.
   bool measure_some(Search& search) {
     std::vector<Search::Next> next = search.next();
     if (next.empty()) return false;
@@ -343,8 +342,8 @@ class Advisor {
     return advice_.exit_code == 0;
   }
 
-  // Where every pose needs an equilibrium of its own, which takes a thousand times as long as a coarse run,
-  // those that are stretched as no cloth is get none: they are unfit whatever their error is.
+  // If every pose needs its own equilibrium, which takes a thousand times as long as a coarse run, poses that
+  // are stretched as no cloth is get none: they are unfit, whatever their error.
   std::vector<Setting> without_stretched(const std::vector<Setting>& settings, Search& search) {
     std::vector<Setting> left, doubtful;
     for (const Setting& setting : settings)
@@ -361,8 +360,8 @@ class Advisor {
     return left;
   }
 
-  // Runs the setting that a prediction would have advised: a law promises what no run has shown. False when
-  // the choice is measured, or the time is over.
+  // Runs the setting that a prediction would advise, because a law may promise more than a run gives. False
+  // when the choice is measured, or the time is over.
   bool confirm_choice(Search& search) {
     if (advice_.exit_code != 0) return false;
     choose(search);
@@ -376,7 +375,7 @@ class Advisor {
     return true;
   }
 
-  // What is there takes none.
+  // Complete runs take no time.
   bool in_time(std::optional<double> cpu_per_frame, const RunConfig& config, double share) const {
     Experiment experiment;
     experiment.name = question_.name();
@@ -418,7 +417,7 @@ class Advisor {
     advice_.points = search.measured();
     if (advice_.out_of_time) std::ranges::copy(search.predicted(), std::back_inserter(advice_.points));
     advice_.front = front_of(advice_.points);
-    // No error is known that is smaller than the reference's own.
+    // Errors smaller than the reference's own are not known.
     const bool knowable =
         reference_tells(advice_) &&
         (!options_.demand.error || advice_.reference_gap.value_or(0) < *options_.demand.error);
@@ -431,13 +430,13 @@ class Advisor {
     say_what_is_behind();
     if (advice_.out_of_time)
       advice_.left_out.push_back(
-          {"settings that take longer", fmt::format("not run within --time-limit ({:.4g} s); predicted where "
-                                                    "three coarser ones of the model follow "
-                                                    "a power law. The same command again goes on",
-                                                    options_.time_limit_s)});
+          {"settings that take longer",
+           fmt::format("not run within --time-limit ({:.4g} s); predicted if three coarser settings of the "
+                       "model follow a power law. The same command again continues",
+                       options_.time_limit_s)});
   }
 
-  // Of models without a place on the front as it is shown, the best.
+  // Lists the best setting of each model that has none on the front as it is shown.
   void say_what_is_behind() {
     std::map<std::string, std::vector<Rated>> of_model;
     for (const Rated& point : advice_.points)
@@ -451,7 +450,7 @@ class Advisor {
       const bool fit = unfit(best) == Unfit::no;
       advice_.left_out.push_back(
           {model,
-           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", points.size(),
+           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", counted(points.size(), "setting"),
                        fit ? "others are as good or better; its best"
                            : fmt::format("none is fit ({}); its nearest", name_of(unfit(best))),
                        std::isfinite(best.error) ? "error " + percent_text(best.error)
@@ -459,8 +458,8 @@ class Advisor {
                        1e3 * best.cpu_s, setting_text(best.setting))});
     }
     for (const auto& [model, why] : without_error_)
-      advice_.left_out.push_back(
-          {model, fmt::format("{} gave no error, the finest {}", why.size(), why.back())});
+      advice_.left_out.push_back({model, fmt::format("{} gave no error; the finest: {}",
+                                                     counted(why.size(), "setting"), why.back())});
   }
 
   const Question& question_;
@@ -469,8 +468,8 @@ class Advisor {
   int jobs_ = 1;
   Clock::time_point start_;
   double wall_per_cpu_ = 1;
-  double beside_runs_s_ =
-      0;  // wall time of the last round but for its longest run: equilibria, repeated steps
+  // Wall time of the last round beyond its longest run: equilibria, repeated steps.
+  double beside_runs_s_ = 0;
   int probe_substeps_ = 16;
   std::optional<std::pair<Setting, Measured>> probe_;
   std::map<std::string, std::vector<std::string>> without_error_;  // setting and why, by model

@@ -1,4 +1,4 @@
-// Runs what a search asks for, and what came of it.
+// Runs the settings that a search asks for, and says what came of it.
 #pragma once
 
 #include <chrono>
@@ -16,9 +16,9 @@ namespace bendlab {
 
 struct AdviceOptions {
   Demand demand;
-  std::optional<ErrorOf> error_of = std::nullopt;  ///< nothing: as the scene is
+  std::optional<ErrorOf> error_of = std::nullopt;  ///< nothing: Question::natural_error()
   std::vector<std::string> models;                 ///< empty: every registered one
-  double time_limit_s = 120;  ///< wall time for runs that are not there yet, without making the reference
+  double time_limit_s = 120;  ///< wall time for runs that are not complete yet, without the reference's
   CampaignOptions campaign;   ///< runs lie below <out>/advise/<name>
 };
 
@@ -29,28 +29,28 @@ struct LeftOut {
 struct Advice {
   ErrorOf error_of = ErrorOf::rest;
   bool many_equilibria = false;
-  Json accuracy;  ///< the section that the errors come from
-  std::optional<double> reference_gap =
-      std::nullopt;              ///< what the reference itself is not known to, in sizes
-  double reference_strain = 0;   ///< rms of its Green strain: the stated membrane may give way
-  double reference_stretch = 1;  ///< of a triangle, the largest
-  double still_moving = 0;       ///< of the pose at rest: the cloth's rms speed at the end, sizes per second
-  std::map<Setting, double>
-      strain;  ///< of measured points: rms of the Green strain, of which the stated cloth has none
-  std::optional<Rated> best =
-      std::nullopt;  ///< what the demand asked for, if it is fit and the reference is known that well
-  std::optional<Rated> nearest = std::nullopt;  ///< where there is none; it may be unfit
-  std::vector<Rated> points;                    ///< measured, and predicted where the time ended
-  std::vector<Rated> front;                     ///< of the fit ones
+  Json accuracy;  ///< the section /accuracy that the errors come from
+  /// The reference's own error, in sizes of the mesh.
+  std::optional<double> reference_gap = std::nullopt;
+  double reference_strain = 0;   ///< rms of its Green strain: the stated membrane may stretch
+  double reference_stretch = 1;  ///< largest stretch of a triangle of the reference
+  double still_moving = 0;       ///< for errors at rest: the cloth's rms speed at the end, sizes per second
+  /// Of measured points: rms of the Green strain, of which the stated cloth has none.
+  std::map<Setting, double> strain;
+  /// What the demand asked for, if it is fit and the reference is known that well.
+  std::optional<Rated> best = std::nullopt;
+  std::optional<Rated> nearest = std::nullopt;  ///< if there is no best; it may be unfit
+  std::vector<Rated> points;                    ///< measured, and predicted if the time ended
+  std::vector<Rated> front;                     ///< of the fit points
   std::vector<LeftOut> left_out;
-  int computed = 0;          ///< runs, besides those that were there
+  int computed = 0;          ///< number of runs that were not complete before
   bool out_of_time = false;  ///< some settings were not measured
-  int exit_code =
-      0;  ///< of a signal, or of what no run could do without (files, mesh); the rest is then not complete
+  /// Of a signal, or of an error that every run would have (files, mesh); the rest is then incomplete.
+  int exit_code = 0;
 };
 
-/// `tell` gets a line of news from time to time. Throws as Question::run_with does where no model can be this
-/// cloth, and std::runtime_error where there is no reference.
+/// `tell` gets a line of news from time to time. Throws like Question::run_with if no model can be this
+/// cloth, and std::runtime_error if there is no reference.
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& tell);
 

@@ -1,4 +1,4 @@
-// What somebody asks of the settings for a scene: an error that they keep below, or a time that they have.
+// What is asked of the settings for a scene: at most this error, or at most this time.
 #pragma once
 
 #include <optional>

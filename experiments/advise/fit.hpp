@@ -18,9 +18,9 @@ struct Worked {
   double error = 0;
 };
 
-/// Least squares through ln error over ln work, `measured` by rising work. Beyond the last of them an error
-/// does not fall faster than it did at last: the law passes through the last point, with the smaller of the
-/// fit's and the last section's slope. Nothing for fewer than three points, errors that are not positive or
+/// Least squares through ln error over ln work, `measured` by rising work. Beyond the last point the error is
+/// not taken to fall faster than it did before: the law passes through that point, with the smaller slope of
+/// the fit and of the last section. Nothing for fewer than three points, errors that are not positive or
 /// do not fall, or scatter by more than a quarter about the line.
 std::optional<PowerLaw> fit_power_law(std::span<const Worked> measured);
 
@@ -37,8 +37,8 @@ struct Timed {
   double cpu_s = 0;
 };
 
-/// Least squares, neither part below 0. Where all have as many iterations everything counts as theirs.
-/// Nothing without points.
+/// Least squares, neither part below 0. If all points have the same number of iterations, the whole cost
+/// counts as that of iterations. Nothing without points.
 std::optional<StepCost> fit_step_cost(std::span<const Timed> measured);
 
 }  // namespace bendlab

@@ -15,7 +15,7 @@ Unfit unfit(double error, const Strained& strained) {
 
 double beyond_limits(double error, const Strained& strained) {
   double worst = std::max(strained.rms / largest_strain, (strained.largest - 1) / (largest_stretch - 1));
-  // What was not compared is judged by its strain, for which it was not.
+  // A setting that was not compared, because of its strain, is judged by its strain.
   if (std::isfinite(error)) worst = std::max(worst, error / largest_error);
   return worst;
 }

@@ -6,6 +6,8 @@
 #include <iterator>
 #include <tuple>
 
+#include "experiments/config/counted.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -87,11 +89,9 @@ std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand
 }
 
 std::string setting_text(const Setting& setting) {
-  const auto many = [](int count, const char* what) {
-    return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
-  };
-  return fmt::format("{}, {}, {}, {}", setting.model, many(setting.substeps, "substep"),
-                     many(setting.iterations, "iteration"), setting.double_precision ? "double" : "single");
+  return fmt::format("{}, {}, {}, {}", setting.model, counted(setting.substeps, "substep"),
+                     counted(setting.iterations, "iteration"),
+                     setting.double_precision ? "double" : "single");
 }
 
 }  // namespace bendlab

@@ -22,7 +22,7 @@ struct Setting {
 
 struct Rated {
   Setting setting;
-  double error = 0;  ///< in sizes of the mesh; infinite: not compared, because of its strain
+  double error = 0;  ///< in sizes of the mesh; infinite: not compared, because its strain is unfit
   double cpu_s = 0;  ///< per frame
   bool predicted = false;
   Strained strained{};
@@ -37,8 +37,7 @@ std::vector<Rated> fit_ones(std::span<const Rated> points);
 /// first.
 std::vector<Rated> front_of(std::span<const Rated> points);
 
-/// Of the unfit points that are faster than every fit one, those that are less beyond the limits than all
-/// faster ones.
+/// The unfit points that are faster than every fit one, and less beyond the limits than all faster ones.
 std::vector<Rated> unfit_front_of(std::span<const Rated> points);
 
 /// Of a front the points that are a tenth more accurate than the one before them, and the last.
@@ -47,9 +46,8 @@ std::vector<Rated> thinned(std::span<const Rated> front);
 /// The fastest fit point whose error is at most the demanded one, or the most accurate fit one whose time is.
 std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand);
 
-/// Without a point that meets the demand, the one that comes nearest: the most accurate fit one, or the
-/// fastest fit one. Where none is fit, the one that is least beyond the limits; of those within the demanded
-/// time, if there are any.
+/// If no point meets the demand, the one that comes nearest: the most accurate fit one, or the fastest fit
+/// one. If none is fit, the one that is least beyond the limits, preferably within the demanded time.
 std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand);
 
 /// "dihedral, 16 substeps, 1 iteration, single".

@@ -29,12 +29,12 @@ std::string set(std::string_view pointer, const Json& value) {
   return fmt::format("{}={}", pointer, value.dump());
 }
 
-// Hinges have a flexural rigidity; a quartic cloth is what springs are.
+// Hinges for a flexural rigidity; only springs make a quartic cloth.
 std::string reference_model_of(const RunConfig& scene) {
   return scene.section("/bending").has("flexural_rigidity") ? "dihedral" : scene.bending_model();
 }
 
-// Which axis of a sweep leaves the choice open.
+// The options that would choose a value of each swept setting.
 std::string open_axes(const Experiment& experiment) {
   std::string text;
   for (const auto& [pointer, values] : experiment.axes)
@@ -50,16 +50,16 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
         source,
         {{"/bending/stiffness",
           fmt::format(
-              "is {}, which is another cloth with every model and setting, so that there is none to be "
-              "right about; state it: \"bending\": {{\"stiffness\": \"physical\", "
-              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5), with \"at_curvature\" in 1/m "
-              "beside it if springs may take its place",
+              "is {}, which makes another cloth with every model and setting, so that no result is the right "
+              "one; state the cloth: \"bending\": {{\"stiffness\": \"physical\", "
+              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5), and \"at_curvature\" in 1/m, too, "
+              "if spring models may be advised",
               stiffness)}});
   if (scene.bending_model() == "none" && !bending.has("flexural_rigidity"))
     throw ConfigError(
         source, {{"/bending/model",
-                  "is none, which is no cloth that bends: give flexural_rigidity (in N m), or the model of "
-                  "springs that quartic_coefficient is of"}});
+                  "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
+                  "spring model that quartic_coefficient is for"}});
   if (!bending.has("flexural_rigidity") && !bending.has("quartic_coefficient"))
     throw ConfigError(source, {{"/bending/flexural_rigidity",
                                 "is missing: how stiff is the cloth? B in N m, cotton about 1e-5"}});
@@ -72,8 +72,8 @@ Json without_effects(const Json& effects, auto left_out) {
   return kept;
 }
 
-// Files as seen from another folder: settings called `file`, in sweeps and in changes
-// ("/mesh/file=sheet.obj"), too.
+// Makes file names relative to another folder: those of settings called `file`, also in sweeps and in changes
+// ("/mesh/file=sheet.obj").
 class MovedFiles {
  public:
   MovedFiles(const std::filesystem::path& from, const std::filesystem::path& to)
@@ -118,7 +118,7 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
   const Experiment experiment = load_experiment(file_, overrides_);
   if (experiment.runs.size() != 1)
     throw ConfigError(file_.string(),
-                      {{"/sweep", fmt::format("has {} runs, and advice is for one scene: choose it with {}",
+                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with {}",
                                               experiment.runs.size(), open_axes(experiment))}});
   scene_ = experiment.runs.front();
   name_ = experiment.name;
@@ -128,14 +128,14 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
   if (accuracy.has("solver") && !accuracy.has("physical"))
     throw ConfigError(file_.string(),
                       {{"/accuracy/physical",
-                        "is missing: models are compared with one stated cloth, solver compares each "
-                        "with itself. Name the reference there, or remove /accuracy"}});
+                        "is missing: models are compared with one stated cloth, but /accuracy/solver "
+                        "compares each with itself. Name the reference here, or remove /accuracy"}});
 }
 
 ErrorOf Question::natural_error() const {
   if (scene_.section("/accuracy").has("physical")) return ErrorOf::own;
   bool damped = false;
-  for (const Json& effect : scene_.resolved["effects"]) {
+  for (const Json& effect : scene_.resolved()["effects"]) {
     const std::string type = effect["type"];
     damped |= type == "viscous_drag" || among(effect, damping);
     if (type != "gravity" && type != "viscous_drag" && !among(effect, damping) && !among(effect, bounds))
@@ -151,7 +151,7 @@ ErrorOf Question::natural_error() const {
 }
 
 Json Question::accuracy(ErrorOf what, bool start_from_end) const {
-  if (what == ErrorOf::own) return scene_.resolved["accuracy"];
+  if (what == ErrorOf::own) return scene_.resolved()["accuracy"];
   Json accuracy = Json::object();
   if (what == ErrorOf::motion) {
     accuracy["physical"] = motion_changes();
@@ -185,8 +185,8 @@ double Question::speed(double kinetic_energy) const {
 }
 
 std::vector<std::string> Question::rest_changes() const {
-  const Json& strain = scene_.resolved["material"]["strain"];
-  Json bending = scene_.resolved["bending"];
+  const Json& strain = scene_.resolved()["material"]["strain"];
+  Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
   std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})", "/duration=20",
                                       "/settled_speed=0", "/output/frames_per_second=1",
@@ -195,14 +195,14 @@ std::vector<std::string> Question::rest_changes() const {
     changes.emplace_back("/material/strain/stiffness=compliance");
     changes.emplace_back("/material/strain/compliance=1e-5");
   }
-  changes.push_back(set("/effects", without_effects(scene_.resolved["effects"], [](const Json& effect) {
+  changes.push_back(set("/effects", without_effects(scene_.resolved()["effects"], [](const Json& effect) {
                           return among(effect, damping) || among(effect, bounds);
                         })));
   return changes;
 }
 
 std::vector<std::string> Question::motion_changes() const {
-  Json bending = scene_.resolved["bending"];
+  Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
   return {"/settled_speed=0",
           "/solver/method=pbd",

@@ -24,32 +24,32 @@ enum class ErrorOf { rest, motion, own };
 
 class Question {
  public:
-  /// Throws ConfigError where the config is wrong, sweeps, or states no cloth: k and compliance are none.
+  /// Throws ConfigError if the config is wrong, sweeps, or states no cloth, as with k and compliance.
   Question(std::filesystem::path file, std::vector<std::string> overrides);
 
   const RunConfig& scene() const { return scene_; }
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
 
-  /// own where the config has an /accuracy; rest where nothing but loads and damping acts on a pinned cloth
-  /// that starts at rest; else motion.
+  /// `own` if the config has an /accuracy; `rest` if nothing but loads and damping acts on a pinned cloth
+  /// that starts at rest; else `motion`.
   ErrorOf natural_error() const;
 
-  /// The /accuracy section of its runs. `start_from_end`: for scenes with many equilibria, see there.
+  /// The /accuracy section of its runs; `start_from_end` for scenes with many equilibria.
   Json accuracy(ErrorOf what, bool start_from_end = false) const;
 
-  /// Substeps of the reference of a motion: as many as about a minute of projections allows, but 64 at least
-  /// and 1024 at most. Its error is told by one of half as many.
+  /// Substeps of the reference of a motion: as many as about a minute of projections allows, at least 64 and
+  /// at most 1024. Its error is measured against one with half as many.
   int reference_substeps() const;
 
   /// Root mean square of the speed of the cloth that has this kinetic energy (J), in sizes of the mesh per
   /// second.
   double speed(double kinetic_energy) const;
 
-  /// The scene's run with that setting. Throws ConfigError where the model cannot be this cloth.
+  /// The scene's run with that setting. Throws ConfigError if the model cannot be this cloth.
   RunConfig run_with(const Setting& setting, const Json& accuracy) const;
 
-  /// What makes the config have that setting: "/json/pointer=value" each.
+  /// The changes that give the config that setting: "/json/pointer=value" each.
   std::vector<std::string> changes(const Setting& setting) const;
 
   /// The config with that setting, without /accuracy and without expectations of other settings, to be kept

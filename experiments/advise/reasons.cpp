@@ -7,6 +7,8 @@
 #include <cmath>
 #include <map>
 
+#include "experiments/config/counted.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -21,8 +23,7 @@ double least(const std::vector<Rated>& points, Value value) {
   return value(*std::ranges::min_element(points, {}, value));
 }
 
-// What is wrong with these, which are all unfit: how many for which reason, and how far the best of them is
-// off.
+// Why these points, all unfit, are unfit: how many for which reason, and how far the best of them is off.
 std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   std::map<Unfit, std::vector<Rated>> because;
   for (const Rated& point : points) because[unfit(point)].push_back(point);
@@ -50,7 +51,7 @@ std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   return fmt::format("{}.", fmt::join(parts, "; "));
 }
 
-// Settings that agree with each other are not what is wrong.
+// If settings agree with each other, something else is wrong.
 bool all_alike(const std::vector<Rated>& points) {
   constexpr std::size_t enough = 4;
   constexpr double alike = 1.1;
@@ -62,14 +63,13 @@ bool all_alike(const std::vector<Rated>& points) {
 std::string reference_text(const Advice& advice) {
   if (!(advice.reference_strain <= largest_reference_strain))
     return fmt::format(
-        "The reference itself is stretched by {} (rms), as no cloth is, so that it tells no errors: it flew "
-        "apart, or "
-        "lengths are not in metres, the density not in kg/m^2 or the membrane's compliance not in m/N.",
+        "The reference itself is stretched by {} (rms), as no cloth is, so that errors against it mean "
+        "nothing: it flew apart, or lengths are not in metres, the density not in kg/m² or the membrane's "
+        "compliance not in m/N.",
         percent_text(advice.reference_strain));
   return fmt::format(
-      "The reference itself is known to {} only, so that it tells no errors: motions that fall and fold are "
-      "chaotic. A "
-      "shorter /duration is known better.",
+      "The reference itself is known to {} only, so that errors against it mean nothing: cloth that falls "
+      "and folds moves chaotically. A shorter /duration is known better.",
       percent_text(*advice.reference_gap));
 }
 
@@ -80,8 +80,8 @@ std::string budget_text(const std::vector<Rated>& measured, double budget, const
   if (within.empty())
     return fmt::format("Nothing is that fast: the fastest setting takes {:.3g} ms.",
                        1e3 * least(measured, [](const Rated& p) { return p.cpu_s; }));
-  return fmt::format("Nothing fit was found within that time. Of {} settings that are as fast, {}",
-                     within.size(), unfit_text(within, advice));
+  return fmt::format("Nothing fit was found within that time. Of {} that fast, {}",
+                     counted(within.size(), "setting"), unfit_text(within, advice));
 }
 
 }  // namespace
@@ -102,25 +102,23 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
   const std::vector<Rated> measured = measured_ones(advice);
   if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
     sentences.push_back(
-        fmt::format("The reference itself is known to {} only: motions that fall and fold are chaotic.",
+        fmt::format("The reference itself is known to {} only: cloth that falls and folds moves chaotically.",
                     percent_text(*advice.reference_gap)));
   if (measured.empty())
     sentences.emplace_back("No setting gave an error.");
   else if (advice.front.empty())
     sentences.push_back(
-        fmt::format("Of {} settings that were run, {}", measured.size(), unfit_text(measured, advice)));
+        fmt::format("Of {} run, {}", counted(measured.size(), "setting"), unfit_text(measured, advice)));
   else if (demand.cpu_s)
     sentences.push_back(budget_text(measured, *demand.cpu_s, advice));
   if (advice.front.empty() && all_alike(measured))
     sentences.emplace_back(
-        "They all agree with each other, and not with the reference: the cloth has not come to rest by the "
-        "end of "
-        "/duration, or it rests in another pose than the reference.");
+        "They all agree with each other, but not with the reference: the cloth has not come to rest by the "
+        "end of /duration, or it rests in another pose than the reference.");
   if (advice.out_of_time)
     sentences.push_back(
-        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command goes "
-                    "on, and further "
-                    "with a longer --time-limit.",
+        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command "
+                    "continues, and gets further with a longer --time-limit.",
                     time_limit_s));
   return sentences;
 }

@@ -1,4 +1,4 @@
-// Why no setting is advised: what somebody who asked should know, a sentence each.
+// Why no setting is advised, in sentences for the user.
 #pragma once
 
 #include <string>
@@ -8,14 +8,13 @@
 
 namespace bendlab {
 
-/// Whether errors mean anything: the reference is no ruin, and is known to less than largest_error.
+/// Whether errors mean anything: the reference is not torn apart, and is known to within largest_error.
 bool reference_tells(const Advice& advice);
 
-/// Whether a setting that was run or predicted may be advised, to somebody who asks for less, or has more
-/// time.
+/// Whether some setting that was run or predicted may be advised for a larger error, or for more time.
 bool anything_fit(const Advice& advice);
 
-/// The gravest first; empty where there is a best. `time_limit_s` as in AdviceOptions.
+/// The gravest first; empty if there is a best setting. `time_limit_s` as in AdviceOptions.
 std::vector<std::string> why_none(const Advice& advice, const Demand& demand, double time_limit_s);
 
 }  // namespace bendlab

@@ -73,7 +73,7 @@ void Search::drop(const std::string& model) {
 
 std::vector<Rated> Search::predicted() const {
   constexpr int farthest = 4;
-  constexpr double allowance = 0.25;  // errors tend to fall ever more slowly, so that a law promises too much
+  constexpr double allowance = 0.25;  // errors tend to fall ever more slowly than a law says
   std::vector<Rated> points;
   for (const std::string& model : models_)
     for (const int iterations : iteration_levels)
@@ -90,7 +90,7 @@ std::vector<Rated> Search::predicted() const {
           known.push_back({work_of(setting), *result->error});
           measured.push_back(setting);
         }
-        constexpr std::size_t most = 4;  // what was coarser tells little of what is finer
+        constexpr std::size_t most = 4;  // coarser ones say little about finer ones
         const std::size_t first = known.size() > most ? known.size() - most : 0;
         const auto law = fit_power_law(std::span(known).subspan(first));
         if (!law) continue;
@@ -132,7 +132,7 @@ std::optional<double> Search::error_of(const Setting& setting) const {
   return result && !stretched(*result) ? result->error : std::nullopt;
 }
 
-// From the runs of its model in its precision, or else in the other. One that diverged tells no time.
+// From the runs of its model in its precision, or else in the other. Runs that diverged do not count.
 std::optional<double> Search::cost(const Setting& setting) const {
   for (const bool same : {true, false}) {
     std::vector<Timed> timed;
@@ -146,8 +146,8 @@ std::optional<double> Search::cost(const Setting& setting) const {
   return std::nullopt;
 }
 
-// The least error that the model's coarser runs leave possible; 0 where they had none. Of a cloth that is
-// nowhere near, it does not matter how far away it is.
+// The least error that the model's coarser runs leave possible; 0 if they had none. Beyond nowhere_near the
+// size of an error means nothing.
 double Search::optimistic(const Setting& setting) const {
   constexpr double nowhere_near = 0.25;
   double least = infinity;
@@ -170,7 +170,7 @@ bool Search::is_next(const Setting& setting) const {
   return setting.iterations == 1 ? continues(setting) : more_iterations(setting);
 }
 
-// Up from half as many substeps, unless the error stays as it is and others are better.
+// Whether to double the substeps: unless the error stayed the same and other settings are better.
 bool Search::continues(const Setting& setting) const {
   const auto error = [&](int fraction) {
     return error_of(with_substeps(setting, setting.substeps / fraction));
@@ -183,7 +183,7 @@ bool Search::continues(const Setting& setting) const {
   return !stays || on_front(half);
 }
 
-// Where the next fewer are on the front, until two in a row were not.
+// Whether to try more iterations: if the next fewer are on the front, until two in a row were not.
 bool Search::more_iterations(const Setting& setting) const {
   Setting less = setting;
   less.iterations = fewer(setting.iterations);
@@ -195,7 +195,8 @@ bool Search::more_iterations(const Setting& setting) const {
   return in_vain < 2;
 }
 
-// Double, where single diverged, hardly gained from its last doubling, or was worse than double before.
+// Whether to try double: if single diverged, hardly gained from its last doubling, or was worse than double
+// before.
 bool Search::rounding_suspected(const Setting& setting) const {
   Setting single = setting;
   single.double_precision = false;
@@ -215,7 +216,7 @@ bool Search::rounding_suspected(const Setting& setting) const {
   return !tried->error || (before && *tried->error > 0.75 * *before);
 }
 
-// 3 · 2^k substeps, where 2 · 2^k don't meet the demand and these may.
+// Whether to try 3 · 2^k substeps: if 2 · 2^k don't meet the demand and these may.
 bool Search::between(const Setting& setting) const {
   const int below = setting.substeps / 3 * 2;
   const Result *coarser = find(with_substeps(setting, below)),
@@ -230,8 +231,8 @@ bool Search::between(const Setting& setting) const {
   return above && *above > *demand_.cpu_s;
 }
 
-// Time per frame beyond which nothing need be run. Where nothing fit is as fast as demanded, it is that of
-// the fastest fit setting, which then is the nearest.
+// Time per frame beyond which nothing need be run. If nothing fit is as fast as demanded, it is that of the
+// fastest fit setting, which then comes nearest.
 double Search::longest() const {
   if (demand_.error) {
     const std::optional<Rated> best = chosen(measured_, demand_);
@@ -247,7 +248,7 @@ bool Search::worth(const Setting& setting) const {
   double least = infinity;  // error for that time
   for (const Rated& point : front_)
     if (point.cpu_s <= *cpu_s) least = point.error;
-  // On the way up a setting may be behind, and the next one ahead.
+  // While substeps double, a setting may be behind and the next one ahead.
   const bool on_the_way = setting.iterations == 1 && !setting.double_precision && doubled(setting.substeps);
   return optimistic(setting) < (on_the_way ? 2 : 1) * least;
 }

@@ -1,9 +1,9 @@
 // Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and
 // little else is run.
 //
-//   substeps   1 2 3 4 6 8 … 256    every model goes up by doubling; 3, 6, 12 … only where they may just meet the demand
-//   iterations 1 2 4 10             where the next fewer is on the front
-//   precision  single, double       where rounding seems to hold single back
+//   substeps   1 2 3 4 6 8 … 256    every model doubles them; 3, 6, 12 … only if they may meet the demand
+//   iterations 1 2 4 10             if the next fewer is on the front
+//   precision  single, double       double if rounding seems to hold single back
 //
 // A setting is worth a run if it could be on the front: an error falls at best with the square of the work
 // (substeps × iterations), and what is known to cost more than a setting that already meets the demand need
@@ -26,7 +26,7 @@ class Search {
  public:
   struct Limits {
     int most_substeps = 256;
-    double least_error = 0;  ///< below it nothing is predicted: as well as the reference is known
+    double least_error = 0;  ///< no smaller error is predicted: the reference is known to that only
   };
   struct Next {
     Setting setting;
@@ -38,8 +38,8 @@ class Search {
   /// What is worth a run now, the cheapest first; empty when the search is over.
   std::vector<Next> next() const;
 
-  /// What a run gave; without an error it diverged, or had no reference, or its strain is unfit and it was
-  /// not compared.
+  /// Adds what a run gave. It has no error if it diverged, had no reference, or was not compared because its
+  /// strain is unfit.
   void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
 
   /// No further run of the model.
@@ -47,8 +47,8 @@ class Search {
 
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Whether a run with it may be stretched beyond what is fit: no coarser one of its model was seen to be
-  /// less.
+  /// Whether a run with it may be stretched beyond what is fit: no coarser run of its model was less
+  /// stretched.
   bool may_be_stretched(const Setting& setting) const;
 
   /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much
@@ -65,7 +65,7 @@ class Search {
 
   const Result* find(const Setting& setting) const;
   static bool stretched(const Result& result);
-  /// Of what is not stretched: other errors tell nothing.
+  /// Nothing for a stretched run: its error means nothing.
   std::optional<double> error_of(const Setting& setting) const;
   std::optional<double> cost(const Setting& setting) const;
   double optimistic(const Setting& setting) const;
@@ -86,7 +86,7 @@ class Search {
   std::map<Setting, Result> results_;
   std::vector<Rated> measured_;
   std::vector<Rated> front_;  ///< of the fit ones
-  std::vector<Rated> ahead_;  ///< where none is fit, those that are least beyond the limits
+  std::vector<Rated> ahead_;  ///< the front; if nothing is fit, the points least beyond the limits
 };
 
 }  // namespace bendlab

@@ -19,7 +19,7 @@ namespace bendlab {
 
 struct BenchOptions {
   std::string filter;  ///< regular expression on ids; empty: all
-  bool quick = false;  ///< small meshes and short repetitions: a test that it works
+  bool quick = false;  ///< small meshes and short repetitions, to test that it works
   int repetitions = 7;
   std::vector<int> threads = {1, 2};  ///< of the whole steps
 };
@@ -39,7 +39,7 @@ struct BenchRow {
   int repetitions = 0;                      ///< 0: nothing is timed
   std::optional<double> ratio_to_oracle;    ///< the oracle's median / this one's: how many times as fast
   std::optional<double> roofline_fraction;  ///< least possible time (see roofline.hpp) / median
-  Json more = Json::object();               ///< what else was measured, the unit at the end of each key
+  Json more = Json::object();               ///< other numbers, with the unit at the end of each key
 };
 
 /// One row to be measured. Cases that follow one another may share a scene.
@@ -57,8 +57,8 @@ std::string bench_id(const std::string& name, const std::string& scalar, int thr
 Spread repeated(const std::string& id, int repetitions, double least_s,
                 const std::function<double()>& measure);
 
-/// The cases that the options choose, and the oracles that these are compared with. Throws UsageError where
-/// the filter is no regular expression or chooses nothing.
+/// The cases that the options choose, and the oracles that these are compared with. Throws UsageError if the
+/// filter is no regular expression or chooses nothing.
 std::vector<BenchCase> bench_cases(const BenchOptions& options);
 
 /// Runs them in order; `on_start` is called with each id.

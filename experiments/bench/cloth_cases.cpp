@@ -1,5 +1,4 @@
-// Kernels where they work: in the steps of a cloth that moves, so that positions, branches and caches are as
-// in a run.
+// Kernels in the steps of a cloth that moves, so that positions, branches and caches are as in a run.
 #include <fmt/format.h>
 
 #include <chrono>
@@ -119,7 +118,7 @@ std::string name_of(Part part, const ClothKind& kind) {
                      kind.oracle ? "_oracle" : "", kind.cells);
 }
 
-/// What one bending constraint of a cloth takes.
+/// The cost of one bending constraint of a cloth.
 const ConstraintCost& bending_cost(const ClothKind& kind) {
   const std::string& model = kind.model;
   if (model == "choi_ko") return kind.compliance > 0 ? compliant_arc_cost : arc_cost;
@@ -198,7 +197,8 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options) {
     add(Part::strain,
         {.cells = usual, .model = "crossover", .scalar = scalar, .oracle = true, .form = "angle"});
     add(Part::strain, {.cells = usual, .model = "crossover", .scalar = scalar, .form = "angle"});
-    // Solved by Newton's method instead; its oracle bisects, for comparison too slow. k_b 10⁻⁷ N m².
+    // With compliance it is solved by Newton's method; its oracle bisects, which is too slow for a
+    // comparison. k_b is 10⁻⁷ N m².
     add(Part::bending, {.cells = usual, .model = "choi_ko", .scalar = scalar, .compliance = 1e7});
     for (const int threads : options.threads)
       if (threads != 1)

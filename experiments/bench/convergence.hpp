@@ -17,17 +17,18 @@ std::span<const ConvergenceScene> convergence_scenes();
 /// Edges along the long side of each scene.
 inline constexpr int convergence_cells = 32;
 
-/// Mean strain error, mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), after one step of `sweeps` sweeps.
+/// Strain error, the mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), after one step of `sweeps` sweeps.
 struct ConvergenceError {
   int sweeps = 0;
   double colour = 0, mesh = 0;
   double from_pins = 0, to_pins = 0;  ///< one after another, by edges from the nearest pin
   double colour_from_pins = 0;        ///< by colour, found in the order from_pins
-  int sweeps_to_match = 0;  ///< with which `colour` first leaves no more than `mesh`; 0: not with four times
-                            ///< (sweeps + convergence_cells)
+  /// With how many sweeps `colour` first leaves no more than `mesh`; 0: not with four times
+  /// (sweeps + convergence_cells).
+  int sweeps_to_match = 0;
 };
 
-/// Both orders do one step from the same state, in double precision: positions and velocities of the scene
+/// All orders do one step from the same state, in double precision: positions and velocities of the scene
 /// after 0.5 s.
 std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, std::span<const int> sweeps);
 

@@ -1,4 +1,4 @@
-// Effects where they work: the time of an effect's passes in the steps of a cloth, from 10³ to 10⁶ vertices.
+// The time of an effect's passes in the steps of a cloth on which it acts, from 10³ to 10⁶ vertices.
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -31,7 +31,7 @@ struct EffectScene {
 
 constexpr std::string_view pinned_corner = R"("pins": {"vertices": ["upper_right"], "ring": 1})";
 
-// Over what pokes into it from below, so that it stays in touch.
+// The obstacle pushes into the cloth from below, so that they stay in touch.
 constexpr std::string_view pinned_sides = R"("pins": {"vertices": ["left", "right"]})";
 constexpr std::string_view no_pins = R"("pins": {"vertices": []})";
 
@@ -192,7 +192,7 @@ std::vector<BenchCase> effect_cases(const BenchOptions& options) {
   std::vector<BenchCase> cases;
   for (const EffectScene& scene : scenes)
     for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
-      // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes the better part of a minute.
+      // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (scene.effect == "self_collision" && cells == 1000) continue;
       cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
                        .oracle = "",

@@ -55,8 +55,8 @@ double measure_triad(std::size_t bytes) {
 
 template <class Real>
 double measure_peak() {
-  constexpr int chains = 10,
-                rounds = 4096;  // more chains than the latency of an fma times those started per cycle
+  // More chains than the latency of an fma times the number of them that start per cycle.
+  constexpr int chains = 10, rounds = 4096;
   std::array<Pack<Real>, chains> sums{};
   const Pack<Real> factor = broadcast<Real>(Real(0.999)), term = broadcast<Real>(Real(0.001));
   const double seconds = best_seconds([&] {

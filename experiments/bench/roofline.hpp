@@ -19,7 +19,7 @@
 
 namespace bendlab {
 
-/// What one constraint of a kind takes.
+/// The cost of one constraint of a kind.
 struct ConstraintCost {
   int corners = 0;  ///< each with its index; see above
   int rest_scalars = 0;
@@ -29,13 +29,13 @@ struct ConstraintCost {
 /// d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
 inline constexpr ConstraintCost distance_cost{.corners = 1, .rest_scalars = 1, .flops = 28};
 
-/// Warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24. Shear: edges
-/// 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|² 23, step 2,
-/// corrections 21.
+/// Warp and weft, each: edges 6, f 9, |f| 6, error 1, Σ w|∇C|² 10, step 2, three corrections 24. Shear:
+/// edges 6, f1 and f2 18, three products 15, inverse and test 5, a1 and a2 16, gradients 18, Σ w|∇C|²
+/// 23, step 2, corrections 21.
 inline constexpr ConstraintCost strain_cost{.corners = 3, .rest_scalars = 4, .flops = 240};
 
-/// Five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20, wrap 3,
-/// reciprocals 6, gradients 60, Σ w|∇C|² 24, step 3, four corrections 28.
+/// Five scaled differences 30, normals 18, |e|², |n1|², |n2|² 15, sine and cosine 12, arc tangent 20,
+/// wrap 3, reciprocals 6, gradients 60, Σ w|∇C|² 24, step 3, four corrections 28.
 inline constexpr ConstraintCost hinge_cost{.corners = 4, .rest_scalars = 2, .flops = 219};
 
 /// Kx 24, |Kx| 6, gradients 16, Σ w|∇C|² 24, step 4, four corrections 28.
@@ -45,7 +45,7 @@ inline constexpr ConstraintCost quadratic_cost{.corners = 4, .rest_scalars = 6, 
 inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops = 41};
 
 /// With compliance, in float: the above, load and shares 25, first guess 20, two series of 8 terms 28, three
-/// Newton steps of 16 and the series again, last step 20. Reads α and λ and writes λ too.
+/// Newton steps of 16 and the series again, last step 20. Reads α and λ, and writes λ, too.
 inline constexpr ConstraintCost compliant_arc_cost{.corners = 2, .rest_scalars = 4, .flops = 266};
 
 /// Bytes of indices and rest data of one constraint.

@@ -35,7 +35,7 @@ Experiment experiment_of(int cells, double duration_s, double frames_per_second,
   return parse_experiment(
       fmt::format(
           R"({{"name": "bench", "duration": {}, "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}},
-                      "initial": {{"perturbation": 1e-6}}, "output": {{"frames_per_second": {}}}, "sweep": {}}})",
+              "initial": {{"perturbation": 1e-6}}, "output": {{"frames_per_second": {}}}, "sweep": {}}})",
           duration_s, cells, frames_per_second, sweep),
       "bench");
 }
@@ -72,8 +72,8 @@ BenchRow row_of(const std::string& name, int threads, const Work& work, double r
           .repetitions = repetitions};
 }
 
-/// One run with 30 frames a second, and the same with its first and last frame only. Wall time from the first
-/// step to the last frame in the file. The writer is a thread beside the solver's, hence two.
+/// A run with 30 frames a second, and the same with its first and last frame only. Wall time from the first
+/// step to the last frame in the file. Two threads: the solver's and the writer's.
 BenchRow measure_recording(const std::string& name, int cells, double duration_s, int repetitions) {
   const Experiment recorded = experiment_of(cells, duration_s, 30),
                    plain = experiment_of(cells, duration_s, 1 / duration_s);

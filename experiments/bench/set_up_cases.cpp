@@ -1,5 +1,4 @@
-// What it takes to get from a rest mesh to the first step with `adaptive`: rings and pairs, colours and
-// batches.
+// The way from a rest mesh to the first step with `adaptive`: rings and pairs, colours and batches.
 #include <fmt/format.h>
 #include <malloc.h>
 #include <sys/wait.h>
@@ -66,7 +65,7 @@ class SetUp {
     const pid_t child = fork();
     if (child < 0) throw std::runtime_error("no process for measuring memory");
     if (child == 0) {
-      mallopt(M_MMAP_THRESHOLD, 128 << 10);  // as a process begins: it rises with what was freed before
+      mallopt(M_MMAP_THRESHOLD, 128 << 10);  // the initial value: it rises with what is freed
       const double before = status_kilobytes("VmRSS:");
       run();
       const double growth = 1024 * (status_kilobytes("VmHWM:") - before);

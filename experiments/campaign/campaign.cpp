@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 double expected_cost(const RunConfig& config) {
   const auto number = [&](const char* pointer, double otherwise) {
     const Json::json_pointer at(pointer);
-    const bool there = config.resolved.contains(at) && config.resolved.at(at).is_number();
-    return there ? config.resolved.at(at).get<double>() : otherwise;
+    const bool there = config.resolved().contains(at) && config.resolved().at(at).is_number();
+    return there ? config.resolved().at(at).get<double>() : otherwise;
   };
   const double cells = number("/mesh/cells", 64);
   return cells * cells * number("/solver/substeps", 1) * number("/solver/iterations", 1) *
@@ -41,7 +41,7 @@ int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
 
-/// So that the run is not found complete.
+/// Removes the run's files, so that it is computed again.
 void remove_run_files(const fs::path& folder) {
   if (!fs::is_directory(folder)) return;
   std::vector<fs::path> files;
@@ -52,15 +52,15 @@ void remove_run_files(const fs::path& folder) {
   for (const fs::path& file : files) fs::remove(file);
 }
 
-/// Runs of two experiments of one name may be the same: they would write the same file. Each run → the one
-/// that is executed for it.
+/// For each run, the index of the run that is executed for it: two experiments of one name may share a run,
+/// which would write one file twice.
 std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   std::map<std::string, std::size_t> first;
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunConfig& config = *runs[i].config;
-    std::string what_names_the_file =
-        fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]), identity_text(config));
+    std::string what_names_the_file = fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]),
+                                                  identity_text(config.resolved()));
     for (const auto& [pointer, path] : input_files(config))
       what_names_the_file += fmt::format("\n{}", path.string());
     result.push_back(first.try_emplace(what_names_the_file, i).first->second);
@@ -118,7 +118,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     progress.finish(index, run.outcome && !run.outcome->reused);
     const std::string& text = run.outcome ? run.outcome->message : run.error;
     const std::lock_guard lock(mutex);
-    // What is the same in many runs, as a note on their mesh, is said of the first.
+    // A text that many runs share, like a note on their mesh, is printed for the first of them.
     if (!text.empty() && said.emplace(run.experiment, text).second)
       progress.message(fmt::format("{}: {}", run_text(run), text));
     over[index] = true;

@@ -21,7 +21,7 @@
 namespace bendlab {
 namespace {
 
-// The value after an option; what is wrong with it is a matter of usage.
+// Parses the value of an option; a wrong one is a usage error.
 template <class Parse>
 double read_option(const char* option, const std::string& text, Parse parse) try {
   return parse(text);
@@ -32,9 +32,8 @@ double read_option(const char* option, const std::string& text, Parse parse) try
 Demand demand_of(const AdviseArguments& arguments) {
   if (arguments.error.empty() == arguments.budget.empty())
     throw UsageError(
-        "advise needs one of --error 5% (the fastest that is as accurate) and --budget 2ms (the most "
-        "accurate "
-        "that is as fast, CPU time per frame)");
+        "advise needs one of --error 5% (for the fastest settings with that error) and --budget 2ms (for "
+        "the most accurate settings with that CPU time per frame)");
   if (!arguments.error.empty()) return {.error = read_option("--error", arguments.error, parse_error)};
   return {.cpu_s = read_option("--budget", arguments.budget, parse_duration)};
 }
@@ -57,7 +56,7 @@ void check_models(const std::vector<std::string>& models) {
 
 std::string what_text(const Advice& advice, const Question& question) {
   const std::string gap =
-      advice.reference_gap ? fmt::format(", itself known to {}", percent_text(*advice.reference_gap)) : "";
+      advice.reference_gap ? fmt::format(", which is known to {}", percent_text(*advice.reference_gap)) : "";
   const char* cloth =
       question.reference_model() == "dihedral" ? "calibrated hinges" : "the config's own springs";
   switch (advice.error_of) {
@@ -68,8 +67,10 @@ std::string what_text(const Advice& advice, const Question& question) {
                          question.reference_substeps(), gap);
     case ErrorOf::rest:
       return fmt::format(
-          "of the pose at the end, against the static equilibrium of {}, turned about the vertical{}", cloth,
-          advice.many_equilibria ? "; there are many, each run is compared with the one beside it" : "");
+          "of the pose at the end, against the static equilibrium of {} after the best turn about the "
+          "vertical{}",
+          cloth,
+          advice.many_equilibria ? "; there are many, and a run is compared with the one near its end" : "");
   }
   throw std::logic_error("what_text: unknown kind of error");
 }
@@ -83,7 +84,7 @@ std::optional<double> strain_of(const Rated& point, const Advice& advice) {
   return found == advice.strain.end() ? std::nullopt : std::optional(found->second);
 }
 
-// The error of what was not compared is not known, and no more than its strain need be.
+// A setting that was not compared has no error; its strain is why.
 std::string point_text(const Rated& point, const Advice& advice) {
   const Unfit why = unfit(point);
   std::string text =
@@ -95,7 +96,7 @@ std::string point_text(const Rated& point, const Advice& advice) {
   return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point));
 }
 
-// What nobody is advised to take stands above what is fit, and says so.
+// Unfit settings stand above the fit ones, and are marked.
 std::vector<Rated> rows_of(const Advice& advice) {
   std::vector<Rated> rows = unfit_front_of(advice.points);
   for (const Rated& point : thinned(advice.front)) rows.push_back(point);
@@ -120,9 +121,8 @@ std::string front_text(const Advice& advice) {
 
 std::string limits_text() {
   return fmt::format(
-      "unfit: an error above {}, {} more strain (rms) than the reference, or a triangle {} times as long as "
-      "its "
-      "longest; such a setting is never advised",
+      "unfit, never advised: an error above {}, {} more strain (rms) than the reference, or a triangle {} "
+      "times as stretched as any of the reference",
       percent_text(largest_error), percent_text(largest_strain), largest_stretch);
 }
 
@@ -131,7 +131,7 @@ std::string demand_text(const Demand& demand) {
                       : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s);
 }
 
-// What came nearest, and whether it would be fit.
+// Says that nothing is advised, what came nearest, and why.
 void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
   if (anything_fit(advice))
     fmt::print("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",
@@ -158,20 +158,18 @@ void print_text(const Advice& advice, const Question& question, const AdviceOpti
   constexpr double at_rest = 0.02;  // sizes per second
   if (advice.error_of == ErrorOf::rest && advice.still_moving > at_rest)
     fmt::print(
-        "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer one brings "
-        "it "
-        "to "
-        "rest, --what motion compares its motion.\n",
+        "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
+        "lets it come to rest, and --what motion compares its motion instead.\n",
         percent_text(advice.still_moving));
   const auto& point = advice.best ? advice.best : advice.nearest;
   if (point && anything_fit(advice)) {
     constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
-      fmt::print("\nThe reference itself is not known ten times as well as this error.\n");
+      fmt::print("\nThe reference's own error is more than a tenth of this error.\n");
     fmt::print("\nto use {}:\n", advice.best ? "it" : "the nearest");
     for (const std::string& change : question.changes(point->setting)) fmt::print("  --set {}\n", change);
   }
-  if (!advice.left_out.empty()) fmt::print("\nnot on this front:\n");
+  if (!advice.left_out.empty()) fmt::print("\nnot in this table:\n");
   for (const LeftOut& each : advice.left_out) fmt::print("  {}: {}\n", each.what, each.why);
 }
 
@@ -245,7 +243,7 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
     refuse("is the config itself, whose /accuracy and /expect would be lost; name another file");
   if (std::filesystem::is_directory(file)) refuse("is a folder; name a file in it");
   if (!std::filesystem::is_directory(folder))
-    refuse("its folder does not exist; make it, or name another one");
+    refuse("its folder does not exist; create it, or name another one");
   if (access(folder.c_str(), W_OK) != 0 || (std::filesystem::exists(file) && access(file.c_str(), W_OK) != 0))
     refuse(fmt::format("cannot be written ({}); choose another place", std::strerror(errno)));
 }
@@ -276,7 +274,7 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     if (on_terminal) fmt::print(stderr, "bendlab: {}\n", news);
   });
   if (advice.exit_code != 0) {
-    if (stop_exit_code() != 0) fmt::print(stderr, "bendlab: stopped; the same command again goes on\n");
+    if (stop_exit_code() != 0) fmt::print(stderr, "bendlab: stopped; the same command again continues\n");
     return advice.exit_code;
   }
   if (json)
@@ -284,7 +282,7 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
   else
     print_text(advice, question, options);
   if (!advice.best && !arguments.write.empty())
-    fmt::print(stderr, "bendlab: {} is not written, as no setting {}\n", arguments.write.string(),
+    fmt::print(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
                anything_fit(advice) ? "meets the demand" : "is fit to be advised");
   if (!advice.best) return exit_failed;
   if (!arguments.write.empty())

@@ -20,10 +20,9 @@ namespace bendlab {
 namespace {
 
 constexpr std::string_view footer =
-    "Exit codes: 0 ok, 1 a run or an expectation failed, or a run is implausible, 2 usage, 3 config, 4 "
-    "mesh,\n"
-    "5 files, 6 a run diverged, 130 and 143 stopped by a signal. Ctrl-C finishes the frame and keeps it; a "
-    "second one leaves at once.\n"
+    "Exit codes: 0 ok, 1 a run or an expectation failed or a run is implausible, 2 usage, 3 config,\n"
+    "4 mesh, 5 files, 6 a run diverged, 130 and 143 stopped by a signal.\n"
+    "The first Ctrl-C finishes the frame and keeps it; the second one stops at once.\n"
     "Data goes to stdout, messages to stderr. NO_COLOR=1 turns colours off.";
 
 /// What the arguments were, and the command they chose.
@@ -54,7 +53,8 @@ void add_configs(CLI::App* command, Arguments& arguments) {
   command
       ->add_option(
           "--set", arguments.configs.overrides,
-          "Override a value: --set /mesh/cells=64; on a swept pointer it replaces that axis. Repeatable")
+          "Change a setting, such as /mesh/cells=64; a value (or a list of them) replaces a sweep of it. "
+          "Repeatable")
       ->type_name("/POINTER=VALUE")
       ->allow_extra_args(false);
 }
@@ -66,30 +66,30 @@ void add_json(CLI::App* command, Arguments& arguments, const char* what) {
 void add_campaign(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--jobs,-j", arguments.options.jobs,
-                   "Runs side by side (default: cores / threads of a run)")
+                   "How many runs to compute at a time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
   command->add_flag("--force", arguments.options.force, "Compute complete runs again");
 }
 
 void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* run =
-      add_command(app, a, "run", "Run experiments: every point of their sweeps that is not complete yet",
+      add_command(app, a, "run", "Compute the runs of experiments that are not complete yet",
                   [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
   run->add_option("--out", a.options.out, "Folder for the results")->capture_default_str();
   run->add_flag("--minimal", a.options.minimal,
-                "Compute without the effects that provably cannot act, and check that no bit changes");
+                "Leave out effects that cannot act, and check that no bit of the result changes");
   CLI::Option* explain =
       run->add_flag("--explain", a.explain,
-                    "The step plan instead of the tables: each pass, why, its time, what it changed");
+                    "Print the step plan instead of the tables: each pass, why, its time, what it changed");
   run->add_flag("--strict", a.strict,
-                "Warnings are errors; those known before it keep a run from being computed");
+                "Treat warnings as errors; nothing is computed if some are known before the runs");
   add_json(run, a, "One JSON object per run on stdout");
   run->get_option("--json")->excludes(explain);
 
   CLI::App* plan =
-      add_command(app, a, "plan", "Show the runs of experiments: place on the sweep, id, what is complete",
+      add_command(app, a, "plan", "List the runs of experiments: place in the sweep, id, whether complete",
                   [&a] { return plan_command(a.configs, a.options.out, a.json); });
   add_configs(plan, a);
   plan->add_option("--out", a.options.out, "Folder of the results")->capture_default_str();
@@ -98,7 +98,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
                                    [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
-  validate->add_flag("--strict", a.strict, "Warnings that are known before a run are errors");
+  validate->add_flag("--strict", a.strict, "Treat warnings that are known before a run as errors");
 
   CLI::App* reproduce =
       add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",
@@ -107,15 +107,15 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       ->add_option(
           "WHAT", a.reproduce.what,
           "everything: the paper, then its ablations, every model and the scenes; paper: its figures alone; "
-          "stiffness: how stiff every model is, against theory; stability: what is stable; accuracy: what "
-          "accuracy "
-          "costs in time; plain: plain scenes, and whether any is wrong without a word")
+          "stiffness: how stiff every model is, against theory; stability: which hard cases every model "
+          "survives; accuracy: what accuracy costs in time; plain: whether plain scenes go wrong without a "
+          "warning")
       ->check(CLI::IsMember(reproducible()))
       ->capture_default_str();
   add_campaign(reproduce, a);
   CLI::Option* full =
-      reproduce->add_flag("--full", a.reproduce.full, "With what takes longest, resolution 256 too");
-  reproduce->add_flag("--quick", a.reproduce.quick, "Without what is slow; the page says what is missing")
+      reproduce->add_flag("--full", a.reproduce.full, "Add what takes longest, such as resolution 256");
+  reproduce->add_flag("--quick", a.reproduce.quick, "Leave out what is slow; the page says what is missing")
       ->excludes(full);
   reproduce->add_option("--out", a.reproduce.out,
                         "Folder for the results (default: results in the checkout)");
@@ -146,49 +146,53 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
           "constraints' reach: h/2 for hinges on rows h apart, t h/4 for springs of ring t)")
       ->check(CLI::NonNegativeNumber);
   stiffness
-      ->add_option(
-          "--exclude", a.stiffness.exclude,
-          "Length at clamp and free end where m(κ) is not fitted, in m (default: the constraints' reach)")
+      ->add_option("--exclude", a.stiffness.exclude,
+                   "Length at the clamp and at the free end that the fit of m(κ) leaves out, in m (default: "
+                   "the constraints' reach)")
       ->check(CLI::NonNegativeNumber);
-  stiffness->add_option("--frame", a.stiffness.frame, "Which frame; negative counts from the end")
+  stiffness->add_option("--frame", a.stiffness.frame, "Which frame; negative numbers count from the end")
       ->capture_default_str();
-  stiffness->add_flag("--profile", a.stiffness.profile, "With angle, curvature and moment along the strip");
+  stiffness->add_flag("--profile", a.stiffness.profile,
+                      "Also print angle, curvature and moment along the strip");
   add_json(stiffness, a, "As one JSON object");
 }
 
 void add_advise_command(CLI::App& app, Arguments& a) {
   CLI::App* advise =
-      add_command(app, a, "advise", "Which model, substeps, iterations and precision to take for a scene",
+      add_command(app, a, "advise", "Find the model, substeps, iterations and precision for a scene",
                   [&a] { return advise_command(a.advise, a.options, a.json); });
   advise
       ->add_option("CONFIG", a.advise.file, "JSON file of the scene; it states the cloth's bending stiffness")
       ->required();
-  advise->add_option("--error", a.advise.error, "The fastest with at most this error, in sizes of the mesh")
+  advise
+      ->add_option("--error", a.advise.error,
+                   "Find the fastest settings with at most this error, in sizes of the mesh")
       ->type_name("5%");
   advise
       ->add_option("--budget", a.advise.budget,
-                   "The most accurate with at most this CPU time per frame of 1/60 s")
+                   "Find the most accurate settings with at most this CPU time per frame of 1/60 s")
       ->type_name("2ms");
-  advise->add_option("--set", a.advise.overrides, "Override a value: --set /mesh/cells=64. Repeatable")
+  advise->add_option("--set", a.advise.overrides, "Change a setting, such as /mesh/cells=64. Repeatable")
       ->type_name("/POINTER=VALUE")
       ->allow_extra_args(false);
   advise
-      ->add_option(
-          "--what", a.advise.what,
-          "Error of the pose at rest, or of the motion (default: rest where only loads and damping act)")
+      ->add_option("--what", a.advise.what,
+                   "Error of the pose at rest, or of the motion (auto: rest if only loads and damping act)")
       ->check(CLI::IsMember({"auto", "rest", "motion"}))
       ->capture_default_str();
-  advise->add_option("--models", a.advise.models, "Only these, separated by commas")->delimiter(',');
+  advise->add_option("--models", a.advise.models, "Only these models, separated by commas")->delimiter(',');
   advise
       ->add_option(
           "--time-limit", a.advise.time_limit,
-          "How long to run settings, besides their reference; what takes longer is predicted, and marked so")
+          "How long to run settings, without their reference; what takes longer is predicted, and marked so")
       ->capture_default_str();
-  advise->add_option("--write", a.advise.write, "Write the config with the advised settings")
+  advise->add_option("--write", a.advise.write, "Write the config with the advised settings to this file")
       ->type_name("FILE");
-  advise->add_option("--out", a.options.out, "Folder for the results; the runs lie in its advise/")
+  advise->add_option("--out", a.options.out, "Folder for the results; runs go to advise/ in it")
       ->capture_default_str();
-  advise->add_option("--jobs,-j", a.options.jobs, "Runs side by side (default: cores / threads of a run)")
+  advise
+      ->add_option("--jobs,-j", a.options.jobs,
+                   "How many runs to compute at a time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
   add_json(advise, a, "As one JSON object");
 }
@@ -198,14 +202,14 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
       add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
                   [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.json); });
   mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
-  mesh->add_option("--bad-triangles", a.bad_triangles, "What becomes of a bad mesh, as /mesh/bad_triangles")
+  mesh->add_option("--bad-triangles", a.bad_triangles, "What to do with a bad mesh, as /mesh/bad_triangles")
       ->check(CLI::IsMember(std::vector<std::string>(bad_triangles_names.begin(), bad_triangles_names.end())))
       ->capture_default_str();
   mesh->add_option("--needle-ratio", a.thresholds.needle_ratio,
-                   "Longest to shortest edge from where a needle begins")
+                   "Ratio of longest to shortest edge from which a triangle is a needle")
       ->check(CLI::Range(1.0, 1e9))
       ->capture_default_str();
-  mesh->add_option("--cap-angle", a.thresholds.cap_angle, "Angle in degrees from where a cap begins")
+  mesh->add_option("--cap-angle", a.thresholds.cap_angle, "Angle in degrees from which a triangle is a cap")
       ->check(CLI::Range(90.0, 180.0))
       ->capture_default_str();
   mesh->add_option("--small-angle", a.thresholds.small_angle,
@@ -218,17 +222,17 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
 void add_bench_command(CLI::App& app, Arguments& a) {
   CLI::App* bench = add_command(app, a, "bench", "Measure what the solver costs on this machine",
                                 [&a] { return bench_command(a.bench, a.list, a.json); });
-  bench->add_option("--filter", a.bench.filter, "Only benchmarks whose name matches (and their oracles)")
+  bench->add_option("--filter", a.bench.filter, "Only benchmarks whose name matches, and their oracles")
       ->type_name("REGEX");
   bench->add_flag("--quick", a.bench.quick, "Small meshes, short repetitions: seconds instead of minutes");
-  bench->add_option("--repetitions", a.bench.repetitions, "Repetitions, of which the median counts")
+  bench->add_option("--repetitions", a.bench.repetitions, "Number of repetitions; their median counts")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
-  bench->add_option("--threads", a.bench.threads, "Threads of the whole steps, besides one")
+  bench->add_option("--threads", a.bench.threads, "Numbers of threads for whole steps, besides one")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
-  bench->add_flag("--list", a.list, "Name the benchmarks, measure nothing");
-  add_json(bench, a, "A context and one JSON object per row");
+  bench->add_flag("--list", a.list, "Print the benchmarks' names, measure nothing");
+  add_json(bench, a, "As JSON: the context and one object per row");
 }
 
 void add_reference(CLI::App& app, Arguments& a, const char* name, const char* summary, std::string (*text)(),
@@ -282,7 +286,8 @@ int dispatch(int argc, char** argv) {
                 measures_json);
   add_reference(app, arguments, "methods", "List the solver methods: parameters, defaults, sources",
                 methods_text, methods_json);
-  add_reference(app, arguments, "schema", "Print the reference of the configs", schema_text, schema_json);
+  add_reference(app, arguments, "schema", "List the settings of a config: units, defaults, ranges, meanings",
+                schema_text, schema_json);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();
   if (argc == 1) {

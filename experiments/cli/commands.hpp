@@ -19,7 +19,7 @@ struct ConfigArguments {
 };
 
 /// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is
-/// computed where there are some before.
+/// computed if some are known before the runs.
 int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
                 bool strict);
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
@@ -49,7 +49,7 @@ struct StiffnessArguments {
   bool profile = false;                         ///< with the slices of the strip
 };
 
-/// How stiff the cantilever strip of a run is; `run` as above. Throws std::invalid_argument where it is none.
+/// How stiff the cantilever strip of a run is; `run` as above. Throws std::invalid_argument if it is none.
 int stiffness_command(const std::string& run, const std::filesystem::path& folder,
                       const StiffnessArguments& arguments, bool json);
 
@@ -63,15 +63,15 @@ struct AdviseArguments {
   std::filesystem::path write;      ///< empty: the config is not written
 };
 
-/// Which model, substeps, iterations and precision to take for a scene, from a sweep below <out>/advise. Exit
-/// code 1 where no setting meets the demand.
+/// Which model, substeps, iterations and precision to take for a scene, from runs below <out>/advise. Exit
+/// code 1 if no setting meets the demand.
 int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json);
 
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.
 int bench_command(const BenchOptions& options, bool list, bool json);
 
-/// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; of one that it
-/// refuses, what the others would make of it.
+/// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; if it refuses the
+/// mesh, what the other policies would do.
 int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds,
                  std::string_view policy, bool json);
 

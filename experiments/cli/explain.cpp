@@ -15,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-// Of what is no pass of a step.
+// What the time outside of the steps goes to.
 constexpr std::array around_the_steps = {
     MethodPass{"set_up", "mesh, constraints, colouring; once"},
     MethodPass{"recording", "/output: metrics and the run file"},

@@ -1,4 +1,4 @@
-// `bendlab run --explain`: what a scene's step consists of, and what of it was for nothing.
+// `bendlab run --explain`: what a scene's step consists of, and which parts of it did nothing.
 #pragma once
 
 #include <string>
@@ -8,7 +8,7 @@
 namespace bendlab {
 
 /// The step plan of a run that is over: each pass, why it is there, how often it ran, what it changed, its
-/// share of the time; then the listed effects that never did anything in this run.
+/// share of the time; then the listed effects that changed nothing in this run.
 std::string explain_text(const CampaignRun& run);
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// The runs below a folder, and the one that somebody means.
+// The runs below a folder, and the one that a command's argument means.
 #pragma once
 
 #include <filesystem>
@@ -9,12 +9,12 @@
 
 namespace bendlab {
 
-/// The readable runs below a folder, by path; says on stderr which are not. Throws RunFileError where there
-/// is no folder.
+/// The readable runs below a folder, by path; says on stderr which are not. Throws RunFileError if there is
+/// no such folder.
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder);
 
 /// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`. Throws
-/// UsageError where that is none, or several.
+/// UsageError if that is no run, or several.
 RunRecord find_run(const std::string& run, const std::filesystem::path& folder);
 
 }  // namespace bendlab

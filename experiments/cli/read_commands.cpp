@@ -12,6 +12,7 @@
 #include "experiments/cli/find_run.hpp"
 #include "experiments/cli/mesh_report.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/warnings.hpp"
 #include "experiments/terminal/table.hpp"
@@ -33,7 +34,7 @@ std::string when(const fs::path& file) {
   return text;
 }
 
-/// What provenance holds as the text of a JSON value; null where it holds none.
+/// The JSON value that provenance keeps as text; null if there is none.
 Json stored_json(const RunRecord& record, const char* name) {
   const auto text = record.provenance.find(name);
   const Json json = text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
@@ -101,8 +102,8 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
     fmt::print("{}\n", description.dump());
     return exit_ok;
   }
-  fmt::print("{}\n{}  {}  {}, {} frames, written {}\n", record.file.string(), record.id, record.name,
-             to_string(record.status), record.frames, when(record.file));
+  fmt::print("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
+             to_string(record.status), counted(record.frames, "frame"), when(record.file));
   if (const auto broken = broken_bound_of(stored_json(record, "implausible")))
     fmt::print("\nimplausible: {}\n", text_of(*broken));
   for (const Warning& warning : warnings_of(stored_json(record, "warnings")))
@@ -137,8 +138,8 @@ std::string policies_text(const fs::path& file) try {
   std::string text = "\n/mesh/bad_triangles (here: --bad-triangles) would";
   for (std::size_t p = 1; p < bad_triangles_names.size(); ++p) try {
       const AcceptedMesh accepted = accept(soup, static_cast<BadTriangles>(p));
-      text += fmt::format("\n  {}: take it with {} vertices, {} triangles\n    {}", bad_triangles_names[p],
-                          accepted.mesh.vertex_count(), accepted.mesh.triangle_count(),
+      text += fmt::format("\n  {}: take it with {} vertices and {}\n    {}", bad_triangles_names[p],
+                          accepted.mesh.vertex_count(), counted(accepted.mesh.triangle_count(), "triangle"),
                           fmt::join(accepted.notes, "\n    "));
     } catch (const std::invalid_argument&) {
       text += fmt::format("\n  {}: refuse it too", bad_triangles_names[p]);

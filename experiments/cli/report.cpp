@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -33,7 +34,7 @@ std::vector<ExpectationResult> check(const CampaignRun& run) {
   return check_expectations(*run.experiment, *run.config, run.outcome->summary);
 }
 
-/// What the run itself says, where it has no such metric.
+/// What the run itself says, if it has no such metric.
 std::string why_missing(const CampaignRun& run, const ExpectationResult& result) {
   return result.measured || run.outcome->message.empty() ? "" : "; the run says: " + run.outcome->message;
 }
@@ -107,8 +108,8 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
   return text;
 }
 
-/// The main ones; what the solver made of the stiffness told where a run has less than 90 % of it; the errors
-/// where runs have them.
+/// The main columns; the effective stiffnesses if a run has less than 90 % of what is stated; the errors if
+/// runs have them.
 std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
   std::vector<std::string> columns(main_columns.begin(), main_columns.end());
   constexpr double converged = 0.9;  // 1
@@ -141,7 +142,7 @@ std::string time_text(std::span<const CampaignRun> runs) {
         same->seconds += pass.seconds;
     }
   }
-  std::string text = fmt::format("time: {:.1f} s of runs, {:.1f} s of CPU", wall_s, cpu_s);
+  std::string text = fmt::format("time: {:.1f} s in the runs, {:.1f} s of CPU", wall_s, cpu_s);
   const std::string shares = pass_shares(passes);
   return shares.empty() ? text : text + "; " + shares;
 }
@@ -164,8 +165,9 @@ std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> ru
 }
 
 std::string text_of(const CollectedWarning& warning) {
-  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message,
-                     warning.runs == 1 ? "" : fmt::format(" (and {} more runs)", warning.runs - 1));
+  const std::string others =
+      warning.runs == 1 ? "" : fmt::format(" (and {})", counted(warning.runs - 1, "more run"));
+  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message, others);
 }
 
 bool expectations_hold(std::span<const CampaignRun> runs) {
@@ -174,8 +176,7 @@ bool expectations_hold(std::span<const CampaignRun> runs) {
 }
 
 Json run_json(const CampaignRun& run) {
-  Json point = Json::object(), expectations = Json::array();
-  for (const auto& [pointer, value] : run.config->point) point[pointer] = value;
+  Json expectations = Json::array();
   Json passes = Json::array();
   if (run.outcome)
     for (const PassTime& pass : run.outcome->passes)
@@ -194,7 +195,7 @@ Json run_json(const CampaignRun& run) {
   }
   return {{"id", id},
           {"experiment", run.experiment->name},
-          {"point", point},
+          {"point", point_json(*run.config)},
           {"status", run.outcome ? to_string(outcome.status) : status_text(run)},
           {"reused", outcome.reused},
           {"file", outcome.file.string()},
@@ -210,7 +211,7 @@ Json run_json(const CampaignRun& run) {
           {"message", run.outcome ? outcome.message : run.error}};
 }
 
-std::string experiment_text(std::span<const CampaignRun> runs) {
+std::string experiment_text(std::span<const CampaignRun> runs, bool verdicts) {
   const Experiment& experiment = *runs.front().experiment;
   const std::vector<std::string> columns = columns_of(runs);
   std::vector<std::string> headings = axis_headings(experiment);
@@ -230,8 +231,8 @@ std::string experiment_text(std::span<const CampaignRun> runs) {
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
   text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
-  return text + held_expectations(runs) + failed_expectations(runs) + implausible_text(runs) +
-         warnings_text(runs);
+  return text + held_expectations(runs) + failed_expectations(runs) +
+         (verdicts ? implausible_text(runs) : "") + warnings_text(runs);
 }
 
 std::string experiment_line(std::span<const CampaignRun> runs) {
@@ -239,8 +240,8 @@ std::string experiment_line(std::span<const CampaignRun> runs) {
   const auto complete =
       count([](const CampaignRun& run) { return run.outcome && run.outcome->status == RunStatus::complete; });
   const auto reused = count([](const CampaignRun& run) { return run.outcome && run.outcome->reused; });
-  std::string text = fmt::format("{}: {} runs, {} complete ({} reused)", runs.front().experiment->name,
-                                 runs.size(), complete, reused);
+  std::string text = fmt::format("{}: {}, {} complete ({} reused)", runs.front().experiment->name,
+                                 counted(runs.size(), "run"), complete, reused);
   for (const RunStatus status : {RunStatus::implausible, RunStatus::diverged, RunStatus::interrupted}) {
     const auto here =
         count([&](const CampaignRun& run) { return run.outcome && run.outcome->status == status; });
@@ -249,7 +250,7 @@ std::string experiment_line(std::span<const CampaignRun> runs) {
   if (const auto failed = count([](const CampaignRun& run) { return !run.error.empty(); }); failed > 0)
     text += fmt::format(", {} failed", failed);
   for (const CollectedWarning& warning : collected_warnings(runs))
-    text += fmt::format(", {} {}", warning.runs, warning.code);
+    text += fmt::format(", {} with the warning {}", warning.runs, warning.code);
   return text + "; " + time_text(runs) + "\n" + failed_expectations(runs);
 }
 

@@ -14,14 +14,14 @@ namespace bendlab {
 Json run_json(const CampaignRun& run);
 
 /// Swept values and the main numbers, a row per run; where the time went; which expectations hold.
-/// `runs` are those of one experiment.
-std::string experiment_text(std::span<const CampaignRun> runs);
+/// `runs` are those of one experiment. `verdicts`: with what made runs implausible, which stderr was told.
+std::string experiment_text(std::span<const CampaignRun> runs, bool verdicts = true);
 
-/// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", with a further line per expectation that
-/// does not hold.
+/// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", and a further line per expectation
+/// that does not hold.
 std::string experiment_line(std::span<const CampaignRun> runs);
 
-/// A warning of an experiment: of the first run that has it, and how many do.
+/// A warning of an experiment: place and text of the first run that has it, and how many runs do.
 struct CollectedWarning {
   std::string code, place, message;
   int runs = 0;

@@ -12,9 +12,11 @@
 
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/measures/metrics.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
@@ -50,13 +52,13 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// Every warning once: where its experiment has it first.
+/// Prints each warning of an experiment once, with the first run that has it.
 void tell_warnings(std::span<const CampaignRun> runs) {
   for (const CollectedWarning& warning : collected_warnings(runs))
     fmt::print(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
 }
 
-/// Those that are known before a run, of every experiment, each once. Returns how many there are.
+/// Prints the warnings that need no run, each once per experiment. Returns how many there are.
 std::size_t tell_warnings_before(const std::vector<Experiment>& experiments) {
   std::size_t told = 0;
   for (const Experiment& experiment : experiments) {
@@ -86,9 +88,12 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   }
   check_writable(options.out);
   catch_stop_signals();
+  for (const Experiment& experiment : experiments) write_sweep_file(options.out, experiment);
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   std::vector<CampaignRun> of_experiment;
   bool first = true;
+  // Messages go to stderr while the runs go on. Who reads both on one terminal need not read them twice.
+  const bool one_terminal = isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
     if (report == Report::json && runs[index].started()) fmt::print("{}\n", run_json(runs[index]).dump());
@@ -96,8 +101,10 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
       fmt::print("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
-      if (report != Report::lines) tell_warnings(of_experiment);
-      if (report == Report::tables) fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment));
+      if (report != Report::lines && !(report == Report::tables && one_terminal))
+        tell_warnings(of_experiment);
+      if (report == Report::tables)
+        fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment, !one_terminal));
       if (report == Report::lines) fmt::print("{}", experiment_line(of_experiment));
       first = false;
     }
@@ -108,8 +115,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   if (const int code = stop_exit_code(); code != 0) {
     const auto complete = std::ranges::count_if(
         runs, [](const CampaignRun& run) { return run.outcome && is_whole(run.outcome->status); });
-    fmt::print(stderr, "bendlab: stopped with {} of {} runs complete; the same command again does the rest\n",
-               complete, runs.size());
+    fmt::print(stderr, "bendlab: stopped; {} of {} complete; the same command again does the rest\n",
+               complete, counted(runs.size(), "run"));
     return code;
   }
   const int code = campaign_exit_code(runs);
@@ -140,8 +147,7 @@ struct PageStage {
   std::string_view option{};                ///< of the script
 };
 
-/// Something to reproduce: what is drawn first comes first, so that there is something to look at while the
-/// rest runs.
+/// Something to reproduce, in stages: a picture is there while the later stages still run.
 struct Reproducible {
   std::string_view name, page;  ///< the folder of its page
   std::array<PageStage, 3> stages;
@@ -180,24 +186,26 @@ std::string state_on_disk(const fs::path& folder) {
   try {
     if (fs::exists(file)) {
       const RunRecord record = read_run(file);
-      return is_whole(record.status) ? to_string(record.status)
-                                     : fmt::format("{}, {} frames", to_string(record.status), record.frames);
+      return is_whole(record.status)
+                 ? to_string(record.status)
+                 : fmt::format("{}, {}", to_string(record.status), counted(record.frames, "frame"));
     }
-    if (fs::exists(part)) return fmt::format("interrupted, {} frames", read_run(part).frames);
+    if (fs::exists(part)) return fmt::format("interrupted, {}", counted(read_run(part).frames, "frame"));
   } catch (const RunFileError&) {
     return "unreadable";
   }
   return "new";
 }
 
-/// What a cover promises and what it left out, a line or two; empty for a whole sweep.
+/// Which combinations a covering array has and lacks, in a few lines; empty for a whole sweep.
 std::string cover_text(const Covered& cover) {
   if (cover.strength == 0) return "";
-  std::string text = fmt::format("covers {} of {} combinations of the values of {} axes\n",
-                                 cover.tuples - cover.missing, cover.tuples, cover.strength);
+  std::string text =
+      fmt::format("has {} of {} combinations of the values of any {}\n", cover.tuples - cover.missing,
+                  cover.tuples, counted(cover.strength, "swept setting"));
   constexpr std::size_t shown = 5;
   for (std::size_t i = 0; i < std::min(cover.refused.size(), shown); ++i)
-    text += fmt::format("left out, because these do not go together: {}\n", cover.refused[i]);
+    text += fmt::format("left out, because no run can have these together: {}\n", cover.refused[i]);
   if (cover.refused.size() > shown) text += fmt::format("and {} more\n", cover.refused.size() - shown);
   return text;
 }
@@ -221,15 +229,14 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
     Table table(headings);
     std::size_t complete = 0;
     for (const RunConfig& config : experiment.runs) {
-      const fs::path folder = run_folder(out, experiment, config);
-      const std::string id = run_id(config), state = state_on_disk(folder);
+      const std::string id = run_id(config);
+      const fs::path folder = run_folder(out, experiment, config, id);
+      const std::string state = state_on_disk(folder);
       if (state == "complete") ++complete;
       if (json) {
-        Json point = Json::object();
-        for (const auto& [pointer, value] : config.point) point[pointer] = value;
         const Json line = {
-            {"experiment", experiment.name}, {"point", point},           {"id", id}, {"state", state},
-            {"folder", folder.string()},     {"config", config.resolved}};
+            {"experiment", experiment.name}, {"point", point_json(config)}, {"id", id}, {"state", state},
+            {"folder", folder.string()},     {"config", config.resolved()}};
         fmt::print("{}\n", line.dump());
       }
       std::vector<std::string> cells = axis_cells(experiment, config);
@@ -237,9 +244,8 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
       table.add_row(std::move(cells));
     }
     if (!json)
-      fmt::print("{}: {} run{}, {} complete\n{}\n{}\n", experiment.name, experiment.runs.size(),
-                 experiment.runs.size() == 1 ? "" : "s", complete, cover_text(experiment.cover),
-                 table.text());
+      fmt::print("{}: {}, {} complete\n{}\n{}\n", experiment.name, counted(experiment.runs.size(), "run"),
+                 complete, cover_text(experiment.cover), table.text());
   }
   return exit_ok;
 }
@@ -248,8 +254,8 @@ int validate_command(const ConfigArguments& configs, bool strict) {
   const std::vector<Experiment> experiments = load_experiments(configs);
   if (strict && tell_warnings_before(experiments) > 0) return exit_failed;
   for (const Experiment& experiment : experiments)
-    fmt::print("{}: {} ({} run{})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
-               experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s", cover_text(experiment.cover));
+    fmt::print("{}: {} ({})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
+               counted(experiment.runs.size(), "run"), cover_text(experiment.cover));
   return exit_ok;
 }
 
@@ -265,7 +271,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
   options.out = arguments.out.empty() ? source / "results" : arguments.out;
   const fs::path page = options.out / what.page;
   std::vector<std::vector<Experiment>>
-      experiments;  // of each stage: what is wrong in any is told before the first run
+      experiments;  // of each stage; every config is read before the first run
   for (const PageStage& stage : what.stages) {
     ConfigArguments configs;
     for (const std::string_view place : stage.configs)

@@ -9,6 +9,7 @@
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/measures/strip.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -27,11 +28,11 @@ std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, d
       {"width", s.width, "m", "mean over the length"},
       {"clamp_offset", options.clamp_offset, "m", "how far behind the clamp's edge the strip begins to bend"},
       {"effective_length", s.effective_length, "m", "length + clamp_offset"},
-      {"drop", s.drop, "m", "H of the free end"},
-      {"reach", s.reach, "m", "W of the free end, + clamp_offset"},
+      {"drop", s.drop, "m", "H: how far the free end hangs down"},
+      {"reach", s.reach, "m", "W: how far the free end reaches out, + clamp_offset"},
       {"height_over_width", s.height_over_width, "1", "H / W"},
-      {"settling", settling, "1", "range of H/W in the last tenth of the frames, relative"},
-      {"stretch", s.stretch, "1", "of the middle line"},
+      {"settling", settling, "1", "range of H/W in the last tenth of the frames, over its last value"},
+      {"stretch", s.stretch, "1", "stretch of the middle line"},
       {"gamma", s.gamma, "1", "ρ g L³ / B, from H/W on the curve of m = B κ"},
       {"amplification", s.amplification, "1", "d ln gamma / d ln H/W"},
       {"flexural_rigidity", s.flexural_rigidity, "N m", "B, if m = B κ"},
@@ -39,7 +40,7 @@ std::vector<Row> rows_of(const StripStiffness& s, const StripOptions& options, d
       {"quartic_gamma", s.quartic_gamma, "1", "ρ g L⁵ / C, from H/W on the curve of m = C κ³"},
       {"quartic_amplification", s.quartic_amplification, "1", "d ln quartic_gamma / d ln H/W"},
       {"quartic", s.quartic, "N m³", "C, if m = C κ³ (springs)"},
-      {"exclude", options.exclude, "m", "from clamp and free end, not fitted"},
+      {"exclude", options.exclude, "m", "length at the clamp and at the free end that the fit leaves out"},
       {"fit_samples", static_cast<double>(s.fit.samples), "1",
        "triples of neighbouring slices to which m(κ) was fitted"},
       {"fit_exponent", s.fit.exponent, "1", "p of m = c κ^p: 1 linear, 3 springs"},
@@ -54,17 +55,17 @@ std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
   const auto frames = static_cast<std::int64_t>(record.frames);
   const std::int64_t frame = asked < 0 ? frames + asked : asked;
   if (frame < 0 || frame >= frames)
-    throw UsageError(
-        fmt::format("{}: there is no frame {}; it holds {} frames, the first is 0 and the last -1",
-                    record.file.string(), asked, frames));
+    throw UsageError(fmt::format("{}: there is no frame {}; it holds {}, the first is 0 and the last -1",
+                                 record.file.string(), asked, counted(frames, "frame")));
   return frame;
 }
 
 RunConfig config_of(const RunRecord& record) {
-  RunConfig config{.resolved = Json::parse(record.config, nullptr, false)};
-  if (config.resolved.is_discarded())
-    throw RunFileError(fmt::format("{}: its config is not JSON", record.file.string()));
-  return config;
+  try {
+    return RunConfig(Json::parse(record.config));
+  } catch (const std::exception& error) {
+    throw RunFileError(fmt::format("{}: its config can't be read: {}", record.file.string(), error.what()));
+  }
 }
 
 RunStrip strip_of_run(const RunRecord& record, const StripSettings& settings) {

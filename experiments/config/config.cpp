@@ -8,8 +8,6 @@
 #include <fstream>
 #include <iterator>
 
-#include "bendlab/bending/model.hpp"
-#include "bendlab/effects/effect.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
@@ -63,17 +61,12 @@ void check_every_where_matches(const Experiment& experiment, ConfigProblems& pro
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
-void set_folder(RunConfig& run, const std::filesystem::path& folder) {
-  run.folder = folder;
-  if (const Json* file = value_at(run.resolved, "/mesh/file"))
-    run.mesh_file = folder / file->get<std::string>();
-}
-
 Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
-                          const std::filesystem::path& source, std::span<const std::string> overrides);
+                          const std::filesystem::path& folder, std::span<const std::string> overrides);
 
-// This run with settings changed: one run, which has no errors of its own.
-RunConfig with_changes(const RunConfig& config, std::string_view what, std::span<const std::string> changes) {
+// A run of these settings, changed: one run, which has no errors of its own.
+RunConfig with_changes(Json settings, const std::filesystem::path& folder, std::string_view what,
+                       std::span<const std::string> changes) {
   for (const std::string& change : changes)
     for (const char* section : {"/sweep", "/expect", "/accuracy"})
       if (lies_within(change.substr(0, change.find('=')), section))
@@ -82,15 +75,29 @@ RunConfig with_changes(const RunConfig& config, std::string_view what, std::span
             {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors of "
                                    "its own; remove \"{}\"",
                                    what, change)}});
-  Json settings = config.resolved;
   settings["name"] = "changed";
   settings["accuracy"] = Json::object();
   ConfigProblems problems;
   apply_overrides(settings, changes, problems);
-  RunConfig changed =
-      parse_document(std::move(settings), std::move(problems), what, {}, changes).runs.front();
-  set_folder(changed, config.folder);
-  return changed;
+  return parse_document(std::move(settings), std::move(problems), what, folder, changes).runs.front();
+}
+
+RunConfig derive_reference(const RunConfig& config, std::span<const std::string> changes) {
+  const ParameterValues& accuracy = config.section("/accuracy");
+  Json settings = config.resolved();
+  if (accuracy.boolean("start_from_end"))
+    for (const char* start : {"after", "velocity", "spin"}) settings["initial"].erase(start);
+  RunConfig reference = with_changes(std::move(settings), config.folder(), "the reference", changes);
+  const std::string& method = reference.section("/solver").text("method");
+  if (accuracy.boolean("over_time") && !find_method(method)->has_motion)
+    throw ConfigError(
+        "the reference",
+        {{"/solver/method", fmt::format("{} has no motion that could be compared over time", method)}});
+  // Its folder's name depends on its own settings alone, so that several runs share one reference.
+  for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
+    if (const Json* value = value_at(reference.resolved(), pointer))
+      reference.point.emplace_back(pointer, *value);
+  return reference;
 }
 
 // Before anything is computed; the first that is wrong, others most likely are for the same reason.
@@ -102,13 +109,14 @@ void check_runs_before(const std::vector<RunConfig>& runs, std::string_view sour
     }
 }
 
-bool same_run(RunConfig one, RunConfig other) {
-  for (RunConfig* run : {&one, &other}) run->resolved.erase("accuracy");
-  return identity_text(one) == identity_text(other);
+bool same_run(const RunConfig& one, const RunConfig& other) {
+  Json settings = one.resolved(), others = other.resolved();
+  for (Json* each : {&settings, &others}) each->erase("accuracy");
+  return identity_text(settings) == identity_text(others);
 }
 
 // A reference that no run can have is a mistake, as is one that is the run itself; one that some can't (k has
-// no energy) is told by those runs.
+// no energy) is reported by those runs.
 void check_references(const std::vector<RunConfig>& runs, std::string_view source_name) {
   for (const Against against : references)
     for (const bool coarser : {false, true}) {
@@ -143,14 +151,13 @@ Json read_document(std::string_view text, std::string_view source_name,
 
 // `reading`: what was wrong in the text, or in the overrides that `settings` has.
 Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
-                          const std::filesystem::path& source, std::span<const std::string> overrides) {
+                          const std::filesystem::path& folder, std::span<const std::string> overrides) {
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
   const bool covered = settings.contains("cover");
   const Json given_cover = take(settings, "cover", Json());
 
   Experiment experiment;
-  experiment.source = source;
   ConfigProblems problems;
   experiment.axes = read_axes(sweep, settings, covered, problems);
   experiment.expectations = read_expectations(expect, settings, problems);
@@ -158,8 +165,9 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   if (!cover) check_settings(settings, experiment.axes, problems);
   problems.insert(problems.begin(), reading.begin(), reading.end());
   if (problems.empty())
-    experiment.runs = cover ? expand_cover(settings, experiment.axes, *cover, experiment.cover, problems)
-                            : expand_sweep(settings, experiment.axes, problems);
+    experiment.runs =
+        cover ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, problems)
+              : expand_sweep(settings, folder, experiment.axes, problems);
   // What no combination mends is wrong beside the sweep.
   if (cover && !problems.empty() && experiment.runs.empty()) {
     ConfigProblems beside;
@@ -174,7 +182,6 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   experiment.description = settings.value("description", "");
   if (settings.contains("allow") && settings["allow"].is_array()) experiment.allow = settings["allow"];
   experiment.settings = std::move(settings);
-  for (RunConfig& run : experiment.runs) set_folder(run, source.parent_path());
   check_runs_before(experiment.runs, source_name);
   check_references(experiment.runs, source_name);
   return experiment;
@@ -184,7 +191,11 @@ Experiment parse(std::string_view text, std::string_view source_name, const std:
                  std::span<const std::string> overrides) {
   ConfigProblems problems;
   Json settings = read_document(text, source_name, overrides, problems);
-  return parse_document(std::move(settings), std::move(problems), source_name, source, overrides);
+  Experiment experiment =
+      parse_document(std::move(settings), std::move(problems), source_name, source.parent_path(), overrides);
+  experiment.source = source;
+  experiment.overrides.assign(overrides.begin(), overrides.end());
+  return experiment;
 }
 
 }  // namespace
@@ -193,40 +204,15 @@ bool Experiment::allows(RunStatus status) const {
   return std::ranges::find(allow, to_string(status)) != allow.end();
 }
 
-ParameterValues RunConfig::section(std::string_view pointer) const {
-  const ConfigSection* found = find_section(pointer);
-  const Json* values = value_at(resolved, std::string(pointer));
-  if (found == nullptr || values == nullptr)
-    throw std::logic_error(fmt::format("a run's config has no section '{}'", pointer));
-  return values_of(*values, found->parameters);
-}
-
-std::string RunConfig::bending_model() const {
-  return section("/bending").text("model");
-}
-
-ParameterValues RunConfig::bending_parameters() const {
-  const BendingModel* model = find_bending_model(bending_model());
-  return model->parameters.empty() ? ParameterValues() : section(fmt::format("/bending/{}", model->name));
-}
-
-std::vector<EffectSettings> RunConfig::effects() const {
-  std::vector<EffectSettings> list;
-  for (const Json& entry : resolved["effects"]) {
-    const std::string type = entry["type"];
-    ParameterValues values = values_of(entry, find_effect(type)->parameters);
-    if (values.has("file")) values.set("file", (folder / values.text("file")).string());
-    list.push_back({type, std::move(values)});
-  }
-  return list;
-}
-
 std::optional<RunConfig> run_before(const RunConfig& config) {
-  const ParameterValues initial = config.section("/initial");
+  const ParameterValues& initial = config.section("/initial");
   if (!initial.has("after")) return std::nullopt;
-  RunConfig without = config;
-  without.resolved["initial"].erase("after");
-  return with_changes(without, "the run before", initial.texts("after"));
+  return config.derived("before", [&] {
+    Json settings = config.resolved();
+    settings["initial"].erase("after");
+    return std::optional(
+        with_changes(std::move(settings), config.folder(), "the run before", initial.texts("after")));
+  });
 }
 
 std::string_view name_of(Against against) {
@@ -238,43 +224,14 @@ std::string reference_pointer(Against against, bool coarser) {
 }
 
 std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser) {
-  const ParameterValues accuracy = config.section("/accuracy");
-  const std::string name(name_of(against));
-  if (!accuracy.has(coarser ? name + "_coarser" : name)) return std::nullopt;
-  std::vector<std::string> changes = accuracy.texts(name);
-  if (coarser) {
-    const std::vector<std::string>& more = accuracy.texts(name + "_coarser");
-    changes.insert(changes.end(), more.begin(), more.end());
-  }
-  RunConfig from = config;
-  if (accuracy.boolean("start_from_end"))
-    for (const char* start : {"after", "velocity", "spin"}) from.resolved["initial"].erase(start);
-  RunConfig reference = with_changes(from, "the reference", changes);
-  if (accuracy.boolean("over_time") && !find_method(reference.section("/solver").text("method"))->has_motion)
-    throw ConfigError("the reference",
-                      {{"/solver/method", fmt::format("{} has no motion that could be compared over time",
-                                                      reference.section("/solver").text("method"))}});
-  // Where it lies depends on nothing but what it is: runs share it.
-  for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
-    if (const Json* value = value_at(reference.resolved, pointer))
-      reference.point.emplace_back(pointer, *value);
-  return reference;
-}
-
-std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {
-  std::vector<std::pair<std::string, std::filesystem::path>> files;
-  if (!config.mesh_file.empty()) files.emplace_back("/mesh/file", config.mesh_file);
-  const std::vector<EffectSettings> effects = config.effects();
-  for (std::size_t i = 0; i < effects.size(); ++i)
-    if (effects[i].values.has("file"))
-      files.emplace_back(fmt::format("/effects/{}/file", i), effects[i].values.text("file"));
-  return files;
-}
-
-std::string identity_text(const RunConfig& config) {
-  Json identity = config.resolved;
-  identity["solver"].erase("threads");
-  return identity.dump();
+  const ParameterValues& accuracy = config.section("/accuracy");
+  const std::string name(name_of(against)), coarser_name = name + "_coarser";
+  if (!accuracy.has(coarser ? coarser_name : name)) return std::nullopt;
+  return config.derived(coarser ? coarser_name : name, [&] {
+    std::vector<std::string> changes = accuracy.texts(name);
+    if (coarser) std::ranges::copy(accuracy.texts(coarser_name), std::back_inserter(changes));
+    return std::optional(derive_reference(config, changes));
+  });
 }
 
 Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides) {

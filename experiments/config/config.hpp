@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
-#include "bendlab/parameters/parameter.hpp"
+#include "experiments/config/run_config.hpp"
 #include "experiments/config/strict_json.hpp"
 
 namespace bendlab {
@@ -21,84 +21,54 @@ struct Expectation {
   std::string metric;
   std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
   std::string why;
-  Json where =
-      Json::object();  ///< {json pointer: value}: only runs whose config has these values; empty: all
+  /// {json pointer: value}: only runs whose config has these values; empty: all.
+  Json where = Json::object();
 };
-
-/// One effect the scene lists, with its settings.
-struct EffectSettings {
-  std::string type;
-  ParameterValues values;
-};
-
-/// One point of a sweep: every value there, only the chosen model's settings kept.
-struct RunConfig {
-  Json resolved;                 ///< canonical: equal runs have equal text; holds no name and no description
-  std::filesystem::path folder;  ///< the config's: files are relative to it; empty if it came from text
-  std::filesystem::path mesh_file;  ///< /mesh/file as a path from here; empty: the mesh is generated
-  /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
-  /// setting of another bending model, for example).
-  std::vector<std::pair<std::string, Json>> point;
-  /// The id of the run at whose end this one starts (a reference with /accuracy/start_from_end); empty: none.
-  std::string starts_at_end_of{};
-
-  /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …), typed.
-  ParameterValues section(std::string_view pointer) const;
-  std::string bending_model() const;
-  ParameterValues bending_parameters() const;   ///< of the chosen model
-  std::vector<EffectSettings> effects() const;  ///< a `file` as a path from here
-};
-
-/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts
-/// from its rest shape. Throws ConfigError with what is wrong in the changed settings.
-std::optional<RunConfig> run_before(const RunConfig& config);
 
 /// What the errors of a run are measured against: the best solution of its own energies, or the stated cloth.
 enum class Against { solver, physical };
 inline constexpr std::array<Against, 2> references = {Against::solver, Against::physical};
-inline constexpr std::array<std::string_view, 2> against_names = {"solver",
-                                                                  "physical"};  ///< settings and errors
+/// Their names in settings and errors.
+inline constexpr std::array<std::string_view, 2> against_names = {"solver", "physical"};
 std::string_view name_of(Against against);
 std::string reference_pointer(Against against, bool coarser);  ///< "/accuracy/solver_coarser": the setting
+
+/// The run that this one starts after (/initial/after): itself with settings changed; nothing where it starts
+/// from its rest shape. It is derived once. Throws ConfigError with what is wrong in the changed settings.
+std::optional<RunConfig> run_before(const RunConfig& config);
 
 /// How a reference's pose is brought over a run's before they are compared.
 enum class AlignBy { none, vertical, rigid };
 inline constexpr std::array<std::string_view, 3> align_by_names = {"none", "vertical", "rigid"};
 
 /// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where
-/// `coarser`. Nothing where it asks for none. Throws ConfigError with what is wrong in the changed settings.
+/// `coarser`. Nothing where it asks for none. It is derived once. Throws ConfigError with what is wrong in the
+/// changed settings.
 std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser = false);
-
-/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects'
-/// files.
-std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
-
-/// The part of a resolved config that decides the result: canonical text without /solver/threads (any number
-/// of threads gives the same bits).
-std::string identity_text(const RunConfig& config);
 
 /// A swept pointer and its values, normalised.
 using Axis = std::pair<std::string, std::vector<Json>>;
 
-/// What a covering array holds of a sweep.
+/// How much of a sweep a covering array has.
 struct Covered {
-  int strength = 0;  ///< of how many axes every combination of values is in some run; 0: the sweep is whole
-  std::size_t tuples = 0;            ///< these combinations
-  std::size_t missing = 0;           ///< of these, how many no run has
-  std::vector<std::string> refused;  ///< why: the values that do not go together, as "/a = 1, /b = 2"
+  int strength = 0;  ///< every combination of values of this many axes is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< how many such combinations there are
+  std::size_t missing = 0;           ///< how many of them are in no run
+  std::vector<std::string> refused;  ///< the missing ones, as "/a = 1, /b = 2"
 };
 
 struct Experiment {
   std::string name, description;
   std::filesystem::path source;  ///< the config's file, empty if it came from text
-  std::vector<RunConfig>
-      runs;  ///< sweep expanded in order, last axis fastest, or covered; equal points appear once
+  /// The sweep expanded in order, last axis fastest, or covered; equal points appear once.
+  std::vector<RunConfig> runs;
   std::vector<Axis> axes;  ///< the sweep
   Covered cover;
   std::vector<Expectation> expectations;
-  /// What its runs may come to without a failing exit code: no part of what a run is.
+  /// Statuses that do not make the exit code a failure. They do not change what a run is.
   std::vector<std::string> allow;
   Json settings;  ///< as written, with overrides, without `sweep` and `expect`
+  std::vector<std::string> overrides;
 
   bool allows(RunStatus status) const;
 };

@@ -47,33 +47,34 @@ constexpr std::span<const double> no_indices;
 constexpr double largest_seed = 4294967295;  // 2³² - 1: fits every generator
 
 constexpr std::string_view stiffness_meaning =
-    "How stiff: k is the share of the error a projection removes; k_per_step uses k' = 1 - (1 - k)^(1/n) for "
-    "n projections per substep, so that an isolated constraint loses the share k in all; compliance is "
-    "XPBD's";
+    "How stiffness is given. k: the share of a constraint's error that one projection removes; k_per_step: "
+    "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); "
+    "compliance: inverse stiffness, as in XPBD";
 
 constexpr std::string_view bending_stiffness_meaning =
-    "How stiff: k, k_per_step and compliance as for strain; physical is XPBD's with a compliance of each "
-    "constraint's own, found from the mesh so that the sheet has the flexural_rigidity or "
-    "quartic_coefficient below";
+    "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
+    "flexural_rigidity or quartic_coefficient below, for which each constraint gets its own compliance from "
+    "the mesh";
 
-// One setting, few lines: these are to be read as tables.
+// Formatted by hand, to be read as tables.
 // clang-format off
 constexpr std::array top_level = {
     Parameter{.name = "name", .type = text, .unit = "", .default_value = {},
               .meaning = "Name of the experiment and of its results folder: letters, digits, '_' and '-'",
               .required = true},
     Parameter{.name = "description", .type = text, .unit = "", .default_value = "",
-              .meaning = "What the experiment is for; does not change it"},
+              .meaning = "What the experiment is for; does not affect its runs"},
     Parameter{.name = "allow", .type = texts, .unit = "", .default_value = Names(nothing),
-              .meaning = "What runs may come to without failing the command: implausible, for a sweep that studies what fails. "
-                         "The runs' status is told all the same; does not change them",
+              .meaning = "Verdicts that do not fail the command: implausible, for a sweep that studies "
+                         "failure. The verdict is still printed; does not affect the runs",
               .choices = allowed},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
               .meaning = "Simulated time of each run",
               .minimum = 0, .above = true},
     Parameter{.name = "settled_speed", .type = number, .unit = "m/s", .default_value = 0.0,
-              .meaning = "The run ends early once no vertex has been faster for half a simulated second; its summary "
-                         "then has settled_at. Looked at 60 times a simulated second; 0: it never ends early",
+              .meaning = "The run ends early when no vertex has been faster than this for half a simulated "
+                         "second (checked 60 times a simulated second); its summary then has settled_at. "
+                         "0: it never ends early",
               .minimum = 0},
 };
 
@@ -81,9 +82,9 @@ constexpr std::array top_level = {
 const std::array mesh = {
     Parameter{.name = "generator", .type = text, .unit = "", .default_value = "grid",
               .meaning = "grid: squares split into triangles; equilateral: lattice of equilateral "
-                         "triangles; delaunay: irregular, seeded; disc: concentric rings, as many as cells; "
-                         "tube: the side of a cylinder or cone around z, with cells around it; sphere: closed, an octahedron "
-                         "whose edges are split into cells, blown up",
+                         "triangles; delaunay: irregular, from random points; disc: as many concentric "
+                         "rings as cells; tube: the side of a cylinder or cone around z, with as many "
+                         "columns as cells; sphere: an octahedron whose edges are split into cells, inflated",
               .choices = generator_names},
     Parameter{.name = "file", .type = text, .unit = "", .default_value = {},
               .meaning = "Mesh file (.obj, .ply, .off, .stl) instead of a generator, relative to the "
@@ -98,40 +99,46 @@ const std::array mesh = {
               .meaning = "Resolution: cells along the width",
               .minimum = 1, .maximum = 4096},
     Parameter{.name = "diagonal", .type = text, .unit = "", .default_value = "same",
-              .meaning = "grid: which diagonal splits a square: the same everywhere, alternating, or both",
+              .meaning = "grid: which diagonal splits a square: the same in all, alternating, or both",
               .choices = diagonal_names},
     Parameter{.name = "rows", .type = text, .unit = "", .default_value = "parallel",
-              .meaning = "equilateral: direction of the rows of edges against the long side",
+              .meaning = "equilateral: direction of the rows of edges, relative to the long side",
               .choices = rows_names},
     Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
-              .meaning = "disc, sphere: its radius; tube: that of its lower end",
+              .meaning = "disc, sphere: radius; tube: radius of its lower end",
               .minimum = 0, .above = true},
     Parameter{.name = "radius_top", .type = number, .unit = "m", .default_value = {},
-              .meaning = "tube: radius of its upper end; absent: that of the lower end",
+              .meaning = "tube: radius of its upper end; absent: as the lower end",
               .minimum = 0, .above = true},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "delaunay: seed of the random points",
               .minimum = 0, .maximum = largest_seed},
     Parameter{.name = "scale", .type = number, .unit = "1", .default_value = 1.0,
-              .meaning = "Factor on all coordinates, of a file's mesh too",
+              .meaning = "Factor on all coordinates, also of a mesh from a file",
               .minimum = 0, .above = true},
-    Parameter{.name = "offset", .type = numbers, .unit = "m", .default_value = std::span<const double>(zero_vector),
-              .meaning = "Added to all coordinates after that, of a file's mesh too",
+    Parameter{.name = "offset", .type = numbers, .unit = "m",
+              .default_value = std::span<const double>(zero_vector),
+              .meaning = "Added to all coordinates after scale, also of a mesh from a file",
               .length = 3},
     Parameter{.name = "shuffle", .type = integer, .unit = "1", .default_value = {},
-              .meaning = "Seed by which vertices and triangles are numbered at random; absent: as the generator numbers them",
+              .meaning = "Seed of a random numbering of vertices and triangles; absent: the generator's "
+                         "numbering",
               .minimum = 0, .maximum = largest_seed},
     Parameter{.name = "flaw", .type = text, .unit = "", .default_value = "none",
-              .meaning = "What is wrong with the mesh, on purpose: about every twentieth place is a needle, a cap, "
-                         "without area, there twice, has a fin or touches in a point alone; or the mesh has vertices "
-                         "in no triangle, is cut in two, has triangles that run the other way round, or a hole",
+              .meaning = "A defect put into the mesh on purpose. needles, caps, degenerate (no area), "
+                         "duplicate_vertices, duplicate_faces, non_manifold_edge (a third triangle at an "
+                         "edge), bow_tie (triangles that share only a point): at about every twentieth "
+                         "place; isolated_vertices: vertices in no triangle; pieces: cut in two; "
+                         "mixed_orientation: every second triangle turned over; hole: a hole in the middle",
               .choices = mesh_flaws()},
     Parameter{.name = "bad_triangles", .type = text, .unit = "", .default_value = "refuse",
-              .meaning = "What becomes of a mesh with triangles that have no area, are there twice or branch. refuse: "
-                         "the run ends with the first offenders; regularise: simulated as it is, a triangle without "
-                         "area with a small rest height; membrane_off: the same, but such a triangle has no strain "
-                         "constraint; repair: equal points united, triangles without area removed, branches cut, all "
-                         "oriented alike. 'bendlab mesh' says what each does to a file",
+              .meaning = "What to do with a mesh that has triangles without area, triangles listed twice, or "
+                         "edges of three triangles. refuse: the run fails and names the first ones; "
+                         "regularise: simulate the mesh as it is, with a small rest height for triangles "
+                         "without area; membrane_off: the same, but those triangles have no strain "
+                         "constraint; repair: unite equal points, remove triangles without area, cut the "
+                         "sheet where it branches, orient all triangles alike. 'bendlab mesh FILE' says "
+                         "what each does to a file",
               .choices = bad_triangles_names},
 };
 
@@ -139,21 +146,22 @@ const std::array mesh = {
 const std::array<Parameter, 4>& pins() {
   static const std::array<Parameter, 4> table = {
       Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
-                .meaning = "Pinned places by name, on the box of the rest mesh: corners, sides and centre of its x-y "
-                           "face; top_rim and bottom_rim are the ends of a tube; circle is the ring of vertices a quarter of "
-                           "the smaller side from the centre, interior four vertices at 0.3 and 0.7 of both sides",
+                .meaning = "Pinned places by name: corners, sides and centre of the rest mesh's box in the "
+                           "x-y plane; top_rim and bottom_rim: the ends of a tube; circle: the ring of "
+                           "vertices at a quarter of the smaller side from the centre; interior: four "
+                           "vertices at 0.3 and 0.7 of both sides",
                 .choices = vertex_selectors()},
       Parameter{.name = "indices", .type = numbers, .unit = "1", .default_value = no_indices,
-                .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), besides the "
-                           "named ones",
+                .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "
+                           "those of vertices",
                 .minimum = 0},
       Parameter{.name = "ring", .type = integer, .unit = "1", .default_value = 1,
-                .meaning = "Rings around each pinned vertex that are pinned too (the paper: 1; 0: the "
-                           "vertex alone)",
+                .meaning = "How many rings of neighbours of each pinned vertex are pinned too; 0: none; the "
+                           "paper: 1",
                 .minimum = 0, .maximum = 64},
       Parameter{.name = "distance", .type = number, .unit = "m", .default_value = 0.0,
-                .meaning = "What lies within this distance of a pinned place is pinned too: a clamp that is as wide at "
-                           "every resolution",
+                .meaning = "Vertices within this distance of a pinned place are pinned too: a clamp of the "
+                           "same width at every resolution",
                 .minimum = 0},
   };
   return table;
@@ -164,42 +172,43 @@ constexpr std::array material = {
               .meaning = "Mass per area",
               .minimum = 0, .above = true},
     Parameter{.name = "density_ratio", .type = number, .unit = "1", .default_value = 1.0,
-              .meaning = "How many times as heavy the cloth is beyond the middle of its rest box along x",
+              .meaning = "Factor on density in the half of the rest box with the larger x",
               .minimum = 0, .above = true},
     Parameter{.name = "coordinates", .type = text, .unit = "", .default_value = "warp",
-              .meaning = "Material coordinates: warp_direction projected into each triangle's plane, or the "
-                         "mesh file's texture coordinates",
+              .meaning = "Where warp and weft run. warp: warp_direction, projected into each triangle's "
+                         "plane; texture: along the mesh file's texture coordinates",
               .choices = material_coordinates_names},
     Parameter{.name = "warp_direction", .type = numbers, .unit = "1",
               .default_value = std::span<const double>(default_warp),
-              .meaning = "Direction of the warp threads in the rest shape, of any length but zero; 0, 0, 1 runs "
-                         "along a tube",
+              .meaning = "Direction of the warp threads in the rest shape, of any length but zero; for a "
+                         "tube, 0, 0, 1 is along its axis",
               .length = 3},
 };
 
 constexpr std::array strain = {
     Parameter{.name = "form", .type = text, .unit = "", .default_value = "normalised",
-              .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the entries of S "
-                         "themselves; angle (ours): stretch as normalised, and of shear the angle that warp and weft "
-                         "lack to a right one. The gradient of normalised shear vanishes as they become parallel, so that "
-                         "a projection throws a strongly sheared triangle many times its size; the angle's does not",
+              .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the "
+                         "entries of S themselves; angle (ours): stretch as in normalised, and as shear the "
+                         "difference of the angle between warp and weft from a right angle. The gradient of "
+                         "normalised shear vanishes as warp and weft become parallel, so that a projection "
+                         "moves a strongly sheared triangle by many times its size; angle does not do that",
               .choices = strain_form_names},
     Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
               .meaning = stiffness_meaning, .choices = stiffness_kind_names},
     Parameter{.name = "warp", .type = number, .unit = "1", .default_value = 1.0,
-              .meaning = "k of the stretch along the warp",
+              .meaning = "k of stretch along the warp",
               .minimum = 0, .maximum = 1},
     Parameter{.name = "weft", .type = number, .unit = "1", .default_value = 1.0,
-              .meaning = "k of the stretch across the warp",
+              .meaning = "k of stretch across the warp",
               .minimum = 0, .maximum = 1},
     Parameter{.name = "shear", .type = number, .unit = "1", .default_value = 1.0,
-              .meaning = "k of the shear",
+              .meaning = "k of shear",
               .minimum = 0, .maximum = 1},
     Parameter{.name = "area", .type = number, .unit = "1", .default_value = 0.0,
-              .meaning = "k of the triangle's area; 0: no such constraint",
+              .meaning = "k of a triangle's area; 0: no such constraint",
               .minimum = 0, .maximum = 1},
     Parameter{.name = "compliance", .type = number, .unit = "m/N", .default_value = 0.0,
-              .meaning = "Compliance of every strain constraint where stiffness is compliance; 0 is rigid",
+              .meaning = "Compliance of every strain constraint, used if stiffness is compliance; 0 is rigid",
               .minimum = 0},
 };
 
@@ -211,67 +220,73 @@ const std::array<Parameter, 8>& bending() {
   }();
   static const std::array<Parameter, 8> table = {
       Parameter{.name = "model", .type = text, .unit = "", .default_value = "adaptive",
-                .meaning = "Bending model; its own settings are in the object of its name",
+                .meaning = "Bending model; its own settings are in the section of its name",
                 .choices = models},
       Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
                 .meaning = bending_stiffness_meaning, .choices = bending_stiffness_kinds},
       Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
-                .meaning = "Stiffness of every bending constraint",
+                .meaning = "Stiffness of every bending constraint, used if stiffness is k or k_per_step",
                 .minimum = 0, .maximum = 1},
       Parameter{.name = "compliance", .type = number, .unit = "m/N or 1/(N m)", .default_value = 0.0,
-                .meaning = "Inverse stiffness where stiffness is compliance; 0 is rigid. Of what, `bendlab models` "
-                           "says for each model",
+                .meaning = "Inverse stiffness, used if stiffness is compliance; 0 is rigid. `bendlab models` "
+                           "says what it means for each model",
                 .minimum = 0},
       Parameter{.name = "flexural_rigidity", .type = number, .unit = "N m", .default_value = {},
-                .meaning = "physical: B of the moment B κ per width, for models on hinges and arcs; for springs "
-                           "together with at_curvature",
+                .meaning = "physical: B of the moment B κ per width at curvature κ, for models made of "
+                           "hinges and arcs; springs need at_curvature, too",
                 .minimum = 0, .above = true},
       Parameter{.name = "quartic_coefficient", .type = number, .unit = "N m³", .default_value = {},
-                .meaning = "physical: C of the moment C κ³ per width, for models made of springs",
+                .meaning = "physical: C of the moment C κ³ per width at curvature κ, for models made of "
+                           "springs",
                 .minimum = 0, .above = true},
       Parameter{.name = "at_curvature", .type = number, .unit = "1/m", .default_value = {},
-                .meaning = "physical: curvature κ0 at which springs have the moment of flexural_rigidity, C = B/κ0²",
+                .meaning = "physical: the curvature κ0 at which springs have the moment that "
+                           "flexural_rigidity states, C = B/κ0²",
                 .minimum = 0, .above = true},
       Parameter{.name = "deflection", .type = text, .unit = "", .default_value = "large",
-                .meaning = "physical, hinges: where flexural_rigidity holds. large: where the membrane holds the "
-                           "sheet to a cylinder, as in drapes and folds; small: where it is bent so little that "
-                           "its membrane does not matter; both: between the two, with hinges weighted so that "
-                           "they differ as little as the mesh allows. What the mesh then has of it at the other "
-                           "is told beside the results",
+                .meaning = "physical, models made of hinges: for which deflections flexural_rigidity holds. "
+                           "large: the membrane forces the sheet to a cylinder, as in drapes and folds; "
+                           "small: the sheet is bent so little that its membrane does not matter; both: "
+                           "between the two, with hinge weights that make them differ as little as the mesh "
+                           "allows. The summary says what share of it the sheet has at small and at large "
+                           "deflections",
                 .choices = deflection_names},
   };
   return table;
 }
 
-// What methods share; each reads some of it, see Method::shared.
+// Settings that several methods share; Method::shared says which a method reads.
 constexpr std::array shared_by_methods = {
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
               .minimum = 0, .above = true},
     Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "Equal parts of a time step",
+              .meaning = "How many equal parts a time step is divided into",
               .minimum = 1, .maximum = 100000},
     Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 10,
-              .meaning = "Rounds over all constraints per substep",
+              .meaning = "How many times each substep visits all constraints",
               .minimum = 1, .maximum = 100000},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
-              .meaning = "Each iteration visits the constraints forward, or (symmetric) forward and then "
-                         "backward, which is quiet at small time steps and projects twice as often",
+              .meaning = "Order within an iteration. forward: from the first constraint to the last; "
+                         "symmetric: forward, then backward, which avoids jitter at small time steps and "
+                         "takes twice as many projections",
               .choices = sweep_names},
     Parameter{.name = "order", .type = text, .unit = "", .default_value = "colour",
-              .meaning = "colour: grouped so that no two of a group share a vertex; mesh: as the model "
-                         "lists them, one after another; pins: so too, but nearest to a pinned vertex first",
+              .meaning = "colour: in groups, in which no two constraints share a vertex; mesh: one after "
+                         "another, as the model lists them; pins: one after another, those nearest to a "
+                         "pinned vertex first",
               .choices = constraint_order_names},
     Parameter{.name = "first", .type = text, .unit = "", .default_value = "strain",
-              .meaning = "Which kind is projected first within an iteration",
+              .meaning = "Which constraints are projected first in an iteration",
               .choices = first_constraint_names},
     Parameter{.name = "precision", .type = text, .unit = "", .default_value = "auto",
-              .meaning = "Floating-point numbers of the solver. auto: single, but double where an effect moves vertices itself "
-                         "(an obstacle, tethers, …) and what gravity does in a substep is too small for single precision "
-                         "(g h against the rounding of a position over h); the run's provenance says which was taken",
+              .meaning = "Precision of the solver's numbers. auto: single, but double if an effect moves "
+                         "vertices itself (an obstacle, tethers, …) and what gravity adds to a speed in a "
+                         "substep h is too small for single precision (g h against the rounding of a "
+                         "position over h); the run's provenance says which was used",
               .choices = precisions},
     Parameter{.name = "threads", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "Threads of one run; the result has the same bits for any number",
+              .meaning = "Threads of one run; their number does not change a bit of the result",
               .minimum = 1, .maximum = 256},
 };
 
@@ -282,9 +297,9 @@ const std::vector<Parameter>& solver() {
     return all;
   }();
   static const std::string meaning = [] {
-    std::string text = "How a step moves the cloth.";
+    std::string text = "How a time step moves the cloth.";
     for (const Method* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
-    return text + " What a method does not read is no part of the run: see `bendlab methods`";
+    return text + " Settings that a method does not read do not matter: see `bendlab methods`";
   }();
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows = {
@@ -301,45 +316,48 @@ const std::vector<Parameter>& solver() {
 
 constexpr std::array initial = {
     Parameter{.name = "folds", .type = integer, .unit = "1", .default_value = 0,
-              .meaning = "How many times the rest sheet is folded, to and fro along x, into layers that lie one "
-                         "above the other; its rest shape stays as it is",
+              .meaning = "How many times the sheet starts folded, to and fro along x, into layers one above "
+                         "the other; its rest shape does not change",
               .minimum = 0, .maximum = 64},
     Parameter{.name = "fold_gap", .type = number, .unit = "m", .default_value = 0.01,
               .meaning = "Distance between the layers of the folded sheet",
               .minimum = 0, .above = true},
     Parameter{.name = "creases", .type = integer, .unit = "1", .default_value = 0,
-              .meaning = "Into how many sharp folds the rest sheet is laid, each by 180 degrees, in equal columns along x "
-                         "flat on top of each other",
+              .meaning = "How many sharp folds of 180 degrees the sheet starts with, which lay equal columns "
+                         "along x flat on top of each other",
               .minimum = 0, .maximum = 4096},
     Parameter{.name = "scale", .type = numbers, .unit = "1", .default_value = std::span<const double>(ones),
-              .meaning = "Factors by which the free vertices start farther from the mean of the pins, or from the centre, "
-                         "along x, y and z: 0, 0, 0 is a point, 1, 0, 0 a line, -1, 1, 1 a mirror image",
+              .meaning = "Factors along x, y and z on the start positions of the free vertices, relative to "
+                         "the mean of the pins (without pins: to the centre): 0, 0, 0 is a point, 1, 0, 0 a "
+                         "line, -1, 1, 1 a mirror image",
               .length = 3},
     Parameter{.name = "tilt", .type = number, .unit = "degrees", .default_value = 0.0,
-              .meaning = "Rotation of the rest sheet about the x axis through its centre; 0 is horizontal, "
-                         "gravity is along -z",
+              .meaning = "Rotation of the sheet at the start about the x axis through its centre; 0 is "
+                         "horizontal (gravity is along -z), 90 upright",
               .minimum = -180, .maximum = 180},
     Parameter{.name = "perturbation", .type = number, .unit = "1", .default_value = 0.0,
-              .meaning = "Largest random displacement of a free vertex along each axis, relative to the "
-                         "mesh's size",
+              .meaning = "Largest random displacement of a free vertex along each axis at the start, "
+                         "relative to the mesh's size",
               .minimum = 0, .maximum = 1},
     Parameter{.name = "random", .type = number, .unit = "1", .default_value = 0.0,
-              .meaning = "Above 0, every free vertex starts anywhere in a box around the centre, this many sizes of the mesh "
-                         "wide",
+              .meaning = "Above 0: every free vertex starts at a random place in a box around the centre, "
+                         "which is this many times the mesh's size wide",
               .minimum = 0},
-    Parameter{.name = "velocity", .type = numbers, .unit = "m/s", .default_value = std::span<const double>(zero_vector),
-              .meaning = "Of all free vertices at the start",
+    Parameter{.name = "velocity", .type = numbers, .unit = "m/s",
+              .default_value = std::span<const double>(zero_vector),
+              .meaning = "Velocity of all free vertices at the start",
               .length = 3},
-    Parameter{.name = "spin", .type = numbers, .unit = "rad/s", .default_value = std::span<const double>(zero_vector),
+    Parameter{.name = "spin", .type = numbers, .unit = "rad/s",
+              .default_value = std::span<const double>(zero_vector),
               .meaning = "Angular velocity at the start, about the centre of the rest box",
               .length = 3},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "Seed of the perturbation and of the random start",
+              .meaning = "Seed of perturbation and random",
               .minimum = 0, .maximum = largest_seed},
     Parameter{.name = "after", .type = texts, .unit = "", .default_value = {},
-              .meaning = "The cloth starts at rest where the same run ends with these settings changed, each "
-                         "\"/json/pointer=value\": on a coarser mesh of the flat sheet, for example, or settled by "
-                         "another method. That run is not recorded"},
+              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into an earlier one; the "
+                         "cloth starts at rest where that one ends. It may have a coarser mesh of the same "
+                         "flat sheet, for example, or another method, and is not recorded"},
 };
 
 constexpr std::array output = {
@@ -347,69 +365,73 @@ constexpr std::array output = {
               .meaning = "Recorded frames per simulated second",
               .minimum = 0, .above = true},
     Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether the run file lists every constraint (else their counts and hash)"},
+              .meaning = "true: the run file lists every constraint; false: only their counts and hash"},
     Parameter{.name = "measures", .type = texts, .unit = "", .default_value = Names(),
-              .meaning = "What the summary has besides what every run's has; `bendlab measures` says what each finds out, what "
-                         "its numbers are called and what it costs",
+              .meaning = "Measures to take in addition to those that every run has; `bendlab measures` says "
+                         "what each finds out, the names of its numbers, and its cost",
               .choices = measures_on_request},
 };
 
 constexpr std::array accuracy = {
     Parameter{.name = "solver", .type = texts, .unit = "", .default_value = {},
-              .meaning = "Settings, each \"/json/pointer=value\", that turn this run into the reference of its own "
-                         "energies, its equilibrium for example; the summary then has error_solver_rms and others. The "
-                         "reference is a run of its own below <results>/<experiment>/references, made once for all runs "
-                         "that differ only in what is set here"},
+              .meaning = "Changes, each \"/json/pointer=value\", that turn this run into a reference with "
+                         "the same energies, its equilibrium for example; the summary then has the errors "
+                         "against it, error_solver_rms and others. The reference is a separate run, below "
+                         "<results>/<experiment>/references, computed once for all runs that differ only in "
+                         "what is changed here"},
     Parameter{.name = "solver_coarser", .type = texts, .unit = "", .default_value = {},
-              .meaning = "Settings besides those of solver that give a second reference, half as fine: how far the two are "
-                         "apart is error_solver_reference_gap"},
+              .meaning = "Further changes that make a second reference, half as fine; its distance from the "
+                         "first one is error_solver_reference_gap"},
     Parameter{.name = "physical", .type = texts, .unit = "", .default_value = {},
-              .meaning = "Settings that turn this run into the stated cloth, with another model or resolution too; the "
-                         "summary then has error_physical_rms and others. Its pose is interpolated at this run's vertices"},
+              .meaning = "Changes that turn this run into the stated cloth, even with another model or "
+                         "resolution; the summary then has error_physical_rms and others. The reference's "
+                         "pose is interpolated at this run's vertices"},
     Parameter{.name = "physical_coarser", .type = texts, .unit = "", .default_value = {},
-              .meaning = "Settings besides those of physical that give a second reference, half as fine: how far the two "
-                         "are apart is error_physical_reference_gap"},
+              .meaning = "Further changes that make a second reference, half as fine; its distance from the "
+                         "first one is error_physical_reference_gap"},
     Parameter{.name = "start_from_end", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether the reference starts where this run ends, so that both lie in the same basin: for scenes "
-                         "with many equilibria. Each run then has a reference of its own"},
+              .meaning = "true: the reference starts where this run ends, so that both come to the same "
+                         "equilibrium if the scene has many. Each run then has its own reference"},
     Parameter{.name = "align", .type = text, .unit = "", .default_value = "none",
-              .meaning = "How the reference's pose is brought over this run's before they are compared: not at all, by the "
-                         "best turn about the vertical through the middle of the pins (the mesh's, without pins), or by the "
-                         "best rigid motion",
+              .meaning = "How the reference's pose is moved onto this run's before they are compared. none: "
+                         "not at all; vertical: by the best rotation about the vertical through the middle "
+                         "of the pins (without pins: of the mesh); rigid: by the best rigid motion",
               .choices = align_by_names},
     Parameter{.name = "over_time", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "Whether all recorded frames are compared that both have at the same time, instead of the last "
-                         "one of each: the errors are means over these frames, with …_worst beside them, and the energy's"},
+              .meaning = "true: compare all frames that both recorded at the same time, instead of the last "
+                         "frame of each. The errors are then means over these frames, with the largest as "
+                         "…_worst, and the error of the energy is among them"},
 };
 
 constexpr std::array quality = {
     Parameter{.name = "needle_ratio", .type = number, .unit = "1", .default_value = 4.0,
-              .meaning = "A triangle with a larger ratio of longest to shortest edge is a needle",
+              .meaning = "A triangle is a needle if its longest edge is at least this many times its "
+                         "shortest",
               .minimum = 1},
     Parameter{.name = "cap_angle", .type = number, .unit = "degrees", .default_value = 160.0,
-              .meaning = "A triangle with a larger angle is a cap",
+              .meaning = "A triangle is a cap if one of its angles is at least this large",
               .minimum = 90, .maximum = 180},
     Parameter{.name = "small_angle", .type = number, .unit = "degrees", .default_value = 10.0,
-              .meaning = "A triangle with a smaller angle is counted in the metric small_angles",
+              .meaning = "The metric small_angles counts triangles with an angle below this",
               .minimum = 0, .maximum = 60},
 };
 
 constexpr std::array cover = {
     Parameter{.name = "strength", .type = integer, .unit = "1", .default_value = {},
-              .meaning = "Of how many axes every combination of values occurs: 2 for every pair of values",
+              .meaning = "Every combination of the values of this many axes occurs in some run: 2 covers "
+                         "every pair of values",
               .minimum = 1, .maximum = 6, .required = true},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "Another seed gives other runs, with the same promise",
+              .meaning = "Another seed gives other runs that cover as much",
               .minimum = 0, .maximum = largest_seed},
 };
 
 constexpr std::array expectation = {
     Parameter{.name = "metric", .type = text, .unit = "", .default_value = {},
-              .meaning = "Which number of the run's summary",
+              .meaning = "Name of a number in the run's summary",
               .required = true},
     Parameter{.name = "min", .type = number, .unit = "", .default_value = {},
-              .meaning = "Smallest value that is right, in the metric's unit; min or max or both must be "
-                         "there"},
+              .meaning = "Smallest value that is right, in the metric's unit; give min, max or both"},
     Parameter{.name = "max", .type = number, .unit = "", .default_value = {},
               .meaning = "Largest value that is right, in the metric's unit"},
     Parameter{.name = "why", .type = text, .unit = "", .default_value = {},
@@ -421,30 +443,30 @@ constexpr std::array expectation = {
 
 constexpr std::array lists = {
     ConfigList{"effects",
-               "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}, each "
-               "type at most once. Absent: gravity alone; an empty list: nothing"},
+               "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}. Only "
+               "some types, obstacles for example, may be listed more than once. Absent: gravity alone; an "
+               "empty list: nothing"},
     ConfigList{"sweep",
-               "What to vary: {\"/json/pointer\": [values]}, \"all\" instead of the list for every choice of "
-               "a setting. One run per combination, the last pointer "
-               "fastest; a pointer may also name a whole object, or the whole list of effects"},
+               "What to vary: {\"/json/pointer\": [values]}; \"all\" instead of the list stands for every "
+               "choice of a setting. There is one run per combination, and the last pointer varies fastest. "
+               "A pointer may also name a whole object, or the whole list of effects"},
     ConfigList{"cover",
-               "A part of a large sweep instead of all of it: with \"cover\": 3 every value of any three "
-               "axes occurs "
-               "together in at least one run, in as few runs as a greedy search finds, the same on every "
-               "machine. What "
-               "does not go together is left out; 'bendlab plan' says what that was. A number, or an object"},
+               "Runs a part of a large sweep: with \"cover\": 3 every combination of values of any three "
+               "axes occurs in at least one run. A greedy search keeps the runs few; they are the same on "
+               "every machine. Values that do not go together are left out, and 'bendlab plan' lists them. "
+               "A number (the strength), or an object"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
 };
 
 std::vector<ConfigSection> make_sections() {
-  static std::deque<std::string> pointers;  // what the sections of the models refer to
+  static std::deque<std::string> pointers;  // the models' sections refer to these texts
   std::vector<ConfigSection> sections = {
       {"", "The experiment", top_level},
       {"/mesh", "The rest mesh: generated, or read from a file", mesh},
-      {"/pins", "Which vertices are held", pins()},
+      {"/pins", "Which vertices are held fixed", pins()},
       {"/material", "The cloth's mass and material directions", material},
       {"/material/strain", "Strain constraints of the triangles", strain},
-      {"/bending", "The bending model and how stiff its constraints are", bending()},
+      {"/bending", "The bending model and the stiffness of its constraints", bending()},
   };
   for (const BendingModel* model : bending_models())
     if (!model->parameters.empty())
@@ -455,9 +477,9 @@ std::vector<ConfigSection> make_sections() {
   const std::array<ConfigSection, 5> rest = {{
       {"/solver", "Time stepping and projection", solver()},
       {"/initial", "The pose at time 0", initial},
-      {"/output", "What the run file holds", output},
+      {"/output", "What is measured and recorded", output},
       {"/accuracy", "Errors of the run, measured against references", accuracy},
-      {"/quality", "From where on a triangle counts as bad", quality},
+      {"/quality", "When a triangle counts as bad", quality},
   }};
   sections.insert(sections.end(), rest.begin(), rest.end());
   return sections;
@@ -525,7 +547,7 @@ std::span<const Parameter> expectation_parameters() {
 }
 
 std::string_view expectation_where_meaning() {
-  return "Only runs that have these values: {\"/json/pointer\": value}; absent: every run";
+  return "Checks only runs that have these values: {\"/json/pointer\": value}; absent: every run";
 }
 
 std::vector<std::string_view> names_of(std::span<const Parameter> table) {

@@ -18,9 +18,8 @@ struct ConfigSection {
   std::span<const Parameter> parameters;
 };
 
-/// Every section, parents before children, in the order of the reference page: the fixed ones and, from the
-/// registry,
-/// "/bending/<model>" for each bending model that has settings.
+/// Every section, parents before children, in the order of the reference page: the fixed ones, and
+/// "/bending/<model>" for each registered bending model that has settings.
 std::span<const ConfigSection> config_sections();
 
 /// The section of that pointer, or nullptr.

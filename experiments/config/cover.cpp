@@ -6,19 +6,20 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "experiments/config/counted.hpp"
+
 namespace bendlab {
 namespace {
 
 constexpr std::size_t open = static_cast<std::size_t>(-1);  // the value of an axis that has none yet
 constexpr std::size_t most_tuples = 20'000'000;             // a byte each
 constexpr int candidates = 10;  // rows of which the best is kept: with 50 the arrays were 1 % smaller
-// Refused rows before a combination counts as impossible: after the first, greedy ones, every other value is
-// drawn at random, so that one that is refused for an axis of two values is missed by chance in 0.75^55 =
-// 10⁻⁷ of the cases.
+// How many rows may be refused before a combination counts as impossible. After the first, greedy rows about
+// every second value is drawn at random: if a combination needs one value of an axis that has two, no row
+// finds it with a probability of 0.75^55 = 10⁻⁷.
 constexpr int greedy_attempts = 5, most_attempts = 60;
 
-// Splitmix64 (Steele, Lea, Flood 2014): the library's generators differ between machines in how they draw a
-// number.
+// Splitmix64 (Steele, Lea, Flood 2014): the standard library's distributions differ between machines.
 class Random {
  public:
   explicit Random(std::uint64_t seed) : state_(seed) {}
@@ -54,8 +55,8 @@ class Coverage {
   std::size_t tuples() const { return tuples_; }
   std::size_t missing() const { return missing_; }
 
-  /// How many combinations that no row has yet are those of `row`'s values with `value` at `axis`, among the
-  /// axes that have one.
+  /// How many combinations that are in no row yet `row` would hold with `value` at `axis`; axes without a
+  /// value do not count.
   std::size_t gain(CoverRow& row, std::size_t axis, std::size_t value) const {
     row[axis] = value;
     std::size_t gain = 0;
@@ -76,7 +77,7 @@ class Coverage {
     for (Group& group : groups_) settle(group, permuted(group, row), covered);
   }
 
-  /// A combination that is in no row, of the axes that lack most; empty if there is none.
+  /// A combination that is in no row, of the axes that miss most combinations; empty if there is none.
   CoverTuple first_missing() const {
     const auto worst = std::ranges::max_element(groups_, {}, &Group::missing);
     if (worst == groups_.end() || worst->missing == 0) return {};
@@ -91,7 +92,7 @@ class Coverage {
     return tuple;
   }
 
-  /// Takes every combination that holds `tuple` out of what is to be covered. Returns how many.
+  /// Gives up covering every combination that holds `tuple`. Returns how many.
   std::size_t give_up(const CoverTuple& tuple) {
     std::size_t given_up = 0;
     for (Group& group : groups_) {
@@ -117,7 +118,8 @@ class Coverage {
     tuples_ += count;
     if (tuples_ > most_tuples)
       throw std::invalid_argument(
-          fmt::format("more than {} combinations of {} values are to be covered", most_tuples, axes.size()));
+          fmt::format("more than {} combinations of {} are to be covered; choose a smaller strength",
+                      most_tuples, counted(axes.size(), "value")));
     missing_ = tuples_;
     for (const std::size_t axis : axes) groups_of_axis_[axis].push_back(groups_.size());
     groups_.push_back({axes, std::vector<State>(count, missing_here), count});
@@ -194,7 +196,7 @@ class Suspects {
     for_each_pair(row, [](State& state) { state = cleared; });
   }
 
-  // How many suspects a value would make with those that the row has.
+  // How many suspect pairs `value` would form with the values that the row has.
   std::size_t count(const CoverRow& row, std::size_t axis, std::size_t value) const {
     if (!any_) return 0;
     std::size_t count = 0;
@@ -268,8 +270,8 @@ class Builder {
     return best;
   }
 
-  // A row with these values, and of every other axis, in random order, the value that covers most with them;
-  // or, where the best ones were refused, of about every second axis any value.
+  // A row with these values. Every other axis, in random order, takes the value that covers most with them;
+  // if the best rows were refused (`loosely`), about every second axis takes a random value.
   CoverRow filled_row(const CoverTuple& tuple, bool loosely) {
     CoverRow row(sizes_.size(), open);
     for (const auto& [axis, value] : tuple) row[axis] = value;

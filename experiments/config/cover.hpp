@@ -12,8 +12,8 @@ namespace bendlab {
 
 /// How a sweep is covered.
 struct Cover {
-  int strength = 2;        ///< of how many axes every combination of values occurs
-  std::uint64_t seed = 1;  ///< another seed gives other rows, with the same promise
+  int strength = 2;        ///< every combination of the values of this many axes occurs in a row
+  std::uint64_t seed = 1;  ///< another seed gives other rows that cover as much
 };
 
 /// One value index per axis.
@@ -24,19 +24,19 @@ using CoverTuple = std::vector<std::pair<std::size_t, std::size_t>>;
 
 struct CoverRows {
   std::vector<CoverRow> rows;  ///< each different, each allowed
-  std::size_t tuples = 0;      ///< combinations of `strength` axes' values that the rows were to hold
-  std::size_t missing = 0;     ///< of these, how many no row holds
-  /// The reasons for that: combinations of as few values as possible with which no allowed row was found.
+  std::size_t tuples = 0;      ///< how many combinations of the values of `strength` axes there are
+  std::size_t missing = 0;     ///< how many of these are in no row
+  /// Why they are missing: combinations of as few values as possible for which no allowed row was found.
   std::vector<CoverTuple> impossible;
 };
 
 /// Rows such that every combination of values of any `strength` axes (all of them, if there are fewer) is in
 /// at least one row for which `allowed` is true, where there is one. Greedy (Cohen, Dalal, Fredman, Patton:
 /// The AETG System, 1997): each row begins with a combination that is not covered yet, and takes axis after
-/// axis the value that covers most; the best of a few such rows is kept. What `allowed` refuses is learned
-/// pair by pair and avoided. The same arguments give the same rows on every machine. `sizes` holds the number
-/// of values of each axis, each at least 1. Stops once there are more than `most_rows` rows. Throws
-/// std::invalid_argument for a strength below 1, and for more than 20 million combinations.
+/// axis the value that covers most; the best of a few such rows is kept. Pairs of values that `allowed`
+/// refuses are remembered and avoided. The same arguments give the same rows on every machine. `sizes` holds
+/// the number of values of each axis, each at least 1. Stops once there are more than `most_rows` rows.
+/// Throws std::invalid_argument for a strength below 1, and for more than 20 million combinations.
 CoverRows covering_rows(std::span<const std::size_t> sizes, const Cover& cover,
                         const std::function<bool(const CoverRow&)>& allowed, std::size_t most_rows);
 

@@ -14,7 +14,7 @@
 namespace bendlab {
 namespace {
 
-// Problems that one entry of `where` brings to settings that are otherwise right.
+// The problems that one entry of `where` causes in settings that are otherwise right.
 void check_where(const std::string& pointer, const Json& value, const std::string& place,
                  const Json& settings, const std::vector<std::string>& known, ConfigProblems& problems) {
   if (std::ranges::find(known, pointer) == known.end()) {
@@ -114,11 +114,11 @@ bool matches(const Expectation& expectation, const RunConfig& config) {
   // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
-    if (value_at(config.resolved, entry.key()) == nullptr) return entry.value().is_null();
-    Json changed = config.resolved;
+    if (value_at(config.resolved(), entry.key()) == nullptr) return entry.value().is_null();
+    Json changed = config.resolved();
     changed["name"] = "any";
     ConfigProblems problems;
-    return set_at(changed, entry.key(), entry.value()) && resolve(changed, problems) == config.resolved &&
+    return set_at(changed, entry.key(), entry.value()) && resolve(changed, problems) == config.resolved() &&
            problems.empty();
   });
 }

@@ -12,8 +12,8 @@ namespace bendlab {
 /// ignored (optimal string alignment).
 std::size_t edit_distance(std::string_view from, std::string_view to);
 
-/// The candidate with the smallest edit distance to `name` (the first of several), or "" where even that one
-/// is further than a slip: 1 edit, and one more per four letters.
+/// The candidate with the smallest edit distance to `name` (the first of several), or "" if that is too far
+/// for a slip: more than 1 edit, and one more per four letters.
 template <class Names>
 std::string nearest_name(std::string_view name, const Names& candidates) {
   const auto distance = [&](std::string_view candidate) { return edit_distance(name, candidate); };

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <stdexcept>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
@@ -220,8 +221,11 @@ ParameterValues values_of(const Json& canonical, std::span<const Parameter> tabl
   ParameterValues values(table);
   ConfigProblems problems;
   for (const Parameter& row : table)
-    if (const std::string key(row.name); canonical.contains(key))
-      values.set(row.name, read_value(row, canonical[key], key, problems).value());
+    if (const std::string key(row.name); canonical.contains(key)) {
+      std::optional<Value> value = read_value(row, canonical[key], key, problems);
+      if (!value) throw std::invalid_argument(fmt::format("{}: {}", key, problems.front().message));
+      values.set(row.name, *std::move(value));
+    }
   return values;
 }
 

@@ -23,7 +23,8 @@ Json json_of(const Value& value);
 Json read_settings(const Json& given, const std::string& pointer, std::span<const Parameter> table,
                    std::span<const std::string_view> other_keys, ConfigProblems& problems);
 
-/// Canonical JSON of read_settings() as typed values, what is not there at its default.
+/// Canonical JSON of read_settings() as typed values, what is not there at its default. Throws
+/// std::invalid_argument where a value is not one that the table allows.
 ParameterValues values_of(const Json& canonical, std::span<const Parameter> table);
 
 /// The effects of a config that lists none: gravity, with its defaults.

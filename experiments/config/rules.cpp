@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -14,6 +15,25 @@
 
 namespace bendlab {
 namespace {
+
+// A setting of an earlier version, and what to write instead.
+struct ReplacedSetting {
+  std::string_view pointer, by;
+};
+constexpr std::array<ReplacedSetting, 3> replaced_settings = {
+    {{"/output/stiffness", R"("output": {"measures": ["stiffness"]})"},
+     {"/output/stability", R"("output": {"measures": ["stability"]})"},
+     {"/output/drape", R"("output": {"measures": ["drape"]})"}}};
+
+// A problem at such a pointer says that there is no such setting, and may suggest one that has nothing to do
+// with it.
+void name_replacements(ConfigProblems& problems) {
+  for (ConfigProblem& problem : problems) {
+    const auto found = std::ranges::find(replaced_settings, problem.pointer, &ReplacedSetting::pointer);
+    if (found != replaced_settings.end())
+      problem.message = fmt::format("is a setting of an earlier version; now write {}", found->by);
+  }
+}
 
 void check_name(const Json& canonical, ConfigProblems& problems) {
   if (!canonical.contains("name")) return;
@@ -27,7 +47,7 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
                       given_text(canonical["name"])});
 }
 
-// A mesh file has no generator: settings of one beside it are a misunderstanding, and are not part of the
+// A mesh file replaces the generator: settings of a generator beside it are an error, and do not affect the
 // result.
 void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   if (!mesh.contains("file")) return;
@@ -38,8 +58,8 @@ void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
     if (value_at(given, pointer) != nullptr)
       problems.push_back({pointer,
                           "does not go with /mesh/file, which brings the whole mesh (only scale, offset and "
-                          "bad_triangles do): "
-                          "remove one of the two; to vary meshes, sweep or set /mesh as a whole"});
+                          "bad_triangles go with it): remove one of the two; to vary meshes, sweep or set "
+                          "/mesh as a whole"});
   }
 }
 
@@ -53,7 +73,7 @@ void check_cells(const Json& mesh, ConfigProblems& problems) {
                                                    given_text(mesh["cells"]))});
 }
 
-// The rigidity that springs and arcs give a sheet is known where they lie flat.
+// The rigidity that springs and arcs give a sheet is known for flat rest shapes only.
 void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const Json &bending = canonical["bending"], &mesh = canonical["mesh"];
   if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
@@ -62,8 +82,8 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const bool shortens = (model->springs_only && model->name != "none") || model->name == "choi_ko";
   if (shortens && (generator == "tube" || generator == "sphere"))
     problems.push_back({"/bending/stiffness",
-                        fmt::format("physical is known for {} on flat rest shapes only, not on a {}: give "
-                                    "k or compliance, or take a model of hinges",
+                        fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
+                                    "for a {}: set it by k or compliance, or choose a model made of hinges",
                                     model->name, generator)});
 }
 
@@ -87,7 +107,7 @@ void keep_chosen_model(Json& bending) {
     if (bending["model"] != section_key(*section)) bending.erase(std::string(section_key(*section)));
 }
 
-// What each model can turn into its own softness, and only where it is asked to.
+// Removes what /bending/stiffness does not use, and checks what a physical stiffness needs of each model.
 void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   if (bending["stiffness"] != "physical") {
     for (const char* unused : {"flexural_rigidity", "quartic_coefficient", "at_curvature", "deflection"})
@@ -103,21 +123,22 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   };
   if (model->springs_only) {
     if (bending["deflection"] != "large")
-      report("deflection", "is a choice for models made of hinges, which {} is not: remove it");
+      report("deflection", "is for models made of hinges only: remove it for {}");
     bending.erase("deflection");
   }
   if (model->name == "none") return;
   if (!model->springs_only || model->prestressed) {
-    bending.erase("at_curvature");  // their rigidity is the same at any
+    bending.erase("at_curvature");  // their rigidity does not depend on it
     if (quartic)
       report("quartic_coefficient",
-             "is the stiffness of springs at rest, which {} is not made of: give flexural_rigidity (in N m)");
+             "is for springs that are at rest in the flat sheet, and {} has none: give flexural_rigidity (in "
+             "N m)");
     else if (!rigidity)
       report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
   } else if (quartic && rigidity) {
-    report(
-        "quartic_coefficient",
-        "and flexural_rigidity are both there: the springs of {} have one stiffness, remove one of the two");
+    report("quartic_coefficient",
+           "is given, and flexural_rigidity too, but the springs of {} have one stiffness: remove one of the "
+           "two");
   } else if (!quartic && !(rigidity && curvature)) {
     report(rigidity ? "at_curvature" : "quartic_coefficient",
            "is missing: with physical stiffness the springs of {} need quartic_coefficient (in N m³), or "
@@ -125,17 +146,18 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   }
 }
 
-// Without a reference there is nothing to compare: how is then no part of the result.
+// Without a reference there is nothing to compare, and how to compare does not affect the result.
 void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
   for (const char* list : {"solver", "solver_coarser", "physical", "physical_coarser"})
     if (accuracy.contains(list) && accuracy[list].empty()) accuracy.erase(list);
   for (const char* base : {"solver", "physical"})
     if (const std::string coarser = fmt::format("{}_coarser", base);
         accuracy.contains(coarser) && !accuracy.contains(base))
-      problems.push_back({"/accuracy/" + coarser, fmt::format("needs /accuracy/{}, which it changes", base)});
+      problems.push_back(
+          {"/accuracy/" + coarser, fmt::format("needs /accuracy/{}, a reference to make coarser", base)});
   if (accuracy["start_from_end"] == true && accuracy["over_time"] == true)
-    problems.push_back({"/accuracy/start_from_end",
-                        "does not go with over_time: a motion is compared with one that starts as it does"});
+    problems.push_back(
+        {"/accuracy/start_from_end", "does not go with over_time: motions are compared from the same start"});
   if (accuracy.contains("solver") || accuracy.contains("physical")) return;
   for (const char* how : {"over_time", "start_from_end"})
     if (accuracy[how] == true)
@@ -145,7 +167,7 @@ void settle_accuracy(Json& accuracy, ConfigProblems& problems) {
   accuracy = Json::object();
 }
 
-// What a method needs and what it does not use, which is not part of the result.
+// Checks what a method needs, and removes settings that it does not use.
 class MethodRules {
  public:
   MethodRules(Json& canonical, ConfigProblems& problems)
@@ -171,7 +193,7 @@ class MethodRules {
 
  private:
   void report(const std::string& pointer, const std::string& message) {
-    problems_.push_back({pointer, fmt::format("{} (as /solver/method is {})", message, method_.name)});
+    problems_.push_back({pointer, fmt::format("{} (because /solver/method is {})", message, method_.name)});
   }
 
   void drop(const char* section, std::initializer_list<const char*> unused) {
@@ -191,10 +213,10 @@ class MethodRules {
   void refuse_projection_effects() {
     for (std::size_t i = 0; i < canonical_["effects"].size(); ++i)
       if (const std::string type = canonical_["effects"][i]["type"]; find_effect(type)->needs_projection)
-        report(
-            fmt::format("/effects/{}", i),
-            fmt::format("{} works with the projection of constraints, which this method has not: remove it",
-                        type));
+        report(fmt::format("/effects/{}", i),
+               fmt::format(
+                   "{} works with the projection of constraints, but this method does not project: remove it",
+                   type));
   }
 
   void refuse_model() {
@@ -202,7 +224,8 @@ class MethodRules {
     for (const BendingModel* each : bending_models())
       if (each->springs_only) allowed.push_back(each->name);
     report("/bending/model",
-           fmt::format("{} is not made of springs; these are: {}", model_.name, fmt::join(allowed, ", ")));
+           fmt::format("{} is not made of springs, but this method needs springs: choose one of {}",
+                       model_.name, fmt::join(allowed, ", ")));
   }
 
   Json& canonical_;
@@ -214,6 +237,7 @@ class MethodRules {
 }  // namespace
 
 void apply_rules(const Json& given, Json& canonical, ConfigProblems& problems) {
+  name_replacements(problems);
   check_name(canonical, problems);
   settle_mesh(given, canonical["mesh"], problems);
   check_cells(canonical["mesh"], problems);

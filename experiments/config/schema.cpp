@@ -217,9 +217,8 @@ std::string entry_text(std::string_view name, std::string_view summary, std::str
 
 std::string schema_text() {
   std::string text =
-      "A config is one JSON object. SI units. A setting is addressed by its pointer: the section's and its "
-      "name, "
-      "as in /mesh/cells.\nAn optional setting may also be null, which is the same as leaving it out.\n";
+      "A config is one JSON object, in SI units. A setting's pointer is that of its section and its name: "
+      "/mesh/cells.\nAn optional setting may also be null, which means the same as leaving it out.\n";
   for (const ConfigSection& section : config_sections())
     text += fmt::format("\n{}\n{}{}", section.pointer.empty() ? "(top level)" : section.pointer,
                         wrapped(section.meaning, 2), rows_text(section.parameters));
@@ -256,11 +255,18 @@ std::string models_text() {
   return text;
 }
 
+Json model_labels_json() {
+  Json labels = Json::object();
+  for (const BendingModel* model : bending_models()) labels[std::string(model->name)] = model->label;
+  return labels;
+}
+
 Json models_json() {
   Json json = Json::array();
   for (const BendingModel* model : bending_models()) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = model->name;
+    entry["label"] = model->label;
     entry["summary"] = model->summary;
     entry["source"] = model->source;
     entry["limits"] = model->limits;
@@ -290,7 +296,7 @@ std::string methods_text() {
     text +=
         (text.empty() ? "" : "\n") +
         entry_text(method->name, method->summary, method->source, method->limits, "", method->parameters) +
-        wrapped(fmt::format("Besides, of /solver: {}", fmt::join(shared_settings(*method), ", ")), 2);
+        wrapped(fmt::format("Also reads from /solver: {}", fmt::join(shared_settings(*method), ", ")), 2);
   return text;
 }
 

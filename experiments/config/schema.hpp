@@ -17,6 +17,9 @@ Json schema_json();
 std::string models_text();
 Json models_json();
 
+/// {name: label} of the bending models, in the order of the registry.
+Json model_labels_json();
+
 /// The registered solver methods: name, what a step does, source, limits, settings with defaults, shared
 /// settings read.
 std::string methods_text();

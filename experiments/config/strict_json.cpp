@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <deque>
 
+#include "experiments/config/counted.hpp"
 #include "experiments/config/pointers.hpp"
 
 namespace bendlab {
@@ -13,8 +14,7 @@ namespace {
 constexpr std::size_t deepest_nesting = 64;  // a config needs 5; dump() recurses and would overflow the stack
 
 std::string error_text(std::string_view source, const ConfigProblems& problems) {
-  std::string text =
-      fmt::format("{}: {} problem{}", source, problems.size(), problems.size() == 1 ? "" : "s");
+  std::string text = fmt::format("{}: {}", source, counted(problems.size(), "problem"));
   for (const ConfigProblem& problem : problems)
     text +=
         fmt::format("\n  {}: {}", problem.pointer.empty() ? "(top level)" : problem.pointer, problem.message);

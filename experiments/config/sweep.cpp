@@ -93,21 +93,22 @@ std::string point_text(const std::vector<Axis>& axes, const std::vector<std::siz
 }
 
 // The run at one combination; its problems are those of values that do not go together.
-RunConfig make_run(Json settings, const std::vector<Axis>& axes, const std::vector<std::size_t>& indices,
-                   ConfigProblems& problems) {
+RunConfig make_run(Json settings, const std::filesystem::path& folder, const std::vector<Axis>& axes,
+                   const std::vector<std::size_t>& indices, ConfigProblems& problems) {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (!set_at(settings, axes[a].first, axes[a].second[indices[a]]))
       problems.push_back(
           {axis_pointer(axes[a].first), "there is no such place at " + point_text(axes, indices)});
-  RunConfig run;
   ConfigProblems found;
-  run.resolved = resolve(settings, found);
+  Json resolved = resolve(settings, found);
   for (const ConfigProblem& problem : found)
     problems.push_back({problem.pointer, axes.empty() ? problem.message
                                                       : fmt::format("{} (at {})", problem.message,
                                                                     point_text(axes, indices))});
+  if (!problems.empty()) return {};
+  RunConfig run(std::move(resolved), folder);
   for (std::size_t a = 0; a < axes.size(); ++a)
-    if (depends_on(run.resolved, axes[a].first))
+    if (depends_on(run.resolved(), axes[a].first))
       run.point.emplace_back(axes[a].first, axes[a].second[indices[a]]);
   return run;
 }
@@ -178,28 +179,29 @@ Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {
   return filled;
 }
 
-std::vector<RunConfig> expand_sweep(const Json& settings, const std::vector<Axis>& axes,
-                                    ConfigProblems& problems) {
+std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem::path& folder,
+                                    const std::vector<Axis>& axes, ConfigProblems& problems) {
   std::vector<RunConfig> runs;
   std::set<std::string> seen;
   std::vector<std::size_t> indices(axes.size(), 0);
   do {
-    RunConfig run = make_run(settings, axes, indices, problems);
+    RunConfig run = make_run(settings, folder, axes, indices, problems);
     if (!problems.empty()) return runs;
-    if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
+    if (seen.insert(run.resolved().dump()).second) runs.push_back(std::move(run));
   } while (advance(indices, axes));
   return runs;
 }
 
-std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis>& axes, const Cover& cover,
-                                    Covered& told, ConfigProblems& problems) {
+std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem::path& folder,
+                                    const std::vector<Axis>& axes, const Cover& cover, Covered& covered,
+                                    ConfigProblems& problems) {
   std::vector<std::size_t> sizes;
   for (const Axis& axis : axes) sizes.push_back(axis.second.size());
   std::map<CoverTuple, ConfigProblem> why;  // a value → what was wrong with a point that has it
   std::vector<RunConfig> allowed_runs;
   const auto allowed = [&](const CoverRow& row) {
     ConfigProblems found;
-    RunConfig run = make_run(settings, axes, row, found);
+    RunConfig run = make_run(settings, folder, axes, row, found);
     if (found.empty()) allowed_runs.push_back(std::move(run));
     for (std::size_t a = 0; a < axes.size() && !found.empty(); ++a) why[{{a, row[a]}}] = found.front();
     return found.empty();
@@ -225,16 +227,16 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::vector<Axis
            fmt::format("is refused in every combination that was tried, the last time because of {}: {}",
                        why[tuple].pointer, why[tuple].message)});
     } else {
-      told.refused.push_back(tuple_text(axes, tuple));
+      covered.refused.push_back(tuple_text(axes, tuple));
     }
-  told.strength = cover.strength;
-  told.tuples = covering.tuples;
-  told.missing = covering.missing;
+  covered.strength = cover.strength;
+  covered.tuples = covering.tuples;
+  covered.missing = covering.missing;
 
   std::vector<RunConfig> runs;
   std::set<std::string> seen;
   for (RunConfig& run : allowed_runs)
-    if (seen.insert(run.resolved.dump()).second) runs.push_back(std::move(run));
+    if (seen.insert(run.resolved().dump()).second) runs.push_back(std::move(run));
   return runs;
 }
 

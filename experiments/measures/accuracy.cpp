@@ -20,7 +20,7 @@ Vector3 middle_of_pins(const Scene& scene) {
   return sum / static_cast<double>(scene.pins.seeds.size());
 }
 
-// Over time with the energies of its own scene.
+// With over_time it has all frames, and the energies of its own scene.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
   if (!over_time) return read_trajectory(file);
   const Scene scene = build_scene(config);
@@ -82,7 +82,7 @@ class Accuracy final : public Measurement {
             .energy_scale = over_time_ ? energy_scale(scene_) : 0};
   }
 
-  // Nothing where there is none to compare with; the findings say why.
+  // Nothing if there is none to compare with; the findings say why.
   std::optional<Trajectory> trajectory_of_reference(const RunEnd& end, const Positions& last, Against against,
                                                     bool coarser, Findings& findings) const {
     const auto tell = [&](std::string_view what) {
@@ -101,7 +101,7 @@ class Accuracy final : public Measurement {
       if (other.status == RunStatus::implausible) tell("the reference is " + other.message);
       if (!is_whole(other.status)) return std::nullopt;
       if (other.summary.contains("unbalanced") && !other.summary.contains("settled_at")) {
-        tell("of the reference, " + other.message);
+        tell("the reference: " + other.message);
         const char* which = coarser ? "coarser_unbalanced" : "unbalanced";
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
             other.summary.at("unbalanced");
@@ -121,8 +121,8 @@ class Accuracy final : public Measurement {
   const Scene& scene_;
   ParameterValues settings_;
   bool over_time_;
-  std::vector<double> time_, kinetic_energy_;  // over time, of each recorded frame, as are
-  std::vector<Positions> poses_;
+  std::vector<double> time_, kinetic_energy_;  // of each recorded frame, with over_time only
+  std::vector<Positions> poses_;               // the same
 };
 
 std::vector<Quantity> quantities() {
@@ -132,24 +132,25 @@ std::vector<Quantity> quantities() {
     const auto add = [&](const std::string& name, const std::string& meaning) {
       all.push_back({prefix + name, "1", meaning});
       all.push_back(
-          {prefix + name + "_worst", "1", "over time: of the worst frame, where the other is the mean"});
+          {prefix + name + "_worst", "1", "over time: in the worst frame; without _worst it is the mean"});
     };
-    add("rms", "root mean square distance of the points from the reference's, by area, in sizes of the mesh");
+    add("rms",
+        "root mean square distance of the points from those of the reference, weighted by area, in sizes of "
+        "the mesh");
     add("largest", "the largest such distance, in sizes");
-    add("hausdorff", "how far the surfaces are from each other, in sizes");
+    add("hausdorff", "Hausdorff distance between the surfaces, in sizes");
     add("strain", against == Against::solver
-                      ? "root mean square of the Green strain's difference to the reference's"
-                      : "root mean square of the Green strain itself, as the stated cloth has none");
+                      ? "root mean square difference of the Green strain from the reference's"
+                      : "root mean square of the Green strain itself, because the stated cloth has none");
     add("energy",
-        "over time: difference of what the total energy gained since the start, as a share of the scene's "
-        "scale; k has no "
-        "elastic energy");
-    all.push_back({prefix + "frames", "1", "over time: how many were compared"});
-    all.push_back(
-        {prefix + "reference_gap", "1",
-         "rms of the coarser reference against the finer: an error that is not much larger is not known"});
+        "over time: difference in what the total energy gained since the start, as a share of the scene's "
+        "energy scale; k has no elastic energy");
+    all.push_back({prefix + "frames", "1", "over time: number of frames compared"});
+    all.push_back({prefix + "reference_gap", "1",
+                   "rms distance of the coarser reference from this one: errors that are not much larger are "
+                   "not known"});
     all.push_back({prefix + "unbalanced", "1",
-                   "of a reference that found no equilibrium: the share of its loads that is left over"});
+                   "if the reference found no equilibrium: the share of its loads that is not balanced"});
     all.push_back({prefix + "coarser_unbalanced", "1", "the same of the coarser reference"});
   }
   return all;
@@ -161,7 +162,7 @@ namespace measure {
 extern const Measure accuracy{
     .name = "accuracy",
     .summary = "errors against references, which are other runs: of the solver, and against the stated cloth",
-    .cost = "the references, made once for all runs that share them; over time, each pose is kept",
+    .cost = "the references, computed once for all runs that share them; over time, memory for every pose",
     .applies =
         [](const RunConfig& config, const Scene&) {
           const ParameterValues settings = config.section("/accuracy");

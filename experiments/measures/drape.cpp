@@ -25,12 +25,11 @@ class Draping final : public Measurement {
 namespace measure {
 extern const Measure drape{
     .name = "drape",
-    .summary =
-        "how far a round specimen reaches that hangs over a round table, its pinned triangles (Cusick 1965)",
-    .cost = "one look, at the end",
+    .summary = "how a round specimen hangs over a round table, which is its pinned triangles (Cusick 1965)",
+    .cost = "computed once, at the end",
     .gives = []() -> std::vector<Quantity> {
       return {{"drape_coefficient", "1", "(shadow - table) / (specimen - table), areas: 1 for a stiff board"},
-              {"drape_folds", "1", "folds around the table"}};
+              {"drape_folds", "1", "number of folds around the table"}};
     },
     .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
       try {

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// Along `down`: of the highest pin, else of the lowest vertex at the start.
+// Coordinate along `down` of the highest pin; without pins, of the lowest vertex at the start.
 double highest_level(const Scene& scene) {
   const Positions& start = scene.input.positions;
   double highest = std::numeric_limits<double>::infinity();  // along `down`: the smallest
@@ -46,7 +46,8 @@ extern const Measure drop{
     .columns = []() -> std::vector<Column> {
       return {
           {"drop", "m",
-           "how far the lowest vertex hangs below the highest pin (without pins: below where it started)"}};
+           "how far the lowest vertex hangs below the highest pin (without pins: below the lowest vertex at "
+           "the start)"}};
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"drop", "m", "median over the last second"}, {"drop_last", "m", "of the last frame"}};

@@ -13,9 +13,9 @@
 namespace bendlab {
 namespace {
 
-constexpr double soft = 0.5;  // 1, below this share a run is warned of
+constexpr double soft = 0.5;  // below this share a run gets a warning
 
-// 23 becomes 30, 1240 becomes 2000: more digits it has not.
+// 23 becomes 30, 1240 becomes 2000: the estimate has no more digits.
 double rounded_up(double value) {
   const double unit = std::pow(10, std::floor(std::log10(value)));
   return value <= 10 ? std::ceil(value) : unit * std::ceil(value / unit);
@@ -34,7 +34,7 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
   const auto add = [&](const std::string& what, const std::optional<double>& share) {
     if (!share) return;
     summary["effective_" + what + "_stiffness"] = *share;
-    constexpr double least = 3e-4;  // below it the share itself is too uncertain for a promise
+    constexpr double least = 3e-4;  // below it the share itself is too uncertain
     if (*share < soft)
       summary["substeps_for_90_percent_" + what] = substeps_for_90_percent(std::max(*share, least), substeps);
   };
@@ -45,7 +45,7 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
 
 std::optional<std::string> soft_solver_warning(const std::map<std::string, double>& summary) {
   std::vector<std::string> parts;
-  // A membrane that is told to be nearly rigid never gets there, which matters where it stretches.
+  // A nearly rigid membrane never reaches its stiffness, but that matters only if it stretches.
   constexpr double stretched = 0.01;
   const auto strain = summary.find("mean_strain");
   const bool taut = strain != summary.end() && !(strain->second > stretched);
@@ -55,8 +55,8 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
     const auto substeps = summary.find(fmt::format("substeps_for_90_percent_{}", what));
     if (share == summary.end() || substeps == summary.end()) continue;
     parts.push_back(
-        fmt::format("the cloth has {:.2g} % of the {} stiffness that it was told; about {:.0f} substeps "
-                    "would give it 90 %",
+        fmt::format("the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} "
+                    "substeps would give it 90 %",
                     100 * share->second, what, substeps->second));
   }
   if (parts.empty()) return std::nullopt;
@@ -65,8 +65,8 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
 
 namespace {
 
-// Looks at a simulation in the last second of a run, every half second and at its end. Of all looks together:
-// the mean share, weighted by energy.
+// Looks at a simulation in the last second of a run, every half second and at its end. The result is the mean
+// share over all looks, weighted by energy.
 class Meter final : public Measurement {
  public:
   Meter(double duration, int substeps) : next_look_(duration - 1), substeps_(substeps) {}
@@ -93,17 +93,17 @@ class Meter final : public Measurement {
 namespace measure {
 extern const Measure effective_stiffness{
     .name = "effective_stiffness",
-    .summary = "what the solver made of the stiffness that the config states",
-    .cost = "less than 1 % of 4 s of 1 × 10: two or three looks in the last second",
+    .summary = "how much of the stiffness that the config states the solver gives the cloth",
+    .cost = "two or three looks in the last second: less than 1 % of 4 s with 1 substep × 10 iterations",
     .applies = always,
     .gives = []() -> std::vector<Quantity> {
       return {{"effective_bending_stiffness", "1",
                "share of the stated bending stiffness (physical, or a compliance) that the cloth has in the "
                "last second"},
-              {"effective_membrane_stiffness", "1", "the same of the membrane's"},
+              {"effective_membrane_stiffness", "1", "the same for the membrane"},
               {"substeps_for_90_percent_bending", "1",
-               "where that is below a half: about so many substeps of as many iterations give 0.9"},
-              {"substeps_for_90_percent_membrane", "1", "the same of the membrane's"}};
+               "if that is below 0.5: about how many substeps, each of as many iterations, would give 0.9"},
+              {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
     },
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Meter>(config.section("").number("duration"), scene.input.settings.substeps);

@@ -1,4 +1,4 @@
-// What the solver made of the stiffness that a run states: the numbers of its summary, and the warning.
+// How much of the stated stiffness the solver gives a run: the numbers of its summary, and the warning.
 #pragma once
 
 #include <map>
@@ -9,18 +9,17 @@
 
 namespace bendlab {
 
-/// Numbers of the summary, each where it has a meaning; effective_stiffness.cpp has the list.
+/// Numbers of the summary, those that have a meaning in this run; effective_stiffness.cpp lists them.
 std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffness& stiffness, int substeps);
 
-/// About how many substeps give 90 % where `substeps` give the share `share`, in (0, 1): 1 / share - 1 falls
-/// as a power of the substeps, measured on strips of every model (configs/stiffness/effective.json), and this
-/// takes a slow one.
+/// About how many substeps give 90 % if `substeps` give the share `share`, in (0, 1): 1 / share - 1 falls as
+/// a power of the substeps. Strips of every model were measured (configs/stiffness/effective.json); this
+/// uses a small exponent of those found.
 double substeps_for_90_percent(double share, int substeps);
 
 inline constexpr const char* soft_solver_code = "soft_solver";
 
-/// The warning for a run with less than half of a stiffness that it was told, with the numbers; nothing for
-/// others.
+/// The warning for a run with less than half of a stated stiffness; nothing for other runs.
 std::optional<std::string> soft_solver_warning(const std::map<std::string, double>& summary);
 
 }  // namespace bendlab

@@ -66,14 +66,14 @@ class FrameHistory {
   std::span<const std::vector<double>> rows_;
 };
 
-/// Where in a run a step stands.
+/// The place of a step in its run.
 struct Moment {
   bool is_start = false;     ///< time 0, before the first step
   bool is_recorded = false;  ///< the pose is a frame of the file
   bool is_last = false;      ///< the run ends here
 };
 
-/// A run that a measure had made: see RunEnd::other_run.
+/// A run that a measure asked for: see RunEnd::other_run.
 struct OtherRun {
   RunStatus status = RunStatus::complete;
   std::filesystem::path file;
@@ -85,9 +85,9 @@ struct OtherRun {
 struct RunEnd {
   RunStatus status = RunStatus::complete;
   const std::string& id;
-  const Simulation& simulation;  ///< its last pose; of no use where the run diverged
+  const Simulation& simulation;  ///< in its last pose; useless if the run diverged
   const FrameHistory& frames;
-  /// Makes another run beside this one, or finds it made; `start` may be null.
+  /// Computes another run, or finds it complete; `start` may be null.
   std::function<OtherRun(const RunConfig& config, const StartingPose* start)> other_run;
 };
 
@@ -104,11 +104,11 @@ class Measurement {
   virtual ~Measurement() = default;
   /// At time 0 and after every step, between steps.
   virtual void step(const Simulation&, const Moment&) {}
-  /// Of each frame, what needs more than positions: between steps, so it should be cheap. `values`: its
-  /// columns.
+  /// Measures what needs more of a frame than its positions. Runs between steps, so it should be cheap.
+  /// `values`: the measure's columns.
   virtual void capture(const Simulation&, const Positions&, std::span<double> /*values*/) {}
-  /// Of each frame, the rest, in order; beside the steps, on another thread. `fields`: one value per triangle
-  /// for each of its fields.
+  /// Measures the rest of each frame, in order, on another thread in parallel with the steps. `fields`: one
+  /// value per triangle for each of the measure's fields.
   virtual void complete(const MeasuredFrame&, std::span<double> /*values*/,
                         std::span<std::vector<float>> /*fields*/) {}
   /// When the run is over and all frames are complete.
@@ -124,14 +124,14 @@ struct Measure {
   std::string_view name;
   std::string_view summary;  ///< a line: what it finds out
   std::string_view cost;     ///< a line: what that takes
-  /// Whether a run has it; null, of those on request: where /output/measures names it.
+  /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
   bool (*applies)(const RunConfig&, const Scene&) = nullptr;
   std::vector<Column> (*columns)() = nullptr;  ///< of every frame: names, units, meanings
   std::vector<Column> (*fields)() = nullptr;   ///< of every triangle of every frame
   std::vector<Quantity> (*gives)() = nullptr;  ///< of the run; a number without a meaning there is left out
   /// It makes other runs, whose time is not this run's.
   bool makes_runs = false;
-  /// Both outlive the measurement. Throws ConfigError where the scene cannot be measured so.
+  /// Config and scene outlive the measurement. Throws ConfigError if the scene cannot be measured like this.
   std::unique_ptr<Measurement> (*begin)(const RunConfig&, const Scene&) = nullptr;
 };
 

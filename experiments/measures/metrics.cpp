@@ -52,7 +52,7 @@ bool asked_for(const Measure& measure, const RunConfig& run) {
 }  // namespace
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
-  // A bending model says of itself what it likes.
+  // Bending models choose these names themselves.
   if (metric.starts_with("model_") || std::ranges::find(facts, metric) != facts.end()) return std::nullopt;
   const Measure* measure = measure_of(metric);
   if (!measure)
@@ -61,8 +61,8 @@ std::optional<std::string> problem_with_metric(const Experiment& experiment, con
   const bool on_request = !measure->applies;
   if (on_request &&
       std::ranges::none_of(experiment.runs, [&](const RunConfig& run) { return asked_for(*measure, run); }))
-    return fmt::format("no run has '{}': it is of the measure {}, which /output/measures has to name", metric,
-                       measure->name);
+    return fmt::format("no run has '{}': it comes from the measure {}, which /output/measures has to name",
+                       metric, measure->name);
   return std::nullopt;
 }
 

@@ -8,8 +8,8 @@
 
 namespace bendlab {
 
-/// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run of the
-/// experiment has. Nothing where some run may have it.
+/// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run
+/// of the experiment has. Nothing if some run may have it.
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric);
 
 /// Throws ConfigError with the problems of all expectations.

@@ -86,7 +86,7 @@ namespace measure {
 extern const Measure quality{
     .name = "quality",
     .summary = "mesh quality and degenerate triangles",
-    .cost = "about half of what a frame takes, beside the steps",
+    .cost = "about half of the time that a frame takes, in parallel with the steps",
     .applies = always,
     .columns = columns,
     .gives =

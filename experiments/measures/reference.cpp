@@ -8,8 +8,8 @@ namespace bendlab {
 namespace {
 
 std::string_view when(const Measure& measure) {
-  if (!measure.applies) return "where /output/measures names it";
-  return measure.applies == always ? "always" : "where /accuracy asks for it";
+  if (!measure.applies) return "if /output/measures names it";
+  return measure.applies == always ? "always" : "if /accuracy names a reference";
 }
 
 template <class Rows>
@@ -41,9 +41,9 @@ std::string measures_text() {
   for (const Measure* measure : measures())
     text += fmt::format("{}{}: {}\n  a run has it {}; it costs {}\n{}{}{}", text.empty() ? "" : "\n",
                         measure->name, measure->summary, when(*measure), measure->cost,
-                        rows_text("of the run", rows_of(measure->gives)),
-                        rows_text("of every frame", rows_of(measure->columns)),
-                        rows_text("of every triangle of every frame", rows_of(measure->fields)));
+                        rows_text("numbers of a run", rows_of(measure->gives)),
+                        rows_text("numbers of every frame", rows_of(measure->columns)),
+                        rows_text("numbers of every triangle in every frame", rows_of(measure->fields)));
   return text;
 }
 

@@ -1,4 +1,4 @@
-// The reference of the measures: `bendlab measures`.
+// What `bendlab measures` prints.
 #pragma once
 
 #include <string>

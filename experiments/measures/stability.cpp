@@ -17,8 +17,8 @@ namespace bendlab {
 namespace {
 
 constexpr double recovered = 0.01;        // of the size
-constexpr double energy_rounding = 1e-6;  // of the scale: what float leaves of the difference of two sums
-constexpr double spin_rounding = 1e-6;    // of mass, size and speed: what float leaves of a sum that is zero
+constexpr double energy_rounding = 1e-6;  // of the scale: rounding in float of the difference of two sums
+constexpr double spin_rounding = 1e-6;    // of mass, size and speed: rounding in float of a sum that is zero
 constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
@@ -58,7 +58,7 @@ void StabilityMeter::look_at_energy(const Positions& positions, const Positions&
             potential_energy(scene_, positions);
   if (looks_ == 0) {
     first_energy_ = highest_energy_ = energy_;
-    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // as energy_scale() has it
+    energy_scale_ = energy_ + mass_ * gravity_.norm() * size_;  // the same as energy_scale()
   } else if (energy_ > before + energy_rounding * energy_scale_) {
     ++rises_;
   }
@@ -154,37 +154,35 @@ class Stability final : public Measurement {
 
 std::vector<Quantity> quantities() {
   return {
-      {"stability_steps", "1", "looks after time 0"},
-      {"stability_reach", "1", "farthest that a vertex was from the mean of all, in sizes of the mesh"},
-      {"stability_reach_start", "1", "the same of the first look"},
-      {"stability_reach_end", "1", "the same of the last look"},
+      {"stability_steps", "1", "number of steps"},
+      {"stability_reach", "1",
+       "largest distance of a vertex from the mean of all vertices, in sizes of the mesh"},
+      {"stability_reach_start", "1", "the same at the start"},
+      {"stability_reach_end", "1", "the same at the end"},
       {"stability_rest_distance", "1",
-       "at the end, root mean square distance from the rest shape after alignment, in sizes"},
-      {"stability_least_rest_distance", "1", "the least of ten looks a second at that"},
+       "root mean square distance from the rest shape at the end, after rigid alignment, in sizes"},
+      {"stability_least_rest_distance", "1", "the smallest such distance in the run, of ten looks a second"},
       {"stability_recovered_at", "s",
-       "since when it has been below 0.01, to 0.1 s; absent if it is not at the end"},
+       "time since which that distance has been below 0.01 (to 0.1 s); absent if it is larger at the end"},
       {"stability_creep", "1",
-       "how far the cloth moved in the second half of the run, root mean square, in sizes"},
+       "root mean square displacement of the vertices in the second half of the run, in sizes"},
       {"stability_momentum_drift", "m/s",
-       "largest difference of the velocity of the centre of mass from v0 + g t; of a cloth without pins and "
-       "with no "
-       "effect but gravity and damping, which keeps momentum"},
+       "largest difference between the velocity of the centre of mass and v0 + g t; only for a cloth that "
+       "keeps momentum: without pins, and with no effects but gravity and damping"},
       {"stability_rounding_speed", "m/s",
-       "beside it: ε d / h, to which one rounding of a coordinate comes at the largest distance d from the "
-       "rest box's "
-       "centre that any vertex had"},
+       "for comparison: ε d / h, the speed of one rounding of a coordinate in a substep h, at the largest "
+       "distance d of a vertex from the centre of the rest box"},
       {"stability_spin_kept", "1",
-       "angular momentum at the end over that at the start; of such a cloth that spins"},
+       "angular momentum at the end divided by that at the start; only for such a cloth that spins"},
       {"stability_energy_scale", "J",
-       "kinetic energy at the start, elastic energy, and weight times size. Elastic energy is that of "
-       "compliances; k has "
-       "none"},
+       "total energy at the start plus weight times size. Constraints with a compliance have elastic energy, "
+       "those with k have none"},
       {"stability_energy_gain", "1",
-       "by how much the total energy was above its start at most, as a share of energy_scale"},
+       "largest rise of the total energy above its value at the start, as a share of energy_scale"},
       {"stability_energy_rises", "1",
-       "share of the steps in which the total energy rose by more than 10⁻⁶ of that"},
+       "share of the steps in which the total energy rose by more than 10⁻⁶ of energy_scale"},
       {"stability_shut_hinges", "1",
-       "share of the hinges that are folded by more than 170 degrees at the end, and that were not at rest"},
+       "share of the hinges that are folded by more than 170 degrees at the end, but not at rest"},
   };
 }
 
@@ -194,9 +192,9 @@ namespace measure {
 extern const Measure stability{
     .name = "stability",
     .summary =
-        "where the cloth went, whether it kept momentum and energy, and whether it came back to its rest "
+        "how far the cloth went, whether it kept momentum and energy, and whether it came back to its rest "
         "shape",
-    .cost = "positions, velocities and energies after every step; ten alignments a second",
+    .cost = "positions, velocities and energies after every step; ten alignments a simulated second",
     .gives = quantities,
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Stability>(scene, config.section("").number("duration"));

@@ -1,5 +1,5 @@
-// How stable a run was, looked at after every step: where the cloth went, whether it kept what nothing took
-// from it, and whether it came back to its rest shape.
+// How stable a run was, from a look after every step: how far the cloth went, whether it kept momentum and
+// energy, and whether it came back to its rest shape.
 #pragma once
 
 #include <map>

@@ -46,23 +46,23 @@ extern const Measure stiffness{
     .name = "stiffness",
     .summary =
         "how stiff a cantilever strip is, by its free end and by its whole shape (see `bendlab stiffness`)",
-    .cost = "one look, at the end",
+    .cost = "computed once, at the end",
     .gives = []() -> std::vector<Quantity> {
-      return {
-          {"stiffness_height_over_width", "1", "how far the free end hangs down over how far it reaches out"},
-          {"stiffness_gamma", "1", "ρ g L³ / B of the heavy elastica with that end"},
-          {"stiffness_flexural_rigidity", "N m", "B of that elastica (moment m = B κ)"},
-          {"stiffness_bending_length", "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
-          {"stiffness_quartic", "N m³", "C of the strip with that end whose moment is m = C κ³"},
-          {"stiffness_fit_exponent", "1", "p of m ∝ κ^p, fitted to the whole shape"},
-          {"stiffness_fit_B", "N m", "B fitted to the whole shape"},
-          {"stiffness_fit_C", "N m³", "C fitted to the whole shape"}};
+      return {{"stiffness_height_over_width", "1",
+               "H/W: how far the free end hangs down, divided by how far it reaches out"},
+              {"stiffness_gamma", "1", "ρ g L³ / B of the heavy elastica with that H/W"},
+              {"stiffness_flexural_rigidity", "N m", "B of that elastica (moment m = B κ)"},
+              {"stiffness_bending_length", "m", "(B / ρ g)^(1/3), as in ASTM D1388"},
+              {"stiffness_quartic", "N m³", "C of the strip with that H/W whose moment is m = C κ³"},
+              {"stiffness_fit_exponent", "1", "p of m ∝ κ^p, fitted to the whole shape"},
+              {"stiffness_fit_B", "N m", "B fitted to the whole shape"},
+              {"stiffness_fit_C", "N m³", "C fitted to the whole shape"}};
     },
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       try {
         RunStrip strip = strip_of(config, scene.rest, scene.pins);
-        strip.meter.height_over_width(scene.input.positions,
-                                      0);  // throws where the clamp starts out turned or folded
+        // Throws if the clamp is turned or folded at the start.
+        strip.meter.height_over_width(scene.input.positions, 0);
         return std::make_unique<Stiffness>(std::move(strip));
       } catch (const std::invalid_argument& error) {
         throw ConfigError("stiffness", {{"/output/measures", error.what()}});

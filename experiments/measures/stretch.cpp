@@ -11,7 +11,7 @@ const std::vector<Column> columns = {
     {"mean_strain", "1", "mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), σ the principal stretches"},
     {"max_stretch", "1", "largest σ₁"},
     {"pin_max_stretch", "1", "largest σ₁ over triangles that touch a pinned vertex"},
-    {"pin_region_stretch", "1", "largest σ₁ within 0.1 sizes of a pin that the scene names"}};
+    {"pin_region_stretch", "1", "largest σ₁ within 0.1 mesh sizes of a pin that the config names"}};
 
 class Stretches final : public Measurement {
  public:
@@ -45,7 +45,7 @@ namespace measure {
 extern const Measure stretch{
     .name = "stretch",
     .summary = "principal stretches of the triangles, at pins and everywhere",
-    .cost = "a singular value decomposition in the plane per triangle and frame, beside the steps",
+    .cost = "a 2 × 2 singular value decomposition per triangle and frame, in parallel with the steps",
     .applies = always,
     .columns = [] { return columns; },
     .fields = []() -> std::vector<Column> {

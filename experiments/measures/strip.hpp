@@ -10,9 +10,9 @@
 
 namespace bendlab {
 
-/// What somebody sets, else it follows from the bending model: its reach is how far, along the strip, its
-/// constraints join a free vertex to others (the median over the vertices that one joins to the clamp): t
-/// rows for springs of ring t, two for hinges.
+/// The defaults follow from the reach of the bending model: how far along the strip its constraints join a
+/// free vertex to others (the median over the vertices that a constraint joins to the clamp). It is t rows
+/// for springs of ring t, two for hinges.
 struct StripSettings {
   /// m; default: a quarter of the reach, 0 for physical stiffness, whose calibration makes up for the clamp.
   std::optional<double> clamp_offset;

@@ -15,8 +15,7 @@
 namespace bendlab {
 namespace {
 
-// Frames of the two that have the same time but for rounding; not those at the start, where they are the
-// same.
+// Pairs of frames that have the same time except for rounding; not those at the start, which are equal.
 std::vector<std::array<std::size_t, 2>> common_frames(const Trajectory& run, const Trajectory& reference) {
   constexpr double rounding = 1e-6;  // s: of thousands of time steps added up
   std::vector<std::array<std::size_t, 2>> pairs;
@@ -100,7 +99,8 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
   }
   if (frames.empty())
     throw std::invalid_argument(
-        "no recorded frame has the same time in both; /output/frames_per_second must suit every /solver/dt");
+        "no recorded frame has the same time in both runs; choose an /output/frames_per_second whose frames "
+        "fall on steps of both");
   return over_frames(frames);
 }
 

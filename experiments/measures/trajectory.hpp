@@ -23,18 +23,18 @@ struct Comparing {
   AlignBy align = AlignBy::none;
   Vector3 centre = Vector3::Zero(), down = -Vector3::UnitZ();  ///< of the vertical
   bool over_time = false;     ///< frames at the same times; else the last of each
-  bool inextensible = false;  ///< strain against none instead of the reference's
+  bool inextensible = false;  ///< strain is compared with zero instead of the reference's
   double energy_scale = 0;    ///< J; 0: no energy is compared
 };
 
-/// The errors above without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over time `frames`,
-/// `energy` and the worst ones. Throws std::invalid_argument where the meshes don't go together or no frame
-/// has a time in common.
+/// The errors that accuracy.cpp lists, without their prefix: `rms`, `largest`, `hausdorff`, `strain`; over
+/// time `frames`, `energy` and the worst ones, too. Throws std::invalid_argument if the meshes don't go
+/// together or no frames have a time in common.
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
                                              const Comparing& comparing);
 
-/// The trajectory of a finished run, from its file: with `scene`, which is the file's, all frames and their
-/// energies; else the last frame. Throws RunFileError.
+/// The trajectory of a finished run, from its file: with `scene`, which is that run's, all frames and their
+/// energies; without it the last frame. Throws RunFileError.
 Trajectory read_trajectory(const std::filesystem::path& file, const Scene* scene = nullptr);
 
 }  // namespace bendlab

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/geodesics.hpp"
 #include "bendlab/metrics/motion.hpp"
@@ -21,44 +21,46 @@
 namespace bendlab {
 namespace {
 
-// ---- The limits. Each is what the scene cannot do, times a margin for what an honest solver leaves.
+// ---- The limits. Each is what the scene cannot exceed, times a margin for the errors of an honest solver.
 
-// A membrane of k, or of no compliance, is one that does not stretch. What iterations leave of that: on 16
-// cells the paper's scene has triangles 1.5 times their length at rest and, where its swing ends, 2.2 times
-// for a moment. Twice is the bound above which the paper's own figure 1 calls a pin wrong.
+// A membrane with k, or with compliance 0, should not stretch, but iterations leave it stretched: on 16 cells
+// the paper's scene has triangles 1.5 times as long as at rest and, where its swing ends, 2.2 times for a
+// moment. Above twice the paper's own figure 1 calls a pin wrong.
 constexpr double largest_stretch = 3, largest_lasting_stretch = 2;
-// The mean over all triangles: 0.04 there on 16 cells, and 0.08 at most for a moment.
+// The mean strain over all triangles is 0.04 in that scene, and at most 0.08 for a moment.
 constexpr double largest_mean_strain = 0.3, largest_lasting_mean_strain = 0.2;
-constexpr double moment = 0.5;  // s: what passes a lasting limit for longer is no swing's end
+constexpr double moment = 0.5;  // s: for longer than that no end of a swing exceeds a lasting limit
 
 // Of a membrane with a compliance: a sudden load stretches twice as far as a resting one, and a corner's
 // triangles carry it unevenly, the first again twice its share.
 constexpr double sudden_and_uneven = 4;
 
-// Along the way from a pin, whose triangles are not all stretched as far as the worst may be.
+// Along the path from a pin, where not all triangles are stretched as far as the worst may be.
 constexpr double largest_way_stretch = 1.5;
 
-// A tip that whips is faster than what fell: it has the energy of what hangs on it. A factor of 16 in energy.
+// A tip that whips is faster than cloth that falls: it takes the energy of its neighbours. A factor of 16 in
+// energy.
 constexpr double whip = 4;
 
-// Of the energy scale. PBD's energy may rise: forward sweeps at small steps leave up to 1 m/s (0.04 of a
-// metre's weight).
+// A share of the energy scale. PBD's energy may rise: forward sweeps at small steps leave speeds up to 1 m/s
+// (0.04 of weight times size for a sheet of 1 m).
 constexpr double largest_energy_gain = 0.25;
 
-// Of g t, v0 and the fastest vertex. Where gravity acts rounding gets nothing on top of it: it may not be
-// lost to rounding.
+// A share of g t, v0 and the speed of the fastest vertex. With gravity there is no further allowance for
+// rounding: gravity must not be lost to rounding.
 constexpr double momentum_share = 0.01;
-// Without gravity: times what rounding adds up to as a random walk. As the page of stability has it.
+// Without gravity: a multiple of what rounding adds up to as a random walk, the same as on the stability
+// page.
 constexpr double walks = 8;
 
-// A look copies positions and velocities: 32 to 51 µs for 65² vertices, about 10 ns each; 1000 projections
+// A check copies positions and velocities: 32 to 51 µs for 65² vertices, about 10 ns each; 1000 projections
 // take 2 µs at least. Measured there, of a step: 0.3 % (no bending, 1 iteration), 0.2 % (10), 0.5 %
 // (adaptive, 1 and 10).
 constexpr double projections_per_vertex_and_look = 1000;
 
-constexpr double roundings = 100;            // that a projected sheet at rest jitters by, of its size
-constexpr double strained = 0.01;            // a start pose above it has elastic energy that k does not state
-constexpr double unstrained_bending = 1e-3;  // of an edge: a correction below it is the pose's perturbation
+constexpr double roundings = 100;            // by which a projected sheet at rest jitters, of its size
+constexpr double strained = 0.01;            // a start pose with more has elastic energy, unknown with k
+constexpr double unstrained_bending = 1e-3;  // of an edge: smaller corrections come from a perturbation
 
 constexpr std::array<std::string_view, 8> bound_names = {"finite", "stretch",  "mean_strain", "reach",
                                                          "speed",  "momentum", "fall",        "energy"};
@@ -104,7 +106,7 @@ bool keeps_momentum(const EffectSettings& effect) {
   return std::ranges::find(keepers, effect.type) != keepers.end();
 }
 
-// N: what wind can push with, drag and lift of all that is there.
+// The largest force of the wind, N: drag and lift on the whole cloth.
 double wind_force(const Scene& scene) {
   constexpr double highest_gust = 3.5;  // 2.01 times the amplitude in each of three components
   double force = 0;
@@ -140,8 +142,8 @@ double correction_length(const SimulationInput& input, const std::array<int, N>&
   return sum > 0 ? std::abs(c.value) * own / sum : 0;
 }
 
-// visit(kind, correction length) for every constraint of that vertex; of all for each of its vertices where
-// it is -1.
+// Calls visit(kind, correction length) for every constraint of `vertex`; if that is -1, for every vertex of
+// every constraint.
 template <class Visit>
 void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
                      Visit visit) {
@@ -215,31 +217,34 @@ std::string text_of(const BrokenBound& broken) {
         return fmt::format("vertex {} has no finite position or velocity", vertex);
       case Bound::stretch:
         return fmt::format(
-            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, where {:.3g} "
-            "is more than its cloth can be",
+            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
+            "cannot stretch more than {:.3g} times",
             vertex, measured, limit);
       case Bound::mean_strain:
-        return fmt::format("the mean strain is {:.3g}, where {:.3g} is more than its cloth can have",
-                           measured, limit);
+        return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
+                           limit);
       case Bound::reach:
         return fmt::format(
-            "vertex {} is {:.3g} m away from its nearest pin, and the cloth between is {:.3g} "
-            "m long where it is stretched",
+            "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
+            "long, stretched",
             vertex, measured, limit);
       case Bound::speed:
-        return fmt::format("vertex {} is at {:.3g} m/s, and falling as deep as it can it would have {:.3g}",
-                           vertex, measured, limit);
+        return fmt::format(
+            "vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}", vertex,
+            measured, limit);
       case Bound::momentum:
-        return fmt::format("the centre of mass is {:.3g} m/s from v0 + g t, where {:.3g} would be rounding",
-                           measured, limit);
+        return fmt::format(
+            "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
+            "most {:.3g}",
+            measured, limit);
       case Bound::fall:
         return fmt::format(
-            "the centre of mass is {:.3g} m from v0 t + g t²/2, where {:.3g} would be rounding", measured,
-            limit);
+            "the centre of mass is {:.3g} m away from v0 t + g t²/2, but rounding explains at most {:.3g}",
+            measured, limit);
       case Bound::energy:
         return fmt::format(
-            "kinetic energy and that of weight are {:.3g} J above those at the start, of which "
-            "{:.3g} would be the solver's",
+            "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
+            "the solver explain at most {:.3g}",
             measured, limit);
     }
     return std::string();
@@ -247,8 +252,8 @@ std::string text_of(const BrokenBound& broken) {
   const std::string cause = correction.kind.empty()
                                 ? ""
                                 : fmt::format(
-                                      "; there the constraint of kind {} asks for the largest correction, "
-                                      "{:.3g} m",
+                                      "; of the constraints there, one of kind {} asks for the largest "
+                                      "correction, {:.3g} m",
                                       correction.kind, correction.length);
   return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause,
                      advice.empty() ? "" : ". Measured to help: ", advice);
@@ -300,8 +305,8 @@ void Plausibility::find_what_drives() {
           std::ranges::all_of(scene_.effects, keeps_momentum);
 }
 
-// Kinetic energy, and of elastic energy what compliances state. k states none: of a strained start it is then
-// not known.
+// The energy at the start: kinetic, and elastic of constraints with a compliance. k states no energy, so that
+// the energy of a strained start is not known with k.
 void Plausibility::find_start() {
   const SimulationInput& input = scene_.input;
   const Positions zero = Positions::Zero(input.positions.rows(), 3);
@@ -319,28 +324,28 @@ void Plausibility::find_start() {
   double largest = 0;
   for (const PrincipalStretches& s : meter.measure(input.positions))
     largest = std::max({largest, s.largest - 1, 1 - s.smallest});
-  // What a pose is strained, be it by rounding, k may take back within a substep.
+  // k may undo the strain of a pose, even if it comes from rounding, within a substep.
   const double size = scene_.rest.size(),
                back = size * (std::min(largest, strained) + roundings * epsilon_of(scene_));
   snap_ = back * input.settings.substeps / input.settings.dt;
   energy_scale_ = energy_at_start_ + mass_ * (gravity_.norm() * size + 0.5 * snap_ * snap_);
-  const bool membrane_told =
+  const bool membrane_has_energy =
       input.strain_stiffness.kind == StiffnessKind::compliance && input.strain_stiffness.compliance > 0;
-  const bool bending_told =
+  const bool bending_has_energy =
       input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0;
   double largest_correction = 0;
-  if (!bending_told)
+  if (!bending_has_energy)
     for_corrections(input, input.positions, -1, false, [&](std::string_view, double length) {
       largest_correction = std::max(largest_correction, length);
     });
   // A membrane of springs along edges (kang_cho) has an energy that elastic_energy() does not sum up.
-  energy_known_ = (largest <= strained || (membrane_told && input.edges.size() == 0)) &&
+  energy_known_ = (largest <= strained || (membrane_has_energy && input.edges.size() == 0)) &&
                   largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();
 }
 
-// A membrane's compliance α is 1 over its stiffness in N/m: a load W on a width w strains it by α W / w, an
-// impact at the speed v by v over the membrane's wave speed, v √(α ρ); and all the energy E there is, by √(2
-// α E / A) in the mean over the area A.
+// A membrane's compliance α is 1 over its stiffness in N/m. A load W on a width w strains it by α W / w; an
+// impact at the speed v by v √(α ρ), which is v over the membrane's wave speed; the whole energy E of the
+// scene by √(2 α E / A) in the mean over the area A.
 void Plausibility::find_stretch_limits() {
   const SimulationInput& input = scene_.input;
   const StrainStiffness& strain = input.strain_stiffness;
@@ -366,11 +371,11 @@ void Plausibility::find_stretch_limits() {
     mean_strain_ = largest_mean_strain / share + softer_mean;
     lasting_mean_strain_ = largest_lasting_mean_strain / share + softer_mean;
   }
-  // What the start pose is stretched, the run may be: it need not come back.
+  // A run may stay as stretched as its start pose.
   const StretchMeter meter(scene_.rest, scene_.pins);
   const StretchSummary start = meter.summarise(meter.measure(input.positions));
   const auto also_start = [](double& limit, double at_start) {
-    constexpr double swing = 1.5;  // what springs back may go beyond where it came from
+    constexpr double swing = 1.5;  // cloth that springs back may overshoot
     if (std::isfinite(at_start) && at_start > 1) limit = std::max(limit, swing * at_start);
   };
   also_start(stretch_, start.max_stretch), also_start(lasting_stretch_, start.max_stretch);
@@ -381,8 +386,8 @@ void Plausibility::find_stretch_limits() {
   }
 }
 
-// From each vertex's nearest pin: the way along the cloth, stretched, and the pin's own triangles as far as
-// these may be.
+// How far each vertex may be from its nearest pin: the path along the cloth, stretched, plus an edge at the
+// pin, stretched as far as a single triangle may be.
 void Plausibility::find_reach() {
   if (scene_.pins.all.empty() || !std::isfinite(stretch_)) return;
   const Positions& start = scene_.input.positions;
@@ -401,7 +406,7 @@ void Plausibility::find_reach() {
   }
 }
 
-// Between a sample of the pins, each as far from the others as can be.
+// Distances along the cloth between a sample of the pins, each as far from the others as possible.
 void Plausibility::find_pin_pairs() {
   constexpr std::size_t most = 12;
   const std::vector<int>& pins = scene_.pins.all;
@@ -510,8 +515,8 @@ std::optional<BrokenBound> Plausibility::look_at_speed(const Positions& position
                      .vertex = static_cast<int>(fastest)};
 }
 
-// Elastic energy counts at the start only: what iterations leave of a stiff membrane's strain would be far
-// more than there is.
+// Elastic energy counts at the start only: the strain that iterations leave in a stiff membrane would count
+// as far more energy than the scene has.
 std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positions,
                                                         const Positions& velocities) const {
   if (driven_ || !energy_known_) return std::nullopt;
@@ -530,8 +535,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
       .bound = Bound::energy, .measured = gain, .limit = limit, .vertex = static_cast<int>(fastest)};
 }
 
-// One rounding of a coordinate at the distance d is a speed of ε d / h; projections add them up as a random
-// walk does (each has at most four points), which the mean over the vertices makes small.
+// One rounding of a coordinate at the distance d changes a speed by ε d / h. Projections of at most four
+// points each add these up as a random walk does, and the mean over the vertices makes the sum small.
 std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Positions& positions,
                                                           const Positions& velocities) const {
   if (!free_ || !(time > 0)) return std::nullopt;
@@ -557,7 +562,7 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
   const double off = (velocity - velocity_at_start_ - time * gravity_).norm();
   if (off > speed_limit)
     return BrokenBound{.bound = Bound::momentum, .measured = off, .limit = speed_limit, .vertex = -1};
-  // Where steps are discrete, v grows before x moves: by g t h / 2 farther, h at most dt.
+  // A step increases v before it moves x, so that x gets g t h / 2 farther; h is at most dt.
   const double way_limit = speed_limit * time + 0.5 * fallen * solver.dt;
   const double way_off =
       (centre - centre_at_start_ - time * velocity_at_start_ - 0.5 * time * time * gravity_).norm();

@@ -1,5 +1,6 @@
-// Whether a run can be: looked at beside it, against bounds that its scene cannot break whatever the settings
-// of the solver are. `complete` says that a run went to its end; this says whether its end can be believed.
+// Whether a run is plausible: while it runs, it is checked against bounds that its scene cannot break,
+// whatever the settings of the solver are. `complete` says that a run went to its end; this says whether to
+// believe it.
 #pragma once
 
 #include <limits>
@@ -15,25 +16,24 @@
 
 namespace bendlab {
 
-/// What a run may not do. plausibility.cpp says of each when it is looked at, and why its limit is what it
-/// is.
+/// What a run may not do. plausibility.cpp says when each is checked, and why its limit is what it is.
 enum class Bound {
   finite,       ///< a coordinate or a velocity is not a number
-  stretch,      ///< the most stretched triangle, times its rest length
-  mean_strain,  ///< mean over triangles, as the metric of that name
+  stretch,      ///< of the most stretched triangle: length over rest length
+  mean_strain,  ///< mean over triangles, the metric of that name
   reach,        ///< distance of a vertex from its nearest pin, m
   speed,        ///< of a vertex, m/s
-  momentum,     ///< velocity of the centre of mass, m/s away from v0 + g t; of a cloth that nothing holds
-  fall,         ///< way of the centre of mass, m away from v0 t + g t²/2; of such a cloth
-  energy,       ///< kinetic energy and that of weight, J above what there was at the start
+  momentum,     ///< velocity of the centre of mass minus v0 + g t, m/s; for a cloth that nothing holds
+  fall,         ///< displacement of the centre of mass minus v0 t + g t²/2, m; for such a cloth
+  energy,       ///< kinetic energy plus energy of weight, minus their value at the start, J
 };
 std::string_view name_of(Bound bound);  ///< as in the enum
 std::string_view unit_of(Bound bound);
 
 /// The constraint that wants to move a vertex farthest in one projection at k = 1.
 struct Correction {
-  std::string
-      kind;  ///< "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
+  /// "strain", "distance", or an element's Kind::name; empty: no constraint moves the vertex
+  std::string kind;
   double length = 0;  ///< m
 };
 
@@ -47,15 +47,15 @@ struct BrokenBound {
   double time = 0;                 ///< s, when it was seen
   int vertex = -1;                 ///< where; -1: of the cloth as a whole
   Correction correction{};         ///< at that vertex, in the pose in which it was seen
-  std::string advice{};            ///< what was measured to help; empty where nothing was
+  std::string advice{};            ///< what was measured to help; empty if nothing was
 };
 
-/// "at t = 0.5 s vertex 12 is 170 m from its pin, where the cloth reaches 0.5 m; …", with the advice.
+/// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", with the advice.
 std::string text_of(const BrokenBound& broken);
 /// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not
 /// finite are null.
 Json to_json(const BrokenBound& broken);
-/// Back from to_json(); nothing where it is not that.
+/// Reads what to_json() wrote; nothing if it is not that.
 std::optional<BrokenBound> broken_bound_of(const Json& json);
 
 class Plausibility {
@@ -63,23 +63,22 @@ class Plausibility {
   /// The limits that follow from the scene, which must outlive this.
   explicit Plausibility(const Scene& scene);
 
-  /// To be called after every step: looks at positions and velocities, where they have to be copied for that
-  /// only after so many projections that a look costs less than 1 % of them. `always`: now, as at every
-  /// recorded frame.
+  /// To be called after every step. Checks positions and velocities, but only after so many projections that
+  /// copying them costs less than 1 % of the time; with `always` it checks now, as at every recorded frame.
   void look(const Simulation& simulation, bool always);
 
   /// The same on values (#V by 3, m and m/s) at a time in s.
   void look(double time, const Positions& positions, const Positions& velocities);
 
-  /// At what was measured of a frame; may run on another thread than the looks above. `stretches`: #T.
+  /// Checks what was measured of a frame; may run on another thread than look(). `stretches`: #T.
   void look_at_stretch(double time, double mean_strain, std::span<const PrincipalStretches> stretches,
                        const Positions& positions);
 
-  /// The bound that was broken first, with advice. Not while a look may be under way.
+  /// The bound that was broken first, with advice. Not to be called while a check may be under way.
   std::optional<BrokenBound> broken() const;
 
  private:
-  // Since when a value has been above the limit that it may pass for a moment only.
+  // A value may pass its lasting limit for a moment only: since when it has been above it.
   struct Lasting {
     std::optional<double> since;  // s
     bool too_long(double time, bool above);
@@ -119,7 +118,7 @@ class Plausibility {
   std::vector<double> reach_;                               // #V, m
   double fall_ = 0;             // m, how deep a vertex can fall before its pin holds it
   double speed_at_start_ = 0;   // m/s, the fastest
-  double snap_ = 0;             // m/s, at which a barely strained start may come back
+  double snap_ = 0;             // m/s, at which a slightly strained start pose may spring back
   double energy_at_start_ = 0;  // J, kinetic and, where it is known, elastic
   double energy_scale_ = 0;     // J
   Vector3 velocity_at_start_, centre_at_start_;

@@ -13,7 +13,7 @@ namespace bendlab {
 
 class Recorder {
  public:
-  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError where
+  /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError if
   /// the scene cannot be measured as the config asks.
   Recorder(const RunConfig& config, const Scene& scene);
 
@@ -30,7 +30,8 @@ class Recorder {
   /// order.
   void complete(Frame& frame, Plausibility& plausibility);
 
-  /// When all frames are complete: what the measures found that make no other runs, or that do.
+  /// To be called when all frames are complete: what was found by the measures that make other runs, or by
+  /// those that make none.
   Findings findings(const RunEnd& end, bool of_those_that_make_runs);
 
   FrameHistory history() const { return {columns_, times_, rows_}; }

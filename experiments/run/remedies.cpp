@@ -17,9 +17,9 @@ namespace {
 // form, single precision, k = 0.5, unless it says otherwise.
 //
 //   a  crossover, 64 cells, one corner's vertex pinned (the paper's)
-//   b  none, 32 cells, pinned so
-//   c  k_ring, 64 cells, pinned so
-//   d  adaptive, 32 cells, pinned so, steps of 1/15 s
+//   b  none, 32 cells, pinned as a
+//   c  k_ring, 64 cells, pinned as a
+//   d  adaptive, 32 cells, pinned as a, steps of 1/15 s
 //   h  crossover, k = 1, 16 cells, two corners, 1 s a step
 //   i  none, 48 cells alternating, hung from its top at 90 degrees, 0.05 m/s sideways, order: mesh
 //
@@ -33,21 +33,22 @@ namespace {
 //   40 iterations                 78     11     11     19     98      -      4
 //   dt / 4                        13    2.6    4.0    5.8     84      -      4
 //   form: angle                   76     18     41     63    466    3.9      1.0
-//   flight_limit 0.25            390   1132     40    9.6    2.1      -      1 where it cuts nothing, d 3, h 10
+//   flight_limit 0.25            390   1132     40    9.6    2.1      -      1, but d 3 and h 10
 //   the other precision          381   1099     40    183    491      -      1.5
 //   k / 10                       973      -    864    915   1680      -      1.0
 //   order: pins                  130    482     51    173    444      -      15 to 25
 //   sweep: symmetric             970   1192   1063    657   1008      -      1.9
 //   pins/ring 1                   37   1111     19     96      -      -      1.0
 //
-// Tethers mend what tears at a pin, for nothing; substeps, each with all its iterations, mend it at their
-// price. What is in the table and not named below did not help, or not in most. (Single precision before it
-// kept what a substep changes apart, but for i.)
+// Tethers repair what tears at a pin, at hardly any cost; substeps, each with all its iterations, repair it
+// at theirs. Changes in the table that the code below does not name did not help, or not in most scenes.
+// (All but i were run before single precision stored what a substep changes apart from positions.)
 //
-// Besides: a free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends with a
-// mean strain of 1260; with form: angle 0.04, with k = 0.1 0.12, with isometric 0.05; 10 substeps × 10 1260,
-// the other precision 1240. prestressed with an excess of 1 and k = 1 (16 cells, one corner) ends with a mean
-// strain of 1.3; with k = 0.1 0.57, 10 substeps × 10 1.33, isometric 0.04.
+// Further trials. A free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends
+// with a mean strain of 1260; form: angle ends with 0.04, k = 0.1 with 0.12, isometric with 0.05, 10
+// substeps × 10 with 1260, the other precision with 1240. prestressed with an excess of 1 and k = 1 (16
+// cells, one corner) ends with a mean strain of 1.3; k = 0.1 with 0.57, 10 substeps × 10 with 1.33,
+// isometric with 0.04.
 
 bool lists(const Scene& scene, std::string_view type) {
   return std::ranges::find(scene.effects, type, &EffectSettings::type) != scene.effects.end();
@@ -65,9 +66,10 @@ bool is_prestressed(const Scene& scene) {
   return false;
 }
 
-// Short substeps of forward sweeps, which add energy: a level sheet of 16 cells without pins and bending that
-// falls for 0.5 s in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy
-// scale, in both precisions and forms; symmetric, 1e-7 and nothing. With 256 substeps neither gained any.
+// Forward sweeps add energy in short substeps: a level sheet of 16 cells without pins and bending that fell
+// for 0.5 s in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy
+// scale, in both precisions and forms; with symmetric sweeps 1e-7 and no energy. With 256 substeps neither
+// gained any.
 bool is_pumped(const Scene& scene) {
   constexpr int many = 300;
   const SolverSettings& solver = scene.input.settings;
@@ -80,18 +82,26 @@ std::vector<std::string_view> of_a_tear(const Scene& scene) {
   constexpr double long_step = 1.0 / 20;  // s: between d's and the others'
   std::vector<std::string_view> texts;
   if (is_prestressed(scene))
-    texts.push_back("/bending/k: 0.1 (mean strain 1.3: 0.57) or another /bending/model, isometric (0.04)");
+    texts.push_back(
+        "/bending/k: 0.1 (mean strain 0.57 instead of 1.3), or another /bending/model such as isometric "
+        "(0.04)");
   if (pinned && !lists(scene, "tethers"))
-    texts.push_back("the effect tethers (a triangle 40 to 1132 times as long: 1.5, in the same time)");
+    texts.push_back(
+        "the effect tethers (triangles 1.5 instead of 40 to 1132 times as long as at rest, in about the same "
+        "time)");
   if (own_settings(input).number("flight_limit") == 0 &&
       input.settings.dt / input.settings.substeps > long_step)
-    texts.push_back("/solver/flight_limit: 0.25 (steps of 1/15 s: 120 times to 9.6, of 1 s: 494 to 2.1)");
+    texts.push_back(
+        "/solver/flight_limit: 0.25 (triangles 9.6 instead of 120 times as long with steps of 1/15 s, 2.1 "
+        "instead of 494 with steps of 1 s)");
   if (!pinned && input.strain_stiffness.form == StrainForm::normalised)
-    texts.push_back("/material/strain/form: angle (a stretched free sheet's mean strain 1260: 0.04)");
+    texts.push_back(
+        "/material/strain/form: angle (mean strain 0.04 instead of 1260, for a free sheet that starts "
+        "stretched)");
   if (pinned && input.settings.substeps < 10)
     texts.push_back(
-        "/solver/substeps: 10 with all /solver/iterations (40 to 1132 times: 1.3 to 1.9, in ten "
-        "times the time)");
+        "/solver/substeps: 10, each with as many /solver/iterations (triangles 1.3 to 1.9 instead of 40 to "
+        "1132 times as long, in ten times the time)");
   return texts;
 }
 
@@ -105,8 +115,8 @@ std::string remedies_for(Bound bound, const Scene& scene) {
   } else {
     if (is_pumped(scene))
       texts.push_back(
-          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained 1.3 to 7 times its energy: "
-          "none)");
+          "/solver/sweep: symmetric (a free sheet with 1024 substeps gained no energy, instead of 1.3 to 7 "
+          "times its energy scale)");
     for (const std::string_view text : of_a_tear(scene)) texts.push_back(text);
   }
   return fmt::format("{}", fmt::join(texts, "; "));

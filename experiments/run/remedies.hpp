@@ -1,5 +1,4 @@
-// What helps a run that broke a bound or diverged: from trying it, not from belief. The trials stand in
-// remedies.cpp.
+// What helps a run that broke a bound or diverged, according to the trials in remedies.cpp.
 #pragma once
 
 #include <string>
@@ -8,8 +7,8 @@
 
 namespace bendlab {
 
-/// What helped in the trials of the likely cause, with numbers; empty where nothing did, or the scene has it
-/// all.
+/// What helped in trials with the likely cause, with numbers; empty if nothing did, or if the scene has all
+/// of it already.
 std::string remedies_for(Bound bound, const Scene& scene);
 
 /// The same for a cloth that diverged.

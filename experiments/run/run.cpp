@@ -22,10 +22,6 @@
 namespace bendlab {
 namespace {
 
-std::string hex_hash(const std::string& text) {
-  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
 std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) {
   std::ifstream stream(file, std::ios::binary);
   if (!stream)
@@ -38,7 +34,7 @@ void add_message(RunOutcome& outcome, const std::string& text) {
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
 }
 
-// A run that was stopped may yet break a bound, or did: it is run again. One that diverged says both.
+// A stopped run gets no verdict: it will be run again. A diverged run reports the broken bound, too.
 void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   if (!broken || outcome.status == RunStatus::interrupted) return;
   if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
@@ -135,8 +131,8 @@ std::string id_of_other(const RunConfig& other, const std::string& pointer) try 
   throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
 }
 
-// Errors are in the summary: another reference makes another run. Settings that can't be are told when its
-// turn comes.
+// The summary has errors against a reference, so another reference makes another run. Wrong settings of the
+// reference are reported when it is needed.
 std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
   const std::optional<RunConfig> reference = reference_of(config, against, coarser);
   return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";
@@ -173,8 +169,12 @@ void add_findings(Findings findings, RunOutcome& outcome) {
 
 }  // namespace
 
+std::string hex_hash(const std::string& text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
 std::string run_id(const RunConfig& config) {
-  std::string identity = identity_text(config) + std::string(build_info().source_hash);
+  std::string identity = identity_text(config.resolved()) + std::string(build_info().source_hash);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
   if (const std::optional<RunConfig> before = run_before(config))
     identity += id_of_other(*before, "/initial/after");
@@ -185,14 +185,20 @@ std::string run_id(const RunConfig& config) {
 
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config) {
-  const std::string place = readable_place(config), id = run_id(config);
+  return run_folder(out, experiment, config, run_id(config));
+}
+
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config, const std::string& id) {
+  const std::string place = readable_place(config);
   return out / experiment.name / (place.empty() ? id : place + "-" + id);
 }
 
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control,
                        const StartingPose* start) {
-  const std::filesystem::path file = run_folder(out, experiment, config) / "run.vtkhdf";
+  const std::string id = run_id(config);
+  const std::filesystem::path file = run_folder(out, experiment, config, id) / "run.vtkhdf";
   if (std::optional<RunOutcome> finished = finished_run(file)) return *finished;
 
   const auto wall_start = std::chrono::steady_clock::now();
@@ -206,7 +212,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Plausibility plausibility(scene);
   const double set_up_s = thread_cpu_s() - cpu_start;
-  RunOutcome outcome{.id = run_id(config), .file = file};
+  RunOutcome outcome{.id = id, .file = file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
   make_folder(file.parent_path());

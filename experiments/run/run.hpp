@@ -33,24 +33,28 @@ struct RunOutcome {
   std::filesystem::path file;
   std::optional<BrokenBound> broken{};  ///< why it is implausible; also of a run that diverged after that
   std::vector<Warning> warnings{};
-  std::string message;  ///< where and when it diverged, how to resume, …; empty when there is nothing to say
+  std::string message;  ///< where and when it diverged, how to resume, …; may be empty
   double wall_s = 0, cpu_s = 0;
   double step_cpu_s = 0;  ///< of the steps alone, without set-up and recording
   std::map<std::string, double> summary;
   std::vector<PassTime> passes;
 };
 
-/// Hash (16 hex digits) of the resolved config, the bytes of the mesh file it names, and the version of the
-/// code; and of the same of the runs that it starts after or is compared with.
+/// 16 hex digits of XXH3.
+std::string hex_hash(const std::string& text);
+
+/// Hash (16 hex digits) of the resolved config, the bytes of the files that it names, the program's sources,
+/// and the ids of the runs that it starts after or is compared with.
 std::string run_id(const RunConfig& config);
 
-/// `<out>/<experiment>/<readable place on the sweep>-<id>`
+/// `<out>/<experiment>/<readable place on the sweep>-<id>`; the id where it is known.
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config);
+std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
+                                 const RunConfig& config, const std::string& id);
 
-/// Runs one point (or finds it complete), from `start` where config.starts_at_end_of says that it starts
-/// there, and makes the references that it is compared with (accuracy.hpp) below <out>/<experiment>; their
-/// time is not the run's. Throws MeshError and RunFileError; a run that diverges is an outcome.
+/// Computes a run, or reads it if it is complete. With config.starts_at_end_of it starts from `start`. The
+/// references that it is compared with are made below <out>/<experiment>; their time is not the run's. Throws MeshError and RunFileError; a run that diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

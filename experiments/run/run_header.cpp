@@ -10,13 +10,14 @@
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "experiments/config/schema.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
 namespace {
 
-// Null where constraints of that kind have none, or all the same.
+// The constraint's own softness; null where this kind has none, or all have the same.
 template <class List>
 const double* softness_of(const List& list, std::size_t constraint) {
   if constexpr (requires { list.softness; })
@@ -27,10 +28,10 @@ const double* softness_of(const List& list, std::size_t constraint) {
 
 // Vertices, rest values (`rest_of`: an array of each constraint's) and softness, where the list has one, in
 // the order the solver projects them (padded lanes left out). Hashed one by one: a copy of millions of
-// springs would be the largest thing in memory.
-template <class List, class RestOf>
+// springs would be the largest thing in memory. `hashed_of`: the rest values that the hash takes.
+template <class List, class RestOf, class HashedOf>
 ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
-                           RestOf rest_of) {
+                           RestOf rest_of, HashedOf hashed_of) {
   ConstraintRecord record{.kind = kind, .count = list.size()};
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), &XXH3_freeState);
   XXH3_64bits_reset(hash.get());
@@ -38,11 +39,12 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
     if (constraint < 0) continue;
     const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
     const auto rest = rest_of(static_cast<std::size_t>(constraint));
+    const auto hashed = hashed_of(static_cast<std::size_t>(constraint));
     const double* const softness = softness_of(list, static_cast<std::size_t>(constraint));
     record.vertices_per_constraint = static_cast<int>(vertices.size());
     record.rest_per_constraint = static_cast<int>(rest.size());
     XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
-    XXH3_64bits_update(hash.get(), rest.data(), sizeof(rest));
+    XXH3_64bits_update(hash.get(), hashed.data(), sizeof(hashed));
     if (softness) XXH3_64bits_update(hash.get(), softness, sizeof(*softness));
     if (!in_full) continue;
     record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
@@ -51,6 +53,12 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   }
   record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
   return record;
+}
+
+template <class List, class RestOf>
+ConstraintRecord record_of(const std::string& kind, const List& list, const BatchOrder& order, bool in_full,
+                           RestOf rest_of) {
+  return record_of(kind, list, order, in_full, rest_of, rest_of);
 }
 
 }  // namespace
@@ -70,11 +78,13 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   header.metrics = recorder.metrics();
   header.cell_fields = recorder.cell_fields();
   header.constraints = {
-      record_of("strain", scene.input.strain, simulation.strain_order(), in_full,
-                [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
-                  const InverseRest& q = scene.input.strain.inverse_rest[c];
-                  return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
-                }),
+      record_of(
+          "strain", scene.input.strain, simulation.strain_order(), in_full,
+          [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+            const InverseRest& q = scene.input.strain.inverse_rest[c];
+            return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
+          },
+          [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
       record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
                 [&](std::size_t c) { return std::array{scene.input.distance.rest_length[c]}; })};
   if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
@@ -101,10 +111,12 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"threads", std::to_string(scene.input.settings.threads)},
                        {"precision", std::string(name_in(precision_names, scene.precision))},
                        {"ordering_hash", ordering_hash},
+                       {"point", point_json(config).dump()},
+                       {"models", model_labels_json().dump()},
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
-  header.config = config.resolved.dump(2);
+  header.config = config.resolved().dump(2);
   header.double_positions = scene.precision == Precision::double_precision;
   return header;
 }

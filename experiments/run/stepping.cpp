@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bendlab/io/without_traps.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/start_after.hpp"
@@ -25,14 +26,13 @@ std::string divergence_message(const Divergence& divergence, const Scene& scene)
   const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
   const std::string remedies = remedies_for_divergence(scene);
   return fmt::format(
-      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; the frames before it are "
-      "kept{}{}",
+      "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; earlier frames are kept{}{}",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),
       divergence.position.z(), worst_triangle_text(divergence, scene.rest.triangles()),
       remedies.empty() ? "" : ". Measured to help: ", remedies);
 }
 
-// Whether the cloth has come to rest: looked at from time to time, because a look copies all velocities.
+// Whether the cloth has come to rest: checked from time to time, because a check copies all velocities.
 class Calm {
  public:
   explicit Calm(double speed) : speed_(speed) {}
@@ -72,9 +72,8 @@ class StepClock {
 
 std::string stop_message(double time, double duration) {
   return fmt::format(
-      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again runs what is "
-      "not "
-      "complete",
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again computes what "
+      "is not complete",
       time, duration);
 }
 
@@ -103,7 +102,7 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recor
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     const double time = simulation.time();
     const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
-    // A cloth on the way to an equilibrium has no velocities: only the method itself knows.
+    // A cloth on the way to an equilibrium has no velocities: only the method knows whether it has arrived.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
     const bool last = step == steps || stop || settled;
@@ -118,11 +117,10 @@ Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recor
   }
   const std::optional<double> unbalanced = simulation.unbalanced();
   return ended(RunStatus::complete,
-               unbalanced
-                   ? fmt::format("no equilibrium yet after {} steps: {:.2g} of the loads are not balanced; "
-                                 "a longer /duration allows more steps",
-                                 steps, *unbalanced)
-                   : "");
+               unbalanced ? fmt::format("no equilibrium yet after {}: {:.2g} of the loads are not balanced; "
+                                        "a longer /duration allows more steps",
+                                        counted(steps, "step"), *unbalanced)
+                          : "");
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// The steps of a run: to its end, rest, a stop or divergence, with the frames on the way.
+// Steps a run until it ends, comes to rest, is stopped or diverges, and records its frames.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ struct Stepping {
   std::optional<double> settled_at = std::nullopt;  ///< s
 };
 
-/// Records the first pose and then frames as /output/frames_per_second has it; measures and verdict look at
-/// every step. Throws RunFileError where frames can't be written.
+/// Records the first pose and then /output/frames_per_second; measures and verdict look at every step. Throws
+/// RunFileError if frames can't be written.
 Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recorder,
                      Plausibility& plausibility, FrameWriter& writer, const RunConfig& config,
                      const RunControl& control);

@@ -9,6 +9,7 @@
 
 #include "bendlab/mesh/connected_parts.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/config/counted.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
 #include "experiments/scene/gravity.hpp"
@@ -22,12 +23,14 @@ using Message = std::optional<std::string>;
 // ---- unconverged
 
 // Mean strain over the last second. A rigid membrane has none, woven cloth under its own weight less than
-// 0.01; what iterations leave of it makes the sheet longer. A sheet of 24 cells on its centre, no bending: 1
-// substep × 10 iterations leave 0.056, 10 × 1 0.012, 4 × 10 0.006; on two corners, 20 cells, 1 × 10 leave
-// 0.072 and 4 × 10 0.007. The paper's sheet on 16 cells, which hangs as finer ones do, has 0.036.
+// 0.01; strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
+// without bending, is left with 0.056 by 1 substep × 10 iterations, 0.012 by 10 × 1, and 0.006 by 4 × 10;
+// pinned at two corners, 20 cells, with 0.072 by 1 × 10 and 0.007 by 4 × 10. The paper's sheet on 16 cells,
+// which hangs as finer ones do, has 0.036.
 constexpr double unconverged_strain = 0.05;
-// Of the most stretched triangle, for necks at pins that the mean does not see: a tube on its rim, 24 cells,
-// green form, 1 × 10 has 1.36, and hangs by a tenth of its size too far; 10 × 1 left 1.10.
+// Stretch of the most stretched triangle, for necks at pins that the mean does not show: a tube pinned at
+// its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
+// 1 it has 1.10.
 constexpr double unconverged_stretch = 1.25;
 
 Message unconverged(const WarningInput& input) {
@@ -38,19 +41,19 @@ Message unconverged(const WarningInput& input) {
     const auto found = input.summary->find(name);
     return found == input.summary->end() ? 0.0 : found->second;
   };
-  // A run of less than a second may end where it only begins to stretch: medians do not see it.
+  // A run of less than a second may end when it only begins to stretch, which medians do not show.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
   if (!rigid || !input.scene.input.method->projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return fmt::format(
-      "mean strain {:.2g}, and a triangle {:.3g} times as long as at rest, of a membrane that does not "
-      "stretch: {} "
-      "substeps × {} iterations leave it unconverged. More /solver/substeps with fewer /solver/iterations "
-      "each "
-      "help: 10 × 1 left 0.012 and 1.1 where 1 × 10 left 0.056 and 1.36",
-      mean, most, input.scene.input.settings.substeps, input.scene.input.settings.iterations);
+      "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times as long as "
+      "at rest: {} × {} do not converge. More /solver/substeps with fewer /solver/iterations each help: in "
+      "tests, 10 × 1 left a mean strain of 0.012 and a triangle 1.1 times as long, 1 × 10 left 0.056 and "
+      "1.36",
+      mean, most, counted(input.scene.input.settings.substeps, "substep"),
+      counted(input.scene.input.settings.iterations, "iteration"));
 }
 
 // ---- inert_seed
@@ -59,7 +62,7 @@ bool gives(const Json& settings, const std::string& pointer) {
   return value_at(settings, pointer) != nullptr;
 }
 
-// Whether somebody chose this seed: wrote it down, or swept it or what it is in.
+// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
 bool is_chosen(const WarningInput& input, const std::string& pointer) {
   if (gives(input.experiment.settings, pointer)) return true;
   for (const auto& [swept, value] : input.config.point) {
@@ -72,7 +75,7 @@ bool is_chosen(const WarningInput& input, const std::string& pointer) {
 Message inert_seed(const WarningInput& input) {
   const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
   const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
-             mesh_used = input.config.mesh_file.empty() && mesh.text("generator") == "delaunay";
+             mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
   std::string inert;
   if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
   if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
@@ -80,7 +83,7 @@ Message inert_seed(const WarningInput& input) {
   return fmt::format(
       "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
       inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
-                            : "Give /initial/perturbation a value, 1e-6 for example, or leave it out");
+                            : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
 }
 
 // ---- piece_without_pin
@@ -97,8 +100,8 @@ Message piece_without_pin(const WarningInput& input) {
   }
   if (loose == 0) return std::nullopt;
   return fmt::format(
-      "{} of {} vertices, vertex {} the first, are in pieces of the mesh without a pin, while others have "
-      "some: they fall away. Pin each piece, or unite them ('bendlab mesh' lists pieces)",
+      "pieces of the mesh with {} of its {} vertices (the first is vertex {}) have no pin, while others "
+      "have: they will fall away. Pin each piece, or join them ('bendlab mesh FILE' counts the pieces)",
       loose, rest.vertex_count(), first);
 }
 
@@ -108,17 +111,15 @@ Message all_pinned(const WarningInput& input) {
   const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
   if (input.scene.pins.all.size() != vertices) return std::nullopt;
   return fmt::format(
-      "all {} vertices are pinned, and nothing can move. Places are named on the x-y face of the mesh's box: "
-      "on a "
-      "mesh that stands upright name other ones, or use /pins/indices; a smaller /pins/ring or "
-      "/pins/distance pins "
-      "fewer",
+      "all {} vertices are pinned, so that nothing can move. /pins/vertices names places in the x-y plane of "
+      "the mesh's box: for a mesh that stands upright choose others, or use /pins/indices. A smaller "
+      "/pins/ring or /pins/distance pins fewer",
       vertices);
 }
 
 // ---- inert_stiffness
 
-// What a physical stiffness is told in, without saying that there is one.
+// The numbers of a physical stiffness, without a /bending/stiffness of physical.
 Message inert_stiffness(const WarningInput& input) {
   if (input.config.section("/bending").text("stiffness") == "physical") return std::nullopt;
   for (const auto& [swept, values] : input.experiment.axes)  // other runs of the sweep may use it
@@ -127,8 +128,8 @@ Message inert_stiffness(const WarningInput& input) {
     const std::string pointer = fmt::format("/bending/{}", name);
     if (is_chosen(input, pointer))
       return fmt::format(
-          "{} changes nothing here: it is for a /bending/stiffness of physical, and this is {}. Set "
-          "/bending/stiffness to physical, or leave it out",
+          "{} changes nothing here: it is used only if /bending/stiffness is physical, and that is {}. Set "
+          "/bending/stiffness to physical, or remove this setting",
           pointer, input.config.section("/bending").text("stiffness"));
   }
   return std::nullopt;
@@ -136,9 +137,9 @@ Message inert_stiffness(const WarningInput& input) {
 
 // ---- units
 
-// Under gravity a length L has a time √(L / g) in which it falls and swings: 0.03 s for 1 cm, 0.8 s for 6 m.
-// Cloth of people lies between; a mesh in mm or cm read as m does not. Weaker gravity than the Earth's is a
-// choice, and says nothing of units.
+// Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for
+// 6 m. Clothes and curtains lie between; a mesh in mm or cm that is read in m does not. Gravity weaker than
+// the Earth's is a choice, and says nothing about units.
 constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
 constexpr double weakest_gravity = 9;                       // m/s²
 
@@ -150,27 +151,28 @@ Message units(const WarningInput& input) {
   constexpr double heaviest = 10;
   if (const double density = input.config.section("/material").number("density"); density > heaviest)
     return fmt::format(
-        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² are 0.2", density);
+        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² is 0.2 kg/m²",
+        density);
   if (!(g >= weakest_gravity)) return std::nullopt;
   const double time = std::sqrt(extent / g);
   if (time >= shortest_time && time <= longest_time) return std::nullopt;
   return fmt::format(
-      "the cloth is {:.3g} m long, {} under a gravity of {:.3g} m/s²: is the mesh in other units? "
-      "/mesh/scale makes metres of them (0.001 of millimetres, 0.01 of centimetres)",
-      extent, time > longest_time ? "a hall's curtain or more" : "less than a fingertip", g);
+      "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
+      "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
+      extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
 }
 
 // ---- membrane_courant
 
-// The Courant number of a membrane of the stiffness Y = 1 / compliance (N/m) and the mass ρ per area: how
-// many cells a wave of stretch, at √(Y/ρ), passes in a substep h. Iterations carry it on by a cell or so. A
-// strip of 1 m that hangs by its end, double precision, is longer by what was told (ρ g L²/2Y) times 1 + C²/n
-// with n projections per substep, within a third, whatever Y, cells and h are (20 to 10⁴ N/m, 8 and 16 cells
-// across a width of 0.25 m, 1 to 64 substeps × 1 to 40 iterations):
+// The Courant number C of a membrane with the stiffness Y = 1 / compliance (N/m) and the mass ρ per area:
+// how many cells a wave of stretch, whose speed is √(Y/ρ), crosses in a substep h. An iteration carries
+// it on by about a cell. A strip of 1 m that hangs by its end (double precision) is elongated by the stated
+// ρ g L²/2Y times 1 + C²/n with n projections per substep, within a third, for 20 to 10⁴ N/m, 8 and 16
+// cells across a width of 0.25 m, and 1 to 64 substeps × 1 to 40 iterations:
 //
 //   C²/n                 0.035 0.14  0.22  0.56  0.89  1.4   2.2   3.6   5.6   14    57    360   1420   5690
-//   elongation / told    1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
-constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as told
+//   elongation / stated  1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
+constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
 Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
@@ -182,26 +184,25 @@ Message membrane_courant(const WarningInput& input) {
   const std::vector<double>& areas = input.scene.rest.areas();
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area;
-  const double cell =
-      std::sqrt(2 * area / static_cast<double>(areas.size()));  // the legs of a right triangle
+  // The legs of a right triangle.
+  const double cell = std::sqrt(2 * area / static_cast<double>(areas.size()));
   const double courant = std::sqrt(1 / (compliance * density)) * solver.dt / solver.substeps / cell;
   const double excess = courant * courant / solver.projections_per_substep();
   if (!(excess > softened)) return std::nullopt;
   constexpr double wanted = 0.1;
   return fmt::format(
-      "a wave of stretch passes {:.2g} cells in a substep (the membrane's Courant number), and {} "
-      "projections "
-      "follow it: the membrane stretches about {:.2g} times as far as told. {} /solver/substeps would "
-      "leave 1.1",
-      courant, solver.projections_per_substep(), 1 + excess,
+      "a wave of stretch crosses {:.2g} times a cell's width in a substep (the membrane's Courant number), "
+      "and {} cannot follow it: the membrane stretches about {:.2g} times as far as stated. "
+      "{} /solver/substeps would leave 1.1",
+      courant, counted(solver.projections_per_substep(), "projection"), 1 + excess,
       static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))));
 }
 
 // ---- k_overshoot
 
-// Of all models only prestressed pushes a sheet that is otherwise fine out of its shape by its k: springs
-// that are longer by an excess e stretch it. Mean strain of a sheet of 20 cells on two corners, 4 × 10
-// (without bending 0.007):
+// With k only prestressed pushes a sound sheet out of its shape: its springs, longer than at rest by an
+// excess e, stretch it. Mean strain of a sheet of 20 cells pinned at two corners, 4 × 10 (without bending
+// 0.007):
 //
 //   e              0.02    0.05    0.1     0.2     0.5
 //   k = 0.1        0.016   0.032   0.060   0.117   0.293
@@ -220,8 +221,9 @@ Message k_overshoot(const WarningInput& input) {
   const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
   if (!(strain > unconverged_strain)) return std::nullopt;
   return fmt::format(
-      "springs of prestressed with an excess of {:.2g} and k = {:.2g} stretch the sheet by about {:.2g} in "
-      "the mean, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: 0.02 left 0.03",
+      "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a mean "
+      "strain of about {:.2g}, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: "
+      "in tests 0.02 left a mean strain of 0.03",
       excess, k, strain);
 }
 
@@ -245,8 +247,9 @@ Message single_precision(const WarningInput& input) {
   const RoundingSpeed speed = rounding_speed(input.scene);
   if (speed.single_suffices()) return std::nullopt;
   return fmt::format(
-      "an effect moves vertices to positions that single precision rounds: each rounding is {:.2g} m/s in a "
-      "substep, and gravity adds {:.2g} m/s. /solver/precision: auto takes double for it",
+      "an effect moves vertices to positions that single precision rounds: in a substep each rounding "
+      "changes a speed by {:.2g} m/s, and gravity by {:.2g} m/s. Set /solver/precision to auto, which takes "
+      "double here",
       speed.rounded, speed.gained);
 }
 
@@ -255,19 +258,19 @@ constexpr std::array kinds = {
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
                 piece_without_pin},
     WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
-    WarningKind{"inert_stiffness", "a physical stiffness is given and not asked for", true, inert_stiffness},
+    WarningKind{"inert_stiffness", "a physical stiffness is given, but /bending/stiffness is not physical",
+                true, inert_stiffness},
     WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
-    WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as told", true,
+    WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as stated", true,
                 membrane_courant},
-    WarningKind{"k_overshoot", "bending springs at that k stretch the sheet", true, k_overshoot},
+    WarningKind{"k_overshoot", "bending springs with this k stretch the sheet", true, k_overshoot},
     WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
                 single_precision},
-    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than told", false,
+    WarningKind{"weaker_push", "prestressed springs push with a smaller excess than stated", false,
                 weaker_push},
-    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stiffness it was told",
-                false, soft_solver},
-    WarningKind{"unconverged", "iterations leave a membrane stretched that does not stretch", false,
-                unconverged},
+    WarningKind{"soft_solver", "the solver gives the cloth less than half of the stated stiffness", false,
+                soft_solver},
+    WarningKind{"unconverged", "a membrane that should not stretch is left stretched", false, unconverged},
 };
 
 }  // namespace
@@ -287,16 +290,16 @@ std::vector<Warning> warnings_of(const WarningInput& input) {
 }
 
 std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) try {
-  RunConfig bare = config;
-  bare.resolved["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
-  const Scene scene = build_scene(bare);
+  Json bare = config.resolved();
+  bare["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
+  const Scene scene = build_scene(RunConfig(std::move(bare), config.folder()));
   return warnings_of(WarningInput{experiment, config, scene});
 } catch (const std::exception&) {
   return {};
 }
 
 std::string text_of_what_warns_before(const RunConfig& config) {
-  Json settings = config.resolved;
+  Json settings = config.resolved();
   for (const char* unused : {"output", "accuracy", "quality"}) settings.erase(unused);
   for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
   return settings.dump();

@@ -34,20 +34,20 @@ struct WarningKind {
   std::optional<std::string> (*message)(const WarningInput&);
 };
 
-/// Every kind, in the order in which they are told.
+/// Every kind, in the order in which they are printed.
 std::span<const WarningKind> warning_kinds();
 
 /// The warnings of a run; without a summary those that are known before it.
 std::vector<Warning> warnings_of(const WarningInput& input);
 
-/// Those that are known before the run, from a scene that is built without bending constraints. None where
-/// the scene can't be built: the run says why.
+/// Those that are known before the run, from a scene that is built without bending constraints. None if the
+/// scene can't be built: the run says why.
 std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config);
 
-/// The settings that those look at, as text: runs that have it in common have the same warnings before.
+/// The settings that warnings_before() depends on, as text: runs with the same text have the same warnings.
 std::string text_of_what_warns_before(const RunConfig& config);
 
-/// [{code, message}, …], and back; what is not that is left out.
+/// [{code, message}, …], and back; other entries are left out.
 Json to_json(const std::vector<Warning>& warnings);
 std::vector<Warning> warnings_of(const Json& json);
 

@@ -13,7 +13,7 @@ double elastic_energy(const SimulationInput& input, const Positions& positions) 
   const StrainStiffness& strain = input.strain_stiffness;
   const BendingStiffness& bending = input.bending_stiffness;
   if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
-    sum += elastic_energy(input.strain, positions) / strain.compliance;
+    sum += elastic_energy(input.strain, strain.form, positions) / strain.compliance;
   if (bending.kind == StiffnessKind::compliance && bending.compliance > 0)
     sum += (elastic_energy(input.distance, positions) + elastic_energy(input.elements, positions)) /
            bending.compliance;

@@ -1,17 +1,17 @@
-// The energy of a scene's cloth, J: what moves between kinetic, elastic and that of weight.
+// The energies of a scene's cloth in J: kinetic, elastic, and of weight.
 #pragma once
 
 #include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 
-/// Of strain (normalised form) and bending constraints with a compliance above 0; k has none.
+/// Of strain and bending constraints with a compliance above 0; with k they have none.
 double elastic_energy(const SimulationInput& input, const Positions& positions);
 
-/// Elastic energy and that of weight, which is 0 where the scene starts.
+/// Elastic energy plus energy of weight, which is 0 in the pose at the start.
 double potential_energy(const Scene& scene, const Positions& positions);
 
-/// The size of the scene's energies: kinetic and elastic energy at the start, and weight times size.
+/// A scale for the scene's energies: kinetic and elastic energy at the start, plus weight times size.
 double energy_scale(const Scene& scene);
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// Gravity as a scene's list of effects has it.
+// Gravity, from a scene's list of effects.
 #pragma once
 
 #include <vector>
@@ -8,10 +8,10 @@
 
 namespace bendlab {
 
-/// m/s²; none where the list has no gravity.
+/// m/s²; zero if the list has no gravity.
 Vector3 gravity_of(const std::vector<EffectSettings>& effects);
 
-/// Its direction; -z where there is none.
+/// Its direction; -z if there is none.
 Vector3 direction_of_gravity(const std::vector<EffectSettings>& effects);
 
 }  // namespace bendlab

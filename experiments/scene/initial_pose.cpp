@@ -8,6 +8,7 @@
 #include <numbers>
 #include <random>
 
+#include "experiments/config/counted.hpp"
 #include "experiments/config/strict_json.hpp"
 
 namespace bendlab {
@@ -18,15 +19,17 @@ double uniform(std::mt19937_64& generator) {
   return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
 }
 
-// The sheet to and fro along x: equal layers, each joined to the next by a half circle of diameter `gap`.
+// The sheet folded to and fro along x: equal layers, each joined to the next by a half circle of diameter
+// `gap`.
 Positions folded(const RestMesh& rest, int folds, double gap) {
   const double width = (rest.box_max() - rest.box_min()).x(), turn = 0.5 * std::numbers::pi * gap;
   const double layer = (width - folds * turn) / (folds + 1);
   if (layer <= 0)
-    throw ConfigError("initial pose", {{"/initial/fold_gap",
-                                        fmt::format("{} folds with a gap of {} m take {:.3g} m, the sheet is "
-                                                    "{:.3g} m wide: fewer folds or a smaller gap",
-                                                    folds, gap, folds * turn, width)}});
+    throw ConfigError("initial pose",
+                      {{"/initial/fold_gap",
+                        fmt::format("the turns of {} with a gap of {} m need {:.3g} m, but the sheet is "
+                                    "{:.3g} m wide: use fewer folds or a smaller gap",
+                                    counted(folds, "fold"), gap, folds * turn, width)}});
   Positions positions = rest.positions();
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double along = positions(v, 0) - rest.box_min().x();
@@ -56,8 +59,8 @@ Positions folded_rest_shape(const ParameterValues& values, const RestMesh& rest)
   const auto folds = static_cast<int>(values.integer("folds")),
              creases = static_cast<int>(values.integer("creases"));
   if (folds > 0 && creases > 0)
-    throw ConfigError("initial pose", {{"/initial/creases",
-                                        "and /initial/folds fold the same sheet: set one of the two to 0"}});
+    throw ConfigError("initial pose",
+                      {{"/initial/creases", "excludes /initial/folds: set one of the two to 0"}});
   if (folds > 0) return folded(rest, folds, values.number("fold_gap"));
   return creases > 0 ? creased(rest, creases) : rest.positions();
 }

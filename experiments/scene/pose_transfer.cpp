@@ -20,7 +20,7 @@ Eigen::AlignedBox<double, 2> box_of(const std::vector<Vector2>& points) {
   return box;
 }
 
-// The triangles of a flat sheet by place, those just outside its outline included.
+// Finds the triangle of a flat sheet at a point, also for points just outside its outline.
 class Sheet {
  public:
   Sheet(const RestMesh& rest, const std::vector<Vector2>& plane)
@@ -35,7 +35,7 @@ class Sheet {
     return std::nullopt;
   }
 
-  // Of the triangle's plane, of which `point` need not be within the triangle.
+  // Of the corners, by which they sum up to `point`; it may lie outside the triangle.
   std::array<double, 3> weights(const std::array<int, 3>& corner, const Vector2& point) const {
     const auto flat = [&](std::size_t c) { return plane_[static_cast<std::size_t>(corner[c])]; };
     Eigen::Matrix2d sides;
@@ -51,7 +51,7 @@ class Sheet {
   Vector2 centre_ = Vector2::Zero();
 };
 
-// A vertex that lies outside the other sheet is found by its triangles; this finds one that is larger all
+// A vertex outside the other sheet finds no triangle there; this finds another sheet that is larger all
 // around.
 void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane, const RestMesh& to,
                    const std::vector<Vector2>& to_plane) {
@@ -60,10 +60,10 @@ void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane,
   const double apart = std::max((one.min() - other.min()).cwiseAbs().maxCoeff(),
                                 (one.max() - other.max()).cwiseAbs().maxCoeff());
   if (apart > allowed)
-    throw std::invalid_argument(fmt::format(
-        "another outline: its sheet ends {:.3g} m from where this one does, two edges' length ({:.3g} m) are "
-        "allowed",
-        apart, allowed));
+    throw std::invalid_argument(
+        fmt::format("the other mesh has another outline: the two end {:.3g} m apart, and at most two edge "
+                    "lengths ({:.3g} m) are allowed",
+                    apart, allowed));
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   if (same_rest_positions(from, to)) return;
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
-    throw std::invalid_argument("another mesh can only be that of the same flat sheet");
+    throw std::invalid_argument("the meshes differ, and are not both meshes of the same flat sheet");
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);

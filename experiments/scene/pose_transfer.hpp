@@ -1,4 +1,4 @@
-// A pose of one mesh of a flat sheet at the vertices of another mesh of the same sheet.
+// Transfers poses from one mesh of a flat sheet to another mesh of the same sheet.
 #pragma once
 
 #include <array>
@@ -11,12 +11,11 @@ namespace bendlab {
 /// Whether two meshes have the same vertices at the same places, to the bit.
 bool same_rest_positions(const RestMesh& one, const RestMesh& other);
 
-/// Interpolates linearly in the rest plane; beyond the outline, which may differ by an edge's length,
-/// linearly on. Between meshes with the same rest positions it changes no bit.
+/// Interpolates linearly in the rest plane, and extrapolates linearly beyond the outline, which may differ by
+/// an edge or two. Between meshes with the same rest positions it changes no bit.
 class PoseTransfer {
  public:
-  /// Throws std::invalid_argument where the meshes have neither their rest positions nor their flat sheet in
-  /// common.
+  /// Throws std::invalid_argument if the meshes differ and are not meshes of the same flat sheet.
   PoseTransfer(const RestMesh& from, const RestMesh& to);
 
   /// `pose` #V of `from` by 3 → #V of `to` by 3, m.
@@ -25,7 +24,7 @@ class PoseTransfer {
  private:
   struct Place {
     std::array<int, 3> corner;
-    std::array<double, 3> weight;  // sum 1; of a point outside the triangle some are negative
+    std::array<double, 3> weight;  // sum 1; for a point outside the triangle some are negative
   };
   std::vector<Place> places_;  // #V of `to`; empty: the meshes are the same
 };

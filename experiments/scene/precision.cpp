@@ -11,7 +11,7 @@ namespace bendlab {
 bool RoundingSpeed::single_suffices() const {
   // Sheets of 1.4 m, 0.2 kg and 12 cells on a plane, and on tethers, in single precision: with 16, 64, 256
   // and 1024 substeps the ratio is 0.008, 0.13, 2 and 32, and at rest they still move at 0.008, 0.02, 0.1 and
-  // 0.3 mm/s (rms; in double they do not). Where they lie and how they are strained does not show it.
+  // 0.3 mm/s (rms; in double they do not). Their positions and strains do not show it.
   constexpr double most = 10;
   return !matters || !(rounded > most * gained) || gained == 0;
 }

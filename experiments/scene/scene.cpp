@@ -46,7 +46,7 @@ TriangleMesh generate(const ParameterValues& mesh) {
   throw std::logic_error("generate: unknown generator");
 }
 
-// A generated mesh is sound until it is flawed.
+// A generated mesh is sound unless /mesh/flaw puts a defect into it.
 AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
   TriangleMesh generated;
   try {
@@ -87,10 +87,9 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
   const ParameterValues values = config.section("/pins");
   if (renumbered && !values.numbers("indices").empty())
     throw MeshError(fmt::format(
-        "{}: {}; /pins/indices would name other vertices than the mesh does. Repair the file itself, or pin "
-        "by name in "
-        "/pins/vertices",
-        config.mesh_file.empty() ? "mesh" : config.mesh_file.string(), fmt::join(mesh_notes, "; ")));
+        "{}: {}; /pins/indices would then mean other vertices than in the original mesh. Repair the file "
+        "itself, or pin by name with /pins/vertices",
+        config.mesh_file().empty() ? "mesh" : config.mesh_file().string(), fmt::join(mesh_notes, "; ")));
   std::vector<int> seeds;
   for (const std::string& name : values.texts("vertices")) try {
       for (const int vertex : select_vertices(rest, name)) seeds.push_back(vertex);
@@ -123,7 +122,7 @@ StrainStiffness strain_stiffness(const ParameterValues& values) {
           .compliance = values.number("compliance")};
 }
 
-// What physical asks for is in the constraints' own softness.
+// A physical stiffness is in each constraint's own softness, at a compliance of 1.
 BendingStiffness bending_stiffness(const ParameterValues& values) {
   if (values.text("stiffness") == "physical")
     return {.kind = StiffnessKind::compliance, .k = values.number("k"), .compliance = 1};
@@ -132,7 +131,7 @@ BendingStiffness bending_stiffness(const ParameterValues& values) {
           .compliance = values.number("compliance")};
 }
 
-// The model's constraints, as soft as the config's physical stiffness asks for.
+// The model's constraints, calibrated if the config states a physical stiffness.
 BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& rest, const Pins& pins) {
   const ParameterValues parameters = config.bending_parameters(), values = config.section("/bending");
   BendingConstraints constraints =
@@ -207,8 +206,8 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
           .small_angle = values.number("small_angle")};
 }
 
-// The compiled passes of the effect at that place, under its name. Throws ConfigError for settings that do
-// not go together, or not with this mesh.
+// The compiled passes of the effect at `index`, under its name. Throws ConfigError for settings that do not
+// go together, or not with this mesh.
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
@@ -248,8 +247,8 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
 AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const ParameterValues values = config.section("/mesh");
   const BadTriangles policy = policy_for_bad_triangles(values);
-  AcceptedMesh accepted =
-      config.mesh_file.empty() ? generated_mesh(values, policy) : mesh_from_file(config.mesh_file, policy);
+  AcceptedMesh accepted = config.mesh_file().empty() ? generated_mesh(values, policy)
+                                                     : mesh_from_file(config.mesh_file(), policy);
   accepted.mesh.positions *= values.number("scale");
   accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
   return accepted;

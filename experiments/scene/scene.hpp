@@ -20,7 +20,8 @@
 
 namespace bendlab {
 
-/// A mesh that can't be simulated: empty, non-finite, non-manifold, … with the first offenders. Exit code 4.
+/// A mesh that can't be simulated (empty, non-finite, non-manifold, …), with the first bad places. Exit
+/// code 4.
 class MeshError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
@@ -30,7 +31,7 @@ struct Scene {
   std::vector<std::string> mesh_notes{};  ///< what was done about a bad mesh
   Pins pins{};
   std::vector<BendingFact> bending_facts;
-  std::optional<PushBound> push{};  ///< of springs that push: what the solver can hold
+  std::optional<PushBound> push{};  ///< for springs that push: how much the solver can hold
   int springs_beyond_ring_1 = 0;    ///< distance constraints that are not edges of the mesh
   SimulationInput input;
   std::vector<EffectSettings> effects;
@@ -45,12 +46,11 @@ AcceptedMesh rest_mesh_of(const RunConfig& config);
 
 Scene build_scene(const RunConfig& config);
 
-/// What the passes of a listed effect are called in a run: its type, with a number where it is listed more
-/// than once.
+/// The name of an effect's passes in a run: its type, with a number if that is listed more than once.
 std::string pass_name(const std::vector<EffectSettings>& effects, std::size_t index);
 
-/// Places in scene.effects of those that provably change nothing: idle by their settings, or without a pass
-/// here.
+/// Indices in scene.effects of those that cannot change anything: idle by their settings, or without a pass
+/// in this scene.
 std::vector<std::size_t> idle_effects(const Scene& scene);
 
 /// Whether an effect of the scene moves vertices itself, besides the constraints.

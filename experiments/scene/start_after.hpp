@@ -1,5 +1,5 @@
-// `/initial/after`: a run that starts where another one ends: the same scene with other settings, coarser for
-// example.
+// `/initial/after`: a run starts where another one ends, which has the same scene with other settings, a
+// coarser mesh for example.
 #pragma once
 
 #include <atomic>
@@ -16,7 +16,7 @@ std::int64_t step_count(const RunConfig& config);
 /// Simulates run_before(), if there is one, until it settles, its duration is over or `stop` is set, and
 /// moves the free vertices of `scene` to where it ends; they start at rest. Between two meshes of the same
 /// flat sheet the pose is interpolated linearly. Throws std::runtime_error if that run diverges, and
-/// ConfigError if the meshes have neither their vertices nor their plane in common.
+/// ConfigError if the meshes differ and are not meshes of the same flat sheet.
 void start_after(const RunConfig& config, Scene& scene, const std::atomic<bool>* stop = nullptr);
 
 /// Where another run ended, on its own mesh; both are kept by reference.

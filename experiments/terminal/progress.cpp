@@ -66,7 +66,7 @@ void Progress::draw() {
   const double computed = done - reused_cost_;
   const int filled = static_cast<int>(std::lround(share * bar_width));
   std::string line = fmt::format(
-      "[{}{}] {:3.0f} %  {}/{} runs", std::string(static_cast<std::size_t>(filled), '#'),
+      "[{}{}] {:3.0f} %  runs {}/{}", std::string(static_cast<std::size_t>(filled), '#'),
       std::string(static_cast<std::size_t>(bar_width - filled), '-'), 100 * share, finished_, costs_.size());
   if (elapsed > 0.5) line += fmt::format("  {:.2g} simulated s/s", simulated_s_ / elapsed);
   if (elapsed > 0.5 && computed > 0)

@@ -1,4 +1,4 @@
-// The progress bar of several runs that go side by side: on a terminal only, on stderr.
+// The progress bar of runs that go side by side: on stderr, and only if that is a terminal.
 #pragma once
 
 #include <chrono>
@@ -21,7 +21,7 @@ class Progress {
   /// Run `index` has simulated `done_s` of `total_s` seconds. Any thread.
   void update(std::size_t index, double done_s, double total_s);
 
-  /// Run `index` is over; `computed` is false if it was there already and took no time.
+  /// Run `index` is over; `computed` is false if it was complete before and took no time.
   void finish(std::size_t index, bool computed);
 
   /// A line on stderr, above the bar where there is one.

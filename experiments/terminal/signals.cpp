@@ -18,8 +18,7 @@ void handle(int signal) {
   if (stop.exchange(true)) _exit(128 + signal);
   stop_signal = signal;
   // On a terminal the line has a progress bar and ^C in it.
-  constexpr std::string_view text =
-      "\nbendlab: stopping after the current frame (once more to leave at once)\n";
+  constexpr std::string_view text = "\nbendlab: stopping after the current frame (again to stop at once)\n";
   const std::string_view line = terminal ? text : text.substr(1);
   [[maybe_unused]] const auto written = write(STDERR_FILENO, line.data(), line.size());
 }

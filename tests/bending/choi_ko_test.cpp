@@ -93,9 +93,8 @@ TEST_CASE("choi_ko's flexural rigidity on the equilateral lattice", "[bending]")
 TEST_CASE("choi_ko joins the vertices exactly so many edges apart", "[bending]") {
   // Three by three vertices, diagonals all one way, from (0, 0) to (1, 1) and on: two edges apart are the
   // ends of the six straight lines of two edges (three rows, three columns), of the diagonal, of the four
-  // knight's moves along it
-  // - (0,0)-(1,2), (0,0)-(2,1), (0,1)-(2,2), (1,0)-(2,2) - and the four short antidiagonals: two edges, as no edge
-  // crosses their way.
+  // knight's moves along it ((0,0)-(1,2), (0,0)-(2,1), (0,1)-(2,2), (1,0)-(2,2)) and of the four short
+  // antidiagonals: two edges, because no edge joins them.
   const RestMesh rest(grid(2, 2, 2, 2, Diagonal::same));
   const BendingConstraints constraints = choi_ko(rest, 2);
   const auto& list = std::get<ElementList<ArcSpring>>(constraints.elements);

@@ -52,15 +52,15 @@ TEST_CASE("springs that push do not tear apart a sheet whose solver cannot hold 
                                    equilateral(0.2, 0.2, 10)}) {
     const RestMesh rest(mesh);
     for (const int substeps : {1, 4, 16}) {
-      const DistanceConstraints told = springs(rest, 1);
-      DistanceConstraints held = told;
+      const DistanceConstraints stated = springs(rest, 1);
+      DistanceConstraints held = stated;
       const auto bound = bound_push(held, rest, lumped_masses(rest, density), dt / substeps, 1);
       REQUIRE(bound);
       INFO(rest.triangle_count() << " triangles, " << substeps << " substeps, G " << bound->growth);
       const double found = growth(rest, held, substeps);
       // Twice what is tolerated: nothing damps the sheet, it swings to twice where it would rest.
       CHECK(found < 2 * tolerated_growth);
-      if (bound->expected > 0.2) CHECK(growth(rest, told, substeps) > 2 * found);
+      if (bound->expected > 0.2) CHECK(growth(rest, stated, substeps) > 2 * found);
     }
   }
 }
@@ -68,20 +68,20 @@ TEST_CASE("springs that push do not tear apart a sheet whose solver cannot hold 
 TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is left alone", "[bending]") {
   const RestMesh rest(equilateral(0.2, 0.2, 10));
   const std::vector<double> mass = lumped_masses(rest, density);
-  const DistanceConstraints told = springs(rest, 1);
-  DistanceConstraints coarse = told, fine = told;
+  const DistanceConstraints stated = springs(rest, 1);
+  DistanceConstraints coarse = stated, fine = stated;
   const auto bounded = bound_push(coarse, rest, mass, dt, 1),
              kept = bound_push(fine, rest, mass, dt / 1024, 1);
   REQUIRE(bounded);
   REQUIRE(kept);
-  CHECK(fine.rest_length == told.rest_length);
-  CHECK(fine.softness == told.softness);
-  CHECK(kept->taken == kept->told);
+  CHECK(fine.rest_length == stated.rest_length);
+  CHECK(fine.softness == stated.softness);
+  CHECK(kept->taken == kept->stated);
   CHECK_FALSE(push_warning(*kept));
   double virial = 0, area = 0;
-  for (std::size_t s = 0; s < told.size(); ++s) {
-    const double length = length_of(rest, told.vertices[s]),
-                 force = (told.rest_length[s] - length) / told.softness[s];
+  for (std::size_t s = 0; s < stated.size(); ++s) {
+    const double length = length_of(rest, stated.vertices[s]),
+                 force = (stated.rest_length[s] - length) / stated.softness[s];
     CHECK_THAT((coarse.rest_length[s] - length) / coarse.softness[s], WithinRel(force, 1e-9));
     CHECK_THAT(coarse.rest_length[s] / length - 1, WithinRel(bounded->taken, 1e-9));
     virial += force * length;
@@ -93,7 +93,7 @@ TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is 
 
   // What it says helps, helps: so many times as many substeps, and no fewer than half of them.
   const auto with = [&](int substeps) {
-    DistanceConstraints again = told;
+    DistanceConstraints again = stated;
     return !push_warning(*bound_push(again, rest, mass, dt / substeps, 1));
   };
   CHECK(with(bounded->substeps_factor));

@@ -56,7 +56,7 @@ BendingConstraints calibrated(std::string_view model, const RestMesh& rest, cons
 // A strip beyond a clamp that is wide against its length, so that it bends to a cylinder whatever Poisson's
 // ratio is.
 struct Strip {
-  static constexpr double density = 0.2, told = 1e-3;
+  static constexpr double density = 0.2, stated = 1e-3;
   RestMesh rest;
   Pins pins;
   SimulationInput input;
@@ -66,7 +66,7 @@ struct Strip {
       : rest(mesh),
         pins(make_pins(rest, select_vertices(rest, "left"), 0, 0.02)),
         input(test::sheet(rest, pins, "none", density)) {
-    BendingConstraints bending = calibrated("dihedral", rest, pins, told, deflection);
+    BendingConstraints bending = calibrated("dihedral", rest, pins, stated, deflection);
     input.elements = std::move(bending.elements);
     input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-7};
     input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
@@ -75,8 +75,8 @@ struct Strip {
     length = rest.box_max().x() - clamp;
   }
 
-  // Under a load with which the told rigidity makes the tip sink by a thousandth of the length.
-  double gravity() const { return 8e-3 * told / (density * std::pow(length, 3)); }
+  // Under a load with which the stated rigidity makes the tip sink by a thousandth of the length.
+  double gravity() const { return 8e-3 * stated / (density * std::pow(length, 3)); }
 
   double tip(const Positions& positions) const {
     double sum = 0;
@@ -95,7 +95,7 @@ struct Strip {
     return simulation->positions();
   }
 
-  // ρ g L⁴ / 8 tip, over the told rigidity.
+  // ρ g L⁴ / 8 tip, over the stated rigidity.
   double share() const { return 1e-3 * length / -tip(equilibrium()); }
 };
 
@@ -108,12 +108,12 @@ TEST_CASE("on alternating diagonals a sheet bent a little keeps three quarters o
   // by u h/2 against the others: (κxx h - u)² + (κyy h - u)² + 2 u² per such vertex, least at u = (κxx + κyy)
   // h / 4: D11 = 3/4, D12 = -1/4.
   const SheetResponse::Answer answer = answer_of(RestMesh(grid(1, 1, 24, 24, Diagonal::alternating)));
-  Rigidity told, relaxed;
-  told << 1, 0, 0, 0, 1, 0, 0, 0, 2;
+  Rigidity stated, relaxed;
+  stated << 1, 0, 0, 0, 1, 0, 0, 0, 2;
   relaxed << 0.75, -0.25, 0, -0.25, 0.75, 0, 0, 0, 2;
   // The measure fades over ten cells as the square of the way in: over a cell's half it is 1/2 (1/10)² of it
   // curved.
-  CHECK((answer.as_told - told).cwiseAbs().maxCoeff() < 6e-3 * 2);
+  CHECK((answer.unrelaxed - stated).cwiseAbs().maxCoeff() < 6e-3 * 2);
   CHECK((answer.relaxed - relaxed).cwiseAbs().maxCoeff() < 6e-3 * 2);
   for (const double angle : {0.0, 0.4, 0.8, 1.2}) {
     const Vector2 d(std::cos(angle), std::sin(angle));
@@ -123,7 +123,7 @@ TEST_CASE("on alternating diagonals a sheet bent a little keeps three quarters o
   }
 }
 
-TEST_CASE("an equilateral lattice bends as told, with a Poisson ratio of -1/3", "[bending][calibration]") {
+TEST_CASE("an equilateral lattice bends as stated, with a Poisson ratio of -1/3", "[bending][calibration]") {
   // A hinge sees (κ_nn - κ_tt / 3) times its height √3/2 a, three directions of hinges: ½ θ² each is the
   // energy of an isotropic plate with D11 = √3/2, D12 = -D11 / 3, D33 = 2 (1 - ν) D11. A lattice whose
   // vertices are all alike is in balance with even curvature.
@@ -131,8 +131,8 @@ TEST_CASE("an equilateral lattice bends as told, with a Poisson ratio of -1/3", 
   Rigidity plate;
   plate << 1, -1.0 / 3, 0, -1.0 / 3, 1, 0, 0, 0, 8.0 / 3;
   plate *= std::sqrt(3.0) / 2;
-  CHECK((answer.as_told - plate).cwiseAbs().maxCoeff() < 1e-2);  // rows of three kinds of edges at the rim
-  CHECK((answer.relaxed - answer.as_told).cwiseAbs().maxCoeff() < 1e-9);
+  CHECK((answer.unrelaxed - plate).cwiseAbs().maxCoeff() < 1e-2);  // rows of three kinds of edges at the rim
+  CHECK((answer.relaxed - answer.unrelaxed).cwiseAbs().maxCoeff() < 1e-9);
 }
 
 TEST_CASE("the response is the sheet's, however it lies and whatever is measured of it",
@@ -149,7 +149,7 @@ TEST_CASE("the response is the sheet's, however it lies and whatever is measured
                WithinRel(cylinder_rigidity(answer.relaxed, d), 1e-9));
     CHECK_THAT(strip_rigidity(turned.relaxed, there), WithinRel(strip_rigidity(answer.relaxed, d), 1e-9));
     // A relaxed sheet has less energy, and a free strip less than one held to a cylinder.
-    CHECK(cylinder_rigidity(answer.relaxed, d) < cylinder_rigidity(answer.as_told, d));
+    CHECK(cylinder_rigidity(answer.relaxed, d) < cylinder_rigidity(answer.unrelaxed, d));
     CHECK(strip_rigidity(answer.relaxed, d) < cylinder_rigidity(answer.relaxed, d));
   }
   CHECK_THAT(
@@ -157,7 +157,7 @@ TEST_CASE("the response is the sheet's, however it lies and whatever is measured
       WithinRel(answer_of(RestMesh(delaunay(1, 1, 40, 3))).relaxed(0, 0), 0.03));  // 800 of 1700 vertices
 }
 
-TEST_CASE("hinges have the told rigidity at the deflection that was asked for", "[bending][calibration]") {
+TEST_CASE("hinges have the stated rigidity at the deflection that was asked for", "[bending][calibration]") {
   for (const std::string_view model : {"dihedral", "bridson", "discrete_shells", "isometric"}) {
     INFO(model);
     const RestMesh rest(grid(0.24, 0.24, 20, 20, Diagonal::alternating));
@@ -193,7 +193,7 @@ TEST_CASE("weighted hinges of an irregular sheet have nearly one rigidity at bot
   }
 }
 
-TEST_CASE("a clamped strip that bends a little has the rigidity that it was told to have there",
+TEST_CASE("a clamped strip that bends a little has the rigidity that was stated for that",
           "[bending][calibration]") {
   // Half a row of the clamp: hinges at its edge have twice their stiffness, and the strip begins there. What
   // is left is of the order of a share of a cell in the length, 3 % on nine cells.

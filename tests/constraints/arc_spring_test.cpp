@@ -3,7 +3,7 @@
 
 #include "bendlab/constraints/energy.hpp"
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -118,8 +118,8 @@ TEMPLATE_TEST_CASE("projecting a buckled segment solves its equations", "[constr
   for (const Law law : {Law::exact, Law::polynomial}) {
     const double limit = law == Law::exact ? 12 : 12.112;
     Pairs<TestType> before(6000, law, 21), after = before, oracle = before;
-    project(after.points.data(), after.batch, 0, after.batch.order.run_count(), TestType(1));
-    project_reference(oracle.points.data(), oracle.batch, TestType(1));
+    project(after.points.data(), after.batch, 0, after.batch.order.stack_count(), TestType(1));
+    project_by_oracle(oracle.points.data(), oracle.batch, TestType(1));
     std::array<int, 3> solved{};  // released, straight, buckled
     for (std::size_t lane = 0; lane < before.batch.order.constraint_of_lane.size(); ++lane) {
       const int pair = before.batch.order.constraint_of_lane[lane];
@@ -175,7 +175,7 @@ TEMPLATE_TEST_CASE("a buckled segment never pulls", "[constraints]", float, doub
       const Points<TestType> start = pairs.points;
       pairs.batch.kind = kind;
       pairs.batch.multiplier.assign(pairs.batch.multiplier.size(), 0);
-      project(pairs.points.data(), pairs.batch, 0, pairs.batch.order.run_count(), TestType(1));
+      project(pairs.points.data(), pairs.batch, 0, pairs.batch.order.stack_count(), TestType(1));
       for (std::size_t v = 0; v < 128; ++v)  // at rest r is right to two or three ε
         CHECK(static_cast<double>((pairs.points[v].vector() - start[v].vector()).norm()) <=
               4 * static_cast<double>(std::numeric_limits<TestType>::epsilon()) * pairs.list.rest[v / 2][0]);
@@ -196,7 +196,7 @@ TEMPLATE_TEST_CASE("a buckled segment is damped only while it is compressed", "[
   for (const bool oracle : {false, true}) {
     Points<TestType> damped = velocities;
     if (oracle)
-      damp_reference(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
+      damp_by_oracle(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
     else
       damp(pairs.points.data(), damped.data(), pairs.batch, TestType(1));
     // Of equal masses the one along the pair goes, half of it each; all small numbers.

@@ -4,7 +4,7 @@
 #include <tuple>
 
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "tests/catch.hpp"
 #include "tests/poses.hpp"
@@ -37,7 +37,7 @@ std::vector<std::array<Vector3, N>> moves(const Poses<N>& poses, Batch batch, Ro
   const Places<Real> places =
       road == Road::split ? Places<Real>(before.data(), moved.data()) : Places<Real>(points.data());
   if (road == Road::oracle)
-    project_reference(places, batch, Real(1e-3));
+    project_by_oracle(places, batch, Real(1e-3));
   else
     for (std::size_t c = 0; c + 1 < batch.order.colours.size(); ++c)
       project(places, batch, batch.order.colours[c], batch.order.colours[c + 1], Real(1e-3));

@@ -2,7 +2,7 @@
 #include <functional>
 
 #include "bendlab/constraints/kinds.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -154,7 +154,7 @@ namespace {
 
 void project_once(std::array<Point<double>, 3>& points, const ConstraintValue<double, 3>& c) {
   const Places<double> places(points.data());
-  project_reference<double>(corners_at(places, offset_of(0), offset_of(1), offset_of(2)), c, 1.0, nullptr,
+  project_by_oracle<double>(corners_at(places, offset_of(0), offset_of(1), offset_of(2)), c, 1.0, nullptr,
                             0.0);
 }
 

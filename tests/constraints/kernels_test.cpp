@@ -1,7 +1,7 @@
 // The lane kernels against the one-at-a-time oracle, and what every projection must keep.
 #include "bendlab/constraints/kernels.hpp"
 
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
@@ -121,19 +121,19 @@ constexpr double agreement = 2e3 * static_cast<double>(std::numeric_limits<Real>
 
 template <class Real, class Batch>
 void check_kernel(const Crumpled<Real>& cloth, const Batch& batch) {
-  Points<Real> by_kernel = cloth.points, by_reference = cloth.points;
-  Batch kernel_batch = batch, reference_batch = batch;
+  Points<Real> by_kernel = cloth.points, by_oracle = cloth.points;
+  Batch kernel_batch = batch, oracle_batch = batch;
   for (const bool backwards : {false, true}) {
     project_all(by_kernel, kernel_batch, backwards);
-    project_reference(by_reference.data(), reference_batch, Real(1e-2), backwards);
+    project_by_oracle(by_oracle.data(), oracle_batch, Real(1e-2), backwards);
   }
   CHECK(largest_difference(by_kernel, cloth.points) > 1e-3);  // something happened
-  CHECK(largest_difference(by_kernel, by_reference) <= agreement<Real>);
+  CHECK(largest_difference(by_kernel, by_oracle) <= agreement<Real>);
 }
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("kernels agree with the reference to rounding", "[constraints]", float, double) {
+TEMPLATE_TEST_CASE("kernels agree with the oracle to rounding", "[constraints]", float, double) {
   const Crumpled<TestType> cloth(5);
   for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
     check_kernel(cloth, cloth.distance(kind));
@@ -184,20 +184,20 @@ std::vector<Crumpled<Real>> collapsed_cloths() {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("kernels agree with the reference on collapsed elements", "[constraints]", float, double) {
+TEMPLATE_TEST_CASE("kernels agree with the oracle on collapsed elements", "[constraints]", float, double) {
   for (const Crumpled<TestType>& cloth : collapsed_cloths<TestType>())
     for_batches(cloth, [&](const auto& batch) {
-      Points<TestType> by_kernel = cloth.points, by_reference = cloth.points;
-      auto kernel_batch = batch, reference_batch = batch;
+      Points<TestType> by_kernel = cloth.points, by_oracle = cloth.points;
+      auto kernel_batch = batch, oracle_batch = batch;
       // One colour: what comes after it meets elements that are nearly collapsed, where rounding decides.
       project(by_kernel.data(), kernel_batch, batch.order.colours[0], batch.order.colours[1], TestType(1e-2));
-      auto& order = reference_batch.order;
-      std::fill(order.constraint_of_lane.begin() + static_cast<std::ptrdiff_t>(order.runs[order.colours[1]]),
-                order.constraint_of_lane.end(), -1);
-      project_reference(by_reference.data(), reference_batch, TestType(1e-2));
+      auto& order = oracle_batch.order;
+      const auto first_lane = static_cast<std::ptrdiff_t>(order.stacks[order.colours[1]]);
+      std::fill(order.constraint_of_lane.begin() + first_lane, order.constraint_of_lane.end(), -1);
+      project_by_oracle(by_oracle.data(), oracle_batch, TestType(1e-2));
       double size = 1;  // XPBD's arcs push as hard as they must
-      for (const auto& point : by_reference) size = std::max<double>(size, point.vector().norm());
-      CHECK(largest_difference(by_kernel, by_reference) <= agreement<TestType> * size);
+      for (const auto& point : by_oracle) size = std::max<double>(size, point.vector().norm());
+      CHECK(largest_difference(by_kernel, by_oracle) <= agreement<TestType> * size);
     });
 }
 
@@ -217,12 +217,12 @@ TEMPLATE_TEST_CASE("no finite state makes a NaN", "[constraints]", float, double
       return std::ranges::all_of(points, [](const auto& p) { return p.vector().allFinite(); });
     };
     for_batches(cloth, [&](const auto& batch) {
-      auto kernel_batch = batch, reference_batch = batch;
-      Points<TestType> by_kernel = cloth.points, by_reference = cloth.points, velocity = cloth.points;
+      auto kernel_batch = batch, oracle_batch = batch;
+      Points<TestType> by_kernel = cloth.points, by_oracle = cloth.points, velocity = cloth.points;
       project_all(by_kernel, kernel_batch);
-      project_reference(by_reference.data(), reference_batch, TestType(1e-2));
+      project_by_oracle(by_oracle.data(), oracle_batch, TestType(1e-2));
       CHECK(finite(by_kernel));
-      CHECK(finite(by_reference));
+      CHECK(finite(by_oracle));
       for (auto& v : velocity) v = {1, -2, 3, 0};
       damp(cloth.points.data(), velocity.data(), batch, TestType(0.5));
       CHECK(finite(velocity));
@@ -276,7 +276,7 @@ TEMPLATE_TEST_CASE("a triangle at a point opens to its rest shape", "[constraint
   }
 }
 
-TEMPLATE_TEST_CASE("damping kernels agree with the reference to rounding", "[constraints]", float, double) {
+TEMPLATE_TEST_CASE("damping kernels agree with the oracle to rounding", "[constraints]", float, double) {
   const Crumpled<TestType> cloth(6);
   std::mt19937_64 random(6);
   Points<TestType> start(cloth.points.size());
@@ -284,11 +284,11 @@ TEMPLATE_TEST_CASE("damping kernels agree with the reference to rounding", "[con
     if (cloth.points[static_cast<std::size_t>(v)].w > 0)
       start[static_cast<std::size_t>(v)].set(test::random_vector(random).cast<TestType>());
   const auto check = [&](const auto& batch) {
-    Points<TestType> by_kernel = start, by_reference = start;
+    Points<TestType> by_kernel = start, by_oracle = start;
     damp(cloth.points.data(), by_kernel.data(), batch, TestType(0.5));
-    damp_reference(cloth.points.data(), by_reference.data(), batch, TestType(0.5));
+    damp_by_oracle(cloth.points.data(), by_oracle.data(), batch, TestType(0.5));
     CHECK(largest_difference(by_kernel, start) > 1e-2);
-    CHECK(largest_difference(by_kernel, by_reference) <= agreement<TestType>);
+    CHECK(largest_difference(by_kernel, by_oracle) <= agreement<TestType>);
   };
   check(cloth.distance(StiffnessKind::k));
   check(cloth.strain(StiffnessKind::k, StrainForm::normalised));
@@ -352,7 +352,7 @@ TEST_CASE("k' leaves 1 - k of an isolated constraint after n projections", "[con
     const Places<double> places(points.data());
     const double k = k_of_projection(StiffnessKind::k_per_step, 0.3, n);
     for (int i = 0; i < n; ++i)
-      project_reference<double>(corners_at(places, offset_of(0), offset_of(1)),
+      project_by_oracle<double>(corners_at(places, offset_of(0), offset_of(1)),
                                 distance_constraint<double>({points[0].vector(), points[1].vector()}, 1), k,
                                 nullptr, 0.0);
     // From a violation of 1 to 0.7 of it; rounding of at most 50 multiplications.

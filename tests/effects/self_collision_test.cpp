@@ -22,11 +22,12 @@ void append(std::vector<Pass<Real>>& passes, std::vector<Pass<Real>> more) {
 }
 
 template <class Real>
-std::vector<Pass<Real>> collision(const RestMesh& rest, double h = thickness, std::vector<int> place = {}) {
+std::vector<Pass<Real>> collision(const RestMesh& rest, double h = thickness,
+                                  std::vector<int> permutation = {}) {
   const Effect& effect = *find_effect("self_collision");
   ParameterValues values(effect.parameters);
   values.set("thickness", h);
-  return effect.compile<Real>({values, rest, make_pins(rest, {}, 0), place});
+  return effect.compile<Real>({values, rest, make_pins(rest, {}, 0), permutation});
 }
 
 // Two triangles far from each other at rest.
@@ -42,7 +43,7 @@ RestMesh two_triangles() {
 // Vertices on their way through a substep.
 template <class Real>
 State<Real> state_on_the_way(const Positions& from, const Positions& to, const std::vector<double>& mass,
-                             const std::vector<int>& place = {}) {
+                             const std::vector<int>& permutation = {}) {
   State<Real> state;
   const auto count = static_cast<std::size_t>(from.rows());
   state.vertex_count = static_cast<int>(count);
@@ -51,7 +52,7 @@ State<Real> state_on_the_way(const Positions& from, const Positions& to, const s
   state.previous.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
     const auto row = static_cast<Eigen::Index>(v);
-    const std::size_t at = place.empty() ? v : static_cast<std::size_t>(place[v]);
+    const std::size_t at = permutation.empty() ? v : static_cast<std::size_t>(permutation[v]);
     state.mass[at] = mass[v];
     state.previous[at].set(from.row(row).transpose().template cast<Real>());
     state.position[at].set(to.row(row).transpose().template cast<Real>());
@@ -61,10 +62,11 @@ State<Real> state_on_the_way(const Positions& from, const Positions& to, const s
 }
 
 template <class Real>
-Positions positions_of(const State<Real>& state, const std::vector<int>& place = {}) {
+Positions positions_of(const State<Real>& state, const std::vector<int>& permutation = {}) {
   Positions positions(state.vertex_count, 3);
   for (Eigen::Index v = 0; v < positions.rows(); ++v) {
-    const auto at = static_cast<std::size_t>(place.empty() ? v : place[static_cast<std::size_t>(v)]);
+    const auto at =
+        static_cast<std::size_t>(permutation.empty() ? v : permutation[static_cast<std::size_t>(v)]);
     positions.row(v) = state.position[at].vector().template cast<double>().transpose();
   }
   return positions;
@@ -254,7 +256,7 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
     CHECK(found.cover(state.position));
     std::set<std::pair<Pairing, std::array<int, 4>>> names;
     for (const NearPair& pair : found.pairs())
-      names.insert({pair.pairing, sorted_name(pair.pairing, pair.place)});
+      names.insert({pair.pairing, sorted_name(pair.pairing, pair.vertices)});
     CHECK(names.size() == found.pairs().size());  // each once
     for (const auto& [pairing, vertices] : pairs) {
       const double at_rest = shortest_gap(pairing, rows(rest.positions(), vertices)).vector.norm();
@@ -304,9 +306,9 @@ TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effect
   const RestMesh rest(grid(1, 1, 20, 20));
   const auto count = static_cast<std::size_t>(rest.vertex_count());
   std::mt19937_64 random(6);
-  std::vector<int> place(count);
-  std::iota(place.begin(), place.end(), 0);
-  for (std::size_t i = count; i-- > 1;) std::swap(place[i], place[random() % (i + 1)]);
+  std::vector<int> permutation(count);
+  std::iota(permutation.begin(), permutation.end(), 0);
+  for (std::size_t i = count; i-- > 1;) std::swap(permutation[i], permutation[random() % (i + 1)]);
   const Positions from = accordion(rest, 3, 0.02);
   Positions to = from;
   for (Eigen::Index v = 0; v < to.rows(); ++v) to.row(v) += test::random_vector(random, 0.02).transpose();
@@ -318,7 +320,7 @@ TEMPLATE_TEST_CASE("self-collision has the same bits in any numbering", "[effect
     return positions_of(state, where);
   };
   // Sums over all vertices only widen boxes; what decides is compared pair by pair.
-  CHECK(after({}) == after(place));
+  CHECK(after({}) == after(permutation));
 }
 
 TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[effects][self_collision]",

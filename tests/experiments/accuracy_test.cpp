@@ -231,7 +231,8 @@ TEST_CASE("accuracy: from where a run ends its own basin is found") {
       "pins": {"vertices": ["centre"], "ring": 6}, "initial": {"perturbation": 0.001},
       "bending": {"model": "discrete_shells", "stiffness": "physical", "flexural_rigidity": 1.05584e-05},
       "material": {"density": 0.1629, "strain": {"stiffness": "compliance", "compliance": 0.001}},
-      "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 2}], "output": {"frames_per_second": 2},
+      "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 2}],
+      "output": {"frames_per_second": 2},
       "solver": {"iterations": 1, "sweep": "symmetric", "precision": "double", "substeps": 64})";
   const Results results;
   const std::vector<RunOutcome> outcomes = results.run(
@@ -243,7 +244,7 @@ TEST_CASE("accuracy: from where a run ends its own basin is found") {
   CHECK(results.references().size() == 2);
 }
 
-TEST_CASE("accuracy: what a reference can't be is told, when the config is read or with the run") {
+TEST_CASE("accuracy: an impossible reference is an error, of the config or with the run") {
   const std::string k = R"("duration": 0.1, "mesh": {"cells": 4})";
   CHECK_THAT(config_error(k + R"(, "accuracy": {"solver": ["/mesh/cels=3"]})"),
              ContainsSubstring("/accuracy/solver") && ContainsSubstring("/mesh/cells"));
@@ -278,8 +279,9 @@ TEST_CASE("accuracy: what a reference can't be is told, when the config is read 
   // Where some runs of a sweep can have it, the others say why they can't.
   const std::vector<RunOutcome> mixed =
       results.run(strip + xpbd + R"(, "accuracy": {"solver": )" + equilibrium +
-                  R"(}, "sweep": {"/bending": [{"model": "dihedral", "stiffness": "k"},
-                                   {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696}]})");
+                  R"(}, "sweep": {"/bending": [
+                     {"model": "dihedral", "stiffness": "k"},
+                     {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696}]})");
   CHECK_THAT(mixed[0].message, ContainsSubstring("/accuracy/solver") && ContainsSubstring("k has no energy"));
   CHECK(is_whole(mixed[0].status));
   CHECK_FALSE(mixed[0].summary.contains("error_solver_rms"));
@@ -330,9 +332,9 @@ TEST_CASE("accuracy: motion is compared at common times, its energy too") {
   // reference from a start that is twice as fast, so that they part by v t: at 0.1, 0.2, 0.3 s.
   const Results results;
   const RunOutcome outcome = results.run_one(
-      R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [], "material": {"density": 2},
-         "initial": {"velocity": [0, 0, 0.1]}, "output": {"frames_per_second": 10},
-         "solver": {"dt": 0.01, "precision": "double"},
+      R"("duration": 0.3, "mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [],
+         "material": {"density": 2}, "initial": {"velocity": [0, 0, 0.1]},
+         "output": {"frames_per_second": 10}, "solver": {"dt": 0.01, "precision": "double"},
          "accuracy": {"over_time": true, "solver": ["/initial/velocity=[0, 0, 0.2]", "/solver/dt=0.005"],
                       "solver_coarser": ["/initial/velocity=[0, 0, 0.25]"]})");
   const double size = std::numbers::sqrt2;
@@ -375,9 +377,9 @@ TEST_CASE("accuracy: a run's id follows its references, and only where it has so
 }
 
 TEST_CASE("accuracy: what the solver holds is counted") {
-  // By hand: a sheet of 3 × 3 vertices and 8 triangles, none pinned. In single precision a point is 4 floats;
-  // there are three arrays of points, three of what these numbers do not hold (four where moves are apart: 64
-  // substeps), the rest shape, and masses of double precision, and that is less than all.
+  // By hand: a sheet of 3 × 3 vertices and 8 triangles, none pinned. In single precision a point is 4
+  // floats; there are three arrays of points, three of what these numbers do not hold (four where moves are
+  // apart: 64 substeps), the rest shape, and masses of double precision, and that is less than all.
   const auto bytes = [](const std::string& settings) {
     const std::string config = R"({"name": "memory", "bending": {"model": "crossover"}, )" + settings + "}";
     const Scene scene = build_scene(parse_experiment(config, "test").runs.front());

@@ -219,8 +219,7 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
 }
 
 TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other", "[command line]") {
-  // Gravity that doubles as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half
-  // a second.
+  // Gravity as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
   Workplace here;
   here.write("wild.json", R"({"name": "wild", "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
       "sweep": {"/effects/0/acceleration": [[0, 0, -1e9], [0, 0, -9.81]]},

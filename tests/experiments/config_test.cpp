@@ -57,7 +57,7 @@ TEST_CASE("config: a name is enough, everything else has its default") {
   REQUIRE(experiment.runs.size() == 1);
   const RunConfig& run = experiment.runs[0];
   CHECK(run.point.empty());
-  CHECK(run.mesh_file.empty());
+  CHECK(run.mesh_file().empty());
   CHECK(run.section("").number("duration") == 4);
   CHECK(run.section("/mesh").text("generator") == "grid");
   CHECK(run.section("/mesh").integer("cells") == 32);
@@ -107,7 +107,7 @@ TEST_CASE("config: no effects is not the same as none listed") {
 TEST_CASE("config: a model without settings has no object of its own") {
   const RunConfig run = single_run(with(R"("bending": {"model": "none", "adaptive": {"m_min": 2}})"));
   CHECK(run.bending_parameters().all().empty());
-  CHECK_FALSE(run.resolved["bending"].contains("adaptive"));
+  CHECK_FALSE(run.resolved()["bending"].contains("adaptive"));
   CHECK_THROWS_AS(run.section("/bending/adaptive"), std::logic_error);
 }
 
@@ -126,6 +126,13 @@ TEST_CASE("config: a setting that does not exist is refused with the nearest one
   CHECK_THAT(only_problem(with(R"("wombat": 1)"), "/wombat"),
              ContainsSubstring("Allowed") && !ContainsSubstring("did you mean"));
   CHECK_THAT(only_problem(with(R"("mesh": {"a/b~c": 8})"), "/mesh/a~1b~0c"), ContainsSubstring("'a/b~c'"));
+}
+
+TEST_CASE("config: a setting of an earlier version is refused with what replaced it") {
+  using Catch::Matchers::ContainsSubstring;
+  for (const std::string name : {"stiffness", "stability", "drape"})
+    CHECK_THAT(only_problem(with(R"("output": {")" + name + R"(": true})"), "/output/" + name),
+               ContainsSubstring("\"measures\": [\"" + name + "\"]") && !ContainsSubstring("did you mean"));
 }
 
 TEST_CASE("config: a value that is not among the choices is refused with the nearest one") {
@@ -199,7 +206,8 @@ TEST_CASE("config: the name names a folder") {
 TEST_CASE("config: a mesh file takes the place of the generator") {
   const RunConfig run = single_run(with(R"("mesh": {"file": "shirt.obj", "scale": 0.001})"));
   CHECK(run.section("/mesh").text("file") == "shirt.obj");
-  CHECK(run.resolved["mesh"].size() == 4);  // the file, its scale, offset and what is done with bad triangles
+  CHECK(run.resolved()["mesh"].size() ==
+        4);  // the file, its scale, offset and what is done with bad triangles
   CHECK(single_run(with(R"("mesh": {"file": null})")).section("/mesh").text("generator") == "grid");
   CHECK_THAT(only_problem(with(R"("mesh": {"file": "shirt.obj", "generator": "grid"})"), "/mesh/generator"),
              Catch::Matchers::ContainsSubstring("does not go with /mesh/file"));
@@ -211,8 +219,8 @@ TEST_CASE("config: a mesh file is looked for beside the config") {
   std::ofstream(folder / "file.json") << with(R"("mesh": {"file": "meshes/shirt.obj"})");
   const Experiment experiment = load_experiment(folder / "file.json");
   CHECK(experiment.source == folder / "file.json");
-  CHECK(experiment.runs[0].mesh_file == folder / "meshes/shirt.obj");
-  CHECK(experiment.runs[0].resolved["mesh"]["file"] == "meshes/shirt.obj");  // the same on every machine
+  CHECK(experiment.runs[0].mesh_file() == folder / "meshes/shirt.obj");
+  CHECK(experiment.runs[0].resolved()["mesh"]["file"] == "meshes/shirt.obj");  // the same on every machine
   CHECK_THROWS_WITH(load_experiment(folder / "missing.json"),
                     Catch::Matchers::ContainsSubstring("missing.json") &&
                         Catch::Matchers::ContainsSubstring("cannot be read"));
@@ -227,7 +235,7 @@ TEST_CASE("config: an effect's file is looked for beside the config and is part 
       << with(R"("effects": [{"type": "gravity"}, {"type": "mesh_obstacle", "file": "body.obj"}])");
   const Experiment experiment = load_experiment(folder / "file.json");
   const RunConfig& run = experiment.runs[0];
-  CHECK(run.resolved["effects"][1]["file"] == "body.obj");  // the same on every machine
+  CHECK(run.resolved()["effects"][1]["file"] == "body.obj");  // the same on every machine
   CHECK(run.effects()[1].values.text("file") == (folder / "body.obj").string());
   const std::vector<std::pair<std::string, std::filesystem::path>> files = {
       {"/effects/1/file", folder / "body.obj"}};
@@ -291,7 +299,8 @@ TEST_CASE("config: a duplicate key hides nothing else") {
 TEST_CASE("config: all problems of a file come at once") {
   const ConfigProblems problems = problems_of(R"({
     "name": "a b", "mesh": {"cels": 1, "width": -1, "width": 1}, "bending": {"k": 2, "model": "x"},
-    "effects": [{"type": "gravity", "acceleration": 1}], "sweep": {"/mesh/cel": [1], "/bending/k": [0.5, "x"]},
+    "effects": [{"type": "gravity", "acceleration": 1}],
+    "sweep": {"/mesh/cel": [1], "/bending/k": [0.5, "x"]},
     "expect": [{"metric": "drop", "max": 1}]})",
                                               {"/solver/dtt=1"});
   std::vector<std::string> pointers;
@@ -310,13 +319,15 @@ TEST_CASE("config: the error's text holds the file and every problem") {
 }
 
 TEST_CASE("config: equal physics has equal text") {
-  const std::string minimal = single_run(R"({"name": "t"})").resolved.dump();
+  const std::string minimal = single_run(R"({"name": "t"})").resolved().dump();
   // Other name, order of keys, ways to write numbers, and settings of a model that is not chosen.
   CHECK(single_run(R"({"solver": {"iterations": 10.0, "substeps": 1}, "description": "other",
-                       "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4, "initial": {"tilt": -0.0},
+                       "allow": ["implausible"], "bending": {"lod": {"t": 3}, "k": 5e-1}, "duration": 4,
+                       "initial": {"tilt": -0.0},
                        "effects": [{"acceleration": [0, 0, -9.81], "type": "gravity"}], "name": "u"})")
-            .resolved.dump() == minimal);
-  CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved.dump() != minimal);
+            .resolved()
+            .dump() == minimal);
+  CHECK(single_run(R"({"name": "t", "duration": 4.1})").resolved().dump() != minimal);
 }
 
 TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") {
@@ -382,17 +393,18 @@ TEST_CASE("config: the resolved config reads back as itself") {
     const std::string text =
         single_run(with(R"("bending": {"model": ")" + std::string(model->name) +
                         R"("}, "effects": [{"type": "rigid_damping"}], "duration": 1e-3)"))
-            .resolved.dump();
-    CHECK(single_run(text, {"/name=again"}).resolved.dump() == text);
+            .resolved()
+            .dump();
+    CHECK(single_run(text, {"/name=again"}).resolved().dump() == text);
   }
-  const std::string file = single_run(with(R"("mesh": {"file": "a.obj"})")).resolved.dump();
-  CHECK(single_run(file, {"/name=again"}).resolved.dump() == file);
+  const std::string file = single_run(with(R"("mesh": {"file": "a.obj"})")).resolved().dump();
+  CHECK(single_run(file, {"/name=again"}).resolved().dump() == file);
 }
 
 TEST_CASE("config: threads do not make another run") {
   const RunConfig one = single_run(R"({"name": "t"})"), two = single_run(with(R"("solver": {"threads": 2})"));
   CHECK(identity_text(one) == identity_text(two));
-  CHECK(one.resolved != two.resolved);
+  CHECK(one.resolved() != two.resolved());
   CHECK(identity_text(one) != identity_text(single_run(with(R"("solver": {"iterations": 11})"))));
   CHECK_THAT(identity_text(one), !Catch::Matchers::ContainsSubstring("threads"));
 }
@@ -432,7 +444,7 @@ TEST_CASE("config: of a stiffness only what it uses is part of the result") {
   const std::string settings = R"("k": 0.3, "compliance": 2, "flexural_rigidity": 1e-5, "at_curvature": 40)";
   const auto kept = [&](const std::string& kind) {
     return single_run(with(R"("bending": {"stiffness": ")" + kind + "\", " + settings + "}"))
-        .resolved["bending"];
+        .resolved()["bending"];
   };
   CHECK_FALSE(kept("physical").contains("k"));
   CHECK_FALSE(kept("physical").contains("compliance"));
@@ -444,7 +456,8 @@ TEST_CASE("config: of a stiffness only what it uses is part of the result") {
 TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1") {
   const std::string text =
       R"({"name": "t", "mesh": {"generator": "equilateral", "width": 0.24, "height": 0.24, "cells": 12},
-    "pins": {"vertices": []}, "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 3e-5}})";
+    "pins": {"vertices": []},
+    "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 3e-5}})";
   const Scene scene = build_scene(single_run(text));
   CHECK(scene.input.bending_stiffness.kind == StiffnessKind::compliance);
   CHECK(scene.input.bending_stiffness.compliance == 1);

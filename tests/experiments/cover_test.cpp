@@ -227,7 +227,7 @@ TEST_CASE("cover: combinations that a rule refuses are left out and told", "[cov
   CHECK(covered.cover.missing == 1);
   CHECK(covered.cover.refused == std::vector<std::string>{R"(/mesh/generator = "tube", /mesh/cells = 2)"});
   for (const RunConfig& run : covered.runs)
-    CHECK_FALSE((run.resolved["mesh"]["generator"] == "tube" && run.resolved["mesh"]["cells"] == 2));
+    CHECK_FALSE((run.resolved()["mesh"]["generator"] == "tube" && run.resolved()["mesh"]["cells"] == 2));
 }
 
 TEST_CASE("cover: what is wrong in every combination is a problem", "[cover]") {

@@ -13,7 +13,7 @@ namespace {
 // Hinges of which each has the share `share`.
 EffectiveStiffness of_share(double share) {
   EffectiveStiffness stiffness;
-  stiffness.hinges = {.applied = share, .told = 1, .spent = share * share, .measured = 1, .rounding = 0};
+  stiffness.hinges = {.applied = share, .stated = 1, .spent = share * share, .measured = 1, .rounding = 0};
   return stiffness;
 }
 
@@ -42,7 +42,7 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
   CHECK(last > 100);
 }
 
-TEST_CASE("a run that is less than half as stiff as told is warned of, with the numbers",
+TEST_CASE("a run that is less than half as stiff as stated gets a warning with the numbers",
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
   CHECK(!soft_solver_warning(effective_stiffness_summary(of_share(0.51), 10)));

@@ -64,7 +64,8 @@ TEST_CASE("expect: an unknown metric fails and names those that exist") {
 
 TEST_CASE("expect: where picks runs by their values") {
   const Experiment experiment = with_expect(
-      R"([{"metric": "drop", "min": 0, "why": "w", "where": {"/bending/model": "adaptive", "/mesh/cells": 32.0}},
+      R"([{"metric": "drop", "min": 0, "why": "w",
+           "where": {"/bending/model": "adaptive", "/mesh/cells": 32.0}},
           {"metric": "drop", "min": 0, "why": "w", "where": {"/bending/adaptive/m_min": 1}},
           {"metric": "drop", "min": 0, "why": "w", "where": {"/effects": [{"type": "gravity"}]}},
           {"metric": "drop", "min": 0, "why": "w"}])",

@@ -64,7 +64,8 @@ TEST_CASE("measures: a run's summary has the numbers of its measures and no othe
   const Workplace here;
   const auto summary_of = [&](const std::string& more) {
     const Experiment experiment = parse_experiment(
-        R"({"name": "all", "duration": 0.1, "mesh": {"cells": 8, "width": 0.2, "height": 0.1}, "pins": {"vertices": ["left"], "ring": 0, "distance": 0.06},
+        R"({"name": "all", "duration": 0.1, "mesh": {"cells": 8, "width": 0.2, "height": 0.1},
+            "pins": {"vertices": ["left"], "ring": 0, "distance": 0.06},
             "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-4}, )" +
             more + "}",
         "test");
@@ -93,7 +94,7 @@ TEST_CASE("measures: one that nobody has is refused with those there are", "[mea
                         Catch::Matchers::ContainsSubstring("stability"));
 }
 
-TEST_CASE("measures: a metric that no run can have is told before the first run", "[measures]") {
+TEST_CASE("measures: a metric that no run can have is an error before the first run", "[measures]") {
   Workplace here;
   const auto validate = [&](const std::string& metric, const std::string& more) {
     here.write("e.json", R"({"name": "e", "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +

@@ -64,7 +64,7 @@ Bound bound_of(const std::optional<BrokenBound>& broken) {
 
 }  // namespace
 
-TEST_CASE("plausible: what is not a number is told with its vertex", "[plausibility]") {
+TEST_CASE("plausible: a value that is not finite is reported with its vertex", "[plausibility]") {
   const Scene scene = scene_of(on_a_corner);
   Positions positions = scene.input.positions;
   CHECK_FALSE(after(scene, 0.1, positions, still(scene)));
@@ -202,7 +202,7 @@ TEST_CASE("plausible: a membrane that does not stretch is not twice as long, but
   CHECK(bound_of(stretched(scene, 1, 1, 1.9, 0.4)) == Bound::mean_strain);
 }
 
-TEST_CASE("plausible: what may stretch is allowed what it was told", "[plausibility]") {
+TEST_CASE("plausible: a membrane with a compliance may stretch as far as that states", "[plausibility]") {
   const auto with_strain = [](const std::string& strain) {
     return scene_of(on_a_corner + R"(, "material": {"strain": )" + strain + "}");
   };

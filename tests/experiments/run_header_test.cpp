@@ -92,4 +92,15 @@ TEST_CASE("run header: all rest values of a constraint are recorded", "[run]") {
   CHECK(record_of("strain", experiment).rest.size() == scene.input.strain.size());  // areas
 }
 
+TEST_CASE("run header: the hash tells triangles of one area and another shape apart", "[run]") {
+  const Experiment experiment = experiment_of(hinges, R"({"method": "pbd"})");
+  const ConstraintRecord whole = record_of("strain", experiment);
+  const ConstraintRecord sheared = record_of("strain", experiment, [](SimulationInput& input) {
+    InverseRest& q = input.strain.inverse_rest.front();
+    q[0] += q[2], q[1] += q[3];  // the determinant stays
+  });
+  CHECK_THAT(sheared.rest.front(), Catch::Matchers::WithinRel(whole.rest.front(), 1e-14));  // a few roundings
+  CHECK(sheared.hash != whole.hash);
+}
+
 }  // namespace bendlab

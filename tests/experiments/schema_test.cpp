@@ -82,7 +82,7 @@ TEST_CASE("schema: the JSON Schema has every row with type, default, unit and ra
 TEST_CASE("schema: a config is described by the sections that its resolved form has") {
   const RunConfig run = parse_experiment(R"({"name": "t"})", "test").runs.at(0);
   const Json schema = schema_json();
-  for (const auto& [key, value] : run.resolved.items()) CHECK(schema["properties"].contains(key));
+  for (const auto& [key, value] : run.resolved().items()) CHECK(schema["properties"].contains(key));
 }
 
 TEST_CASE("schema: models and effects are listed with settings, defaults and sources") {
@@ -139,6 +139,6 @@ TEST_CASE("schema: a resolved config has of /solver what its method reads, and n
                          "test")
             .runs.at(0);
     for (const Parameter& row : find_section("/solver")->parameters)
-      CHECK(run.resolved["solver"].contains(row.name) == method->reads(row.name));
+      CHECK(run.resolved()["solver"].contains(row.name) == method->reads(row.name));
   }
 }

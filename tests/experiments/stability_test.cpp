@@ -166,14 +166,14 @@ TEST_CASE("stability: what stays folded, stays away and is pinned", "[experiment
 
 TEST_CASE("stability: a tumbling sheet's energy is elastic, kinetic and never more than at the start",
           "[experiments]") {
-  const auto seen = looked_at(
-      scene_of(
-          R"("initial": {"spin": [5, 0, 0]}, "bending": {"model": "discrete_shells", "stiffness": "compliance",
-                  "compliance": 100000}, "material": {"strain": {"stiffness": "compliance", "compliance": 0.001}},
-                  "solver": {"substeps": 8, "precision": "double"})"),
-      1);
-  // The sheet starts flat: what there is at the start is ½ I ω², I = ρ h ∫ y² of point masses on lines 1/8
-  // apart.
+  const std::string tumbling =
+      R"("initial": {"spin": [5, 0, 0]},
+         "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 100000},
+         "material": {"strain": {"stiffness": "compliance", "compliance": 0.001}},
+         "solver": {"substeps": 8, "precision": "double"})";
+  const auto seen = looked_at(scene_of(tumbling), 1);
+  // The sheet starts flat: its energy at the start is ½ I ω², I = ρ h ∫ y² of point masses on lines
+  // that are 1/8 apart.
   double inertia = 0;
   for (int row = 0; row <= 8; ++row) {
     const double y = -0.5 + row / 8.0, mass = 0.2 / 8 * (row == 0 || row == 8 ? 0.5 : 1);

@@ -35,7 +35,8 @@ void check_problem(const std::string& rest, const std::string& pointer, const st
 // The values at `pointer` over the runs, as JSON texts.
 std::vector<std::string> values(const Experiment& of, const std::string& pointer) {
   std::vector<std::string> result;
-  for (const RunConfig& run : of.runs) result.push_back(run.resolved.at(Json::json_pointer(pointer)).dump());
+  for (const RunConfig& run : of.runs)
+    result.push_back(run.resolved().at(Json::json_pointer(pointer)).dump());
   return result;
 }
 
@@ -80,8 +81,8 @@ TEST_CASE("sweep: whole objects, lists, effects and their settings can be swept"
   CHECK(values(objects, "/mesh").at(1) ==
         R"({"file":"a.obj","scale":1.0,"offset":[0.0,0.0,0.0],"bad_triangles":"refuse"})");
   CHECK(objects.runs.at(0).section("/mesh").integer("cells") == 32);  // the object is replaced as a whole
-  CHECK(objects.runs.at(0).mesh_file.empty());
-  CHECK(objects.runs.at(1).mesh_file == "a.obj");
+  CHECK(objects.runs.at(0).mesh_file().empty());
+  CHECK(objects.runs.at(1).mesh_file() == "a.obj");
 
   const Experiment lists = experiment(R"("sweep": {"/pins/vertices": [["top"], ["top", "bottom"], []]})");
   CHECK(values(lists, "/pins/vertices") == Texts{R"(["top"])", R"(["top","bottom"])", "[]"});

@@ -1,4 +1,4 @@
-// What somebody sees of a run that cannot be, and of warnings: table, JSON, exit codes, `allow` and
+// What the program says about implausible runs and about warnings: table, JSON, exit codes, `allow` and
 // `--strict`.
 #include <filesystem>
 #include <string>
@@ -28,7 +28,7 @@ const std::string calm = R"({"name": "calm", "duration": 0.1, "mesh": {"cells": 
 
 }  // namespace
 
-TEST_CASE("A run that cannot be is told and fails the command", "[command line][plausibility]") {
+TEST_CASE("An implausible run is reported and fails the command", "[command line][plausibility]") {
   Workplace here;
   here.write("torn.json", torn);
   REQUIRE(here.run("run torn.json --json") == 1);
@@ -81,7 +81,7 @@ TEST_CASE("A sweep that studies failure says so, and is the same sweep", "[comma
   CHECK_THAT(here.out(), ContainsSubstring("allow: default []"));
 }
 
-TEST_CASE("Warnings are told once, and --strict makes them errors", "[command line][warnings]") {
+TEST_CASE("Warnings are printed once, and --strict makes them errors", "[command line][warnings]") {
   Workplace here;
   here.write("seeds.json", calm + R"(, "sweep": {"/initial/seed": [1, 2, 3]}})");
   REQUIRE(here.run("run seeds.json") == 0);

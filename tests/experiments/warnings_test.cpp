@@ -92,15 +92,15 @@ TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnin
   CHECK(codes_of(mesh).empty());  // not known before the run
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance", "compliance": 0.01}})",
                  &stretched)
-            .empty());  // it was told to stretch
+            .empty());  // its compliance lets it stretch
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"stiffness": "compliance"}})", &stretched) ==
         Codes{"unconverged"});
   CHECK(codes_of(mesh + R"(, "material": {"strain": {"warp": 0.1}})", &stretched).empty());
 }
 
 TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
-  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of h² / (ρ a²
-  // n).
+  // Legs of 1/4 m, 0.2 kg/m², one substep of 1/60 s, ten projections: C²/n = 1 at a compliance of
+  // h² / (ρ a² n).
   const double critical = 1.0 / 3600 / (0.2 * 0.0625 * 10);
   const auto with = [](double compliance, const std::string& solver) {
     return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": )" +

@@ -119,7 +119,8 @@ for absent in 'Vertices', 'Lines', 'Strips':
     cells = vtk[absent]
     assert list(cells['NumberOfCells']) == [0] and list(cells['NumberOfConnectivityIds']) == [0]
     assert list(cells['Offsets']) == [0] and cells['Connectivity'].shape == (0,)
-assert list(vtk['CellData/stretch']) == [0, 1, 10, 11, 20, 21] and list(vtk['CellData/shape']) == [0, 0, -1, -1, -2, -2]
+assert list(vtk['CellData/stretch']) == [0, 1, 10, 11, 20, 21]
+assert list(vtk['CellData/shape']) == [0, 0, -1, -1, -2, -2]
 assert vtk['CellData/stretch'].attrs['meaning'] == 'largest principal stretch'
 assert list(vtk['PointData/pinned']) == [1, 0, 0, 0]
 steps = vtk['Steps']
@@ -128,7 +129,8 @@ assert list(steps['PartOffsets']) == [0, 0, 0] and list(steps['NumberOfParts']) 
 assert list(steps['PointOffsets']) == [0, 4, 8]
 for name in 'CellOffsets', 'ConnectivityIdOffsets':
     assert steps[name].shape == (3, 4) and not steps[name][:].any()
-assert list(steps['CellDataOffsets/stretch']) == [0, 2, 4] and list(steps['CellDataOffsets/shape']) == [0, 2, 4]
+assert list(steps['CellDataOffsets/stretch']) == [0, 2, 4]
+assert list(steps['CellDataOffsets/shape']) == [0, 2, 4]
 assert list(steps['PointDataOffsets/pinned']) == [0, 0, 0]
 assert sorted(run['metrics']) == ['drop', 'energy', 'time']
 assert run['metrics/time'].shape == (3,) and run['metrics/time'].attrs['unit'] == 's'
@@ -139,7 +141,8 @@ assert run['constraints/strain'].attrs['count'] == 2 and len(run['constraints/st
 assert run['constraints/distance'].attrs['hash'] == 'hash of distance'
 assert run['constraints/distance/vertices'][:].tolist() == [[0, 2], [1, 3]]
 assert list(run['constraints/distance/rest']) == [1.5, 2.5] and 'softness' not in run['constraints/distance']
-assert run['constraints/hinge/rest'][:].tolist() == [[0.5, 2, 1]] and list(run['constraints/hinge/softness']) == [0.25]
+assert run['constraints/hinge/rest'][:].tolist() == [[0.5, 2, 1]]
+assert list(run['constraints/hinge/softness']) == [0.25]
 assert list(run['timing/pass'].asstr()) == ['strain', 'gravity'] and list(run['timing/calls']) == [100, 10]
 assert run['timing'].attrs['wall_s'] == 3.5
 assert run['provenance'].attrs['compiler'] == 'g++ <12> "−O2"'

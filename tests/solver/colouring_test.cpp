@@ -10,21 +10,21 @@ namespace {
 
 template <std::size_t arity>
 void check_order(const BatchOrder& order, const std::vector<std::array<int, arity>>& vertices) {
-  REQUIRE(order.runs.front() == 0);
-  REQUIRE(order.runs.back() == order.constraint_of_lane.size());
+  REQUIRE(order.stacks.front() == 0);
+  REQUIRE(order.stacks.back() == order.constraint_of_lane.size());
   REQUIRE(order.colours.front() == 0);
-  REQUIRE(order.colours.back() == order.run_count());
+  REQUIRE(order.colours.back() == order.stack_count());
   std::vector<int> seen(vertices.size(), 0);
   for (std::size_t colour = 0; colour + 1 < order.colours.size(); ++colour) {
     REQUIRE(order.colours[colour + 1] > order.colours[colour]);
     std::set<int> touched_in_colour;
-    for (std::size_t run = order.colours[colour]; run < order.colours[colour + 1]; ++run) {
-      REQUIRE(order.runs[run] % max_lanes == 0);
+    for (std::size_t stack = order.colours[colour]; stack < order.colours[colour + 1]; ++stack) {
+      REQUIRE(order.stacks[stack] % max_lanes == 0);
       for (std::size_t lane = 0; lane < max_lanes; ++lane) {
         std::set<int> touched_in_lane;  // a star, or a single constraint
         int centre = -1;
         bool ended = false;
-        for (std::size_t at = order.runs[run] + lane; at < order.runs[run + 1]; at += max_lanes) {
+        for (std::size_t at = order.stacks[stack] + lane; at < order.stacks[stack + 1]; at += max_lanes) {
           const int constraint = order.constraint_of_lane[at];
           if (constraint < 0) ended = true;
           if (constraint < 0) continue;
@@ -73,8 +73,8 @@ TEST_CASE("stars fill their lanes", "[solver]") {
   const BatchOrder order = star_order(input.distance.vertices, rest.vertex_count());
   CHECK(static_cast<double>(order.constraint_of_lane.size()) <=
         1.05 * static_cast<double>(input.distance.size()));
-  // In a run of four every spring but the first finds its centre in a register.
-  CHECK(order.run_count() * max_lanes < input.distance.size() / 3);
+  // In a stack of four every spring but the first finds its centre in a register.
+  CHECK(order.stack_count() * max_lanes < input.distance.size() / 3);
 }
 
 TEST_CASE("list order keeps the list", "[solver]") {

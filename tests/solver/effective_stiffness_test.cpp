@@ -1,5 +1,5 @@
-// What the solver makes of a told stiffness, against single constraints, a sweep that is solved by hand, and
-// strips.
+// How much of a stated stiffness the solver realises, against single constraints, a projection sweep that is
+// solved by hand, and strips.
 #include "bendlab/constraints/effective_stiffness.hpp"
 
 #include <Eigen/Dense>
@@ -73,8 +73,7 @@ Settled settled(SimulationInput input, int substeps) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("a single hinge has the stiffness that it was told", "[effective stiffness]", float,
-                   double) {
+TEMPLATE_TEST_CASE("a single hinge has the stated stiffness", "[effective stiffness]", float, double) {
   SimulationInput input = one_hinge();
   const auto simulation = in_gravity<TestType>(input);
   for (int step = 0; step < 20; ++step) REQUIRE(simulation->step());
@@ -89,10 +88,10 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
   const Pins pins = make_pins(rest, {}, 0);
   const ElementList<HingeAngle> list = angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle,
                                                          [](const RestHinge&) { return 2.0; });
-  BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0, 1}};
+  BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0, 1}};
   for (std::size_t c = 0; c < list.size(); ++c) order.constraint_of_lane.push_back(static_cast<int>(c));
   while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-  order.runs.push_back(order.constraint_of_lane.size());
+  order.stacks.push_back(order.constraint_of_lane.size());
   Constraints<double> constraints;
   auto& batch = std::get<ElementBatch<double, HingeAngle>>(constraints.elements);
   batch = make_element_batch<double>(list, order, rest.vertex_count());
@@ -125,12 +124,12 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   Constraints<double> constraints;
   const auto in_list_order = [](std::size_t count) {
-    BatchOrder order{.constraint_of_lane = {}, .runs = {0}, .colours = {0}};
-    // A run of a star each: one spring and padding.
+    BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0}};
+    // A stack for each star: one spring and padding.
     for (std::size_t c = 0; c < count; ++c) {
       order.constraint_of_lane.push_back(static_cast<int>(c));
       while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-      order.runs.push_back(order.constraint_of_lane.size()), order.colours.push_back(c + 1);
+      order.stacks.push_back(order.constraint_of_lane.size()), order.colours.push_back(c + 1);
     }
     return order;
   };
@@ -215,9 +214,9 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
     for (Eigen::Index c = 0; c < number; ++c) project(c);
     for (Eigen::Index c = number; sweep == Sweep::symmetric && c-- > 0;) project(c);
   }
-  const double applied = -lambda.dot(angle), told = angle.cwiseQuotient(alpha).dot(angle),
+  const double applied = -lambda.dot(angle), stated = angle.cwiseQuotient(alpha).dot(angle),
                spent = lambda.cwiseProduct(alpha).dot(lambda);
-  const double share = std::cbrt(applied / told * std::pow(spent / applied, 2));
+  const double share = std::cbrt(applied / stated * std::pow(spent / applied, 2));
   REQUIRE(share > 0.05);
   REQUIRE(share < 0.95);  // it has not converged: the test says something
 
@@ -225,7 +224,7 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
   REQUIRE(simulation->step());
   // Angles of 10⁻⁵ are linear to 10⁻¹⁰ of themselves; the difference quotient and rounding leave 10⁻⁶.
   const EffectiveStiffness measured = simulation->effective_stiffness().value();
-  CHECK_THAT(measured.hinges.applied / measured.hinges.told, WithinRel(applied / told, 1e-4));
+  CHECK_THAT(measured.hinges.applied / measured.hinges.stated, WithinRel(applied / stated, 1e-4));
   CHECK_THAT(measured.bending_share().value(), WithinRel(share, 1e-4));
 }
 
@@ -261,13 +260,14 @@ TEST_CASE("a hanging membrane stretches as far as its effective stiffness says",
   const auto simulation = make_simulation<double>(input, std::move(passes));
   for (int step = 0; step < 120; ++step) REQUIRE(simulation->step());
   const double elongation = -0.15 - simulation->positions().col(1).minCoeff();
-  const double told = density * gravity * length * length / 2 * compliance;  // ρ g L² / 2Y
-  CAPTURE(elongation, told);
-  CHECK_THAT(simulation->effective_stiffness()->membrane_share().value(), WithinRel(told / elongation, 0.2));
+  const double stated = density * gravity * length * length / 2 * compliance;  // ρ g L² / 2Y
+  CAPTURE(elongation, stated);
+  const double share = simulation->effective_stiffness()->membrane_share().value();
+  CHECK_THAT(share, WithinRel(stated / elongation, 0.2));
 }
 
-TEMPLATE_TEST_CASE("a flat sheet at rest, and one that was told k, have no share", "[effective stiffness]",
-                   float, double) {
+TEMPLATE_TEST_CASE("a flat sheet at rest, and one with k, have no share", "[effective stiffness]", float,
+                   double) {
   SimulationInput input = strip(0.02);
   SECTION("flat") {
     const auto simulation = make_simulation<TestType>(input, {});

@@ -16,7 +16,7 @@ double bending_compliance(const BendingModel& model) {
 
 double total_energy(const SimulationInput& input, const Simulation& simulation) {
   const Positions x = simulation.positions(), v = simulation.velocities();
-  double energy = elastic_energy(input.strain, x) / membrane_compliance +
+  double energy = elastic_energy(input.strain, input.strain_stiffness.form, x) / membrane_compliance +
                   (elastic_energy(input.distance, x) + elastic_energy(input.elements, x)) /
                       input.bending_stiffness.compliance;
   for (Eigen::Index i = 0; i < x.rows(); ++i) {
@@ -59,6 +59,27 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
       counts += std::string(model->name) + (damped ? " (damped) " : " ") + std::to_string(rises) + ", ";
     }
   WARN("steps of 240 in which energy rose: " << counts);
+}
+
+TEST_CASE("energy of a triangle: the closed form of every strain form", "[solver]") {
+  // Warp along x and weft along y, both of 1 m: A = 1/2. Stretched by s, sheared by the angle φ.
+  const RestMesh rest({(Positions(3, 3) << 0, 0, 0, 1, 0, 0, 0, 1, 0).finished(),
+                       (Triangles(1, 3) << 0, 1, 2).finished(),
+                       {}});
+  const Pins pins{.seeds = {}, .all = {}, .is_pinned = {0, 0, 0}};
+  const StrainConstraints list = test::sheet(rest, pins, "none").strain;
+  const double s = 1.3, phi = 0.4, area = 0.5;
+  const Positions stretched = (Positions(3, 3) << 0, 0, 0, s, 0, 0, 0, 1, 0).finished();
+  const Positions sheared = (Positions(3, 3) << 0, 0, 0, 1, 0, 0, std::sin(phi), std::cos(phi), 0).finished();
+  const auto energy = [&](StrainForm form, const Positions& x) { return elastic_energy(list, form, x); };
+  const auto is = [](double expected) { return Catch::Matchers::WithinRel(expected, 1e-13); };  // roundings
+  const double stretch = 0.5 * area * (s - 1) * (s - 1);
+  CHECK_THAT(energy(StrainForm::normalised, stretched), is(stretch));
+  CHECK_THAT(energy(StrainForm::angle, stretched), is(stretch));
+  CHECK_THAT(energy(StrainForm::green, stretched), is(0.5 * area * (s * s - 1) * (s * s - 1) / 4));
+  CHECK_THAT(energy(StrainForm::normalised, sheared), is(0.5 * area * std::sin(phi) * std::sin(phi)));
+  CHECK_THAT(energy(StrainForm::green, sheared), is(0.5 * area * std::sin(phi) * std::sin(phi)));
+  CHECK_THAT(energy(StrainForm::angle, sheared), is(0.5 * area * phi * phi));
 }
 
 }  // namespace bendlab

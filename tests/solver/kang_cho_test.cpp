@@ -361,8 +361,8 @@ TEST_CASE("kang_cho: pinned vertices stay and hold the others", "[solver]") {
   CHECK(simulation->positions().col(2).minCoeff() > -3);  // a second of free fall would be 4.9 m
 }
 
-TEMPLATE_TEST_CASE("kang_cho: threads, repeats, places and settings of pbd change no bit", "[solver]", float,
-                   double) {
+TEMPLATE_TEST_CASE("kang_cho: threads, repeats, permutations and settings of pbd change no bit", "[solver]",
+                   float, double) {
   SimulationInput input = hanging_sheet(64, 1e-3, 1e-2, Tangent::taut);  // rows enough to be split
   const auto after = [](const SimulationInput& now) {
     const auto simulation = falling<TestType>(now);
@@ -501,21 +501,21 @@ TEST_CASE("kang_cho: edge springs are the mesh's edges with a free end", "[const
 }
 
 TEST_CASE("kang_cho: spring rows hold every spring at both its ends", "[solver]") {
-  // Place 20 is in the second slice; place 3 wants no row.
+  // Vertex 20 is in the second slice; vertex 3 needs no row.
   const std::vector<Spring> springs = {{0, 20, 1, 10}, {3, 0, 2, 20}, {0, 1, 3, 30}};
   std::vector<char> needs_row(21, 1);
   needs_row[3] = 0;
   const SpringRows<double> rows = make_spring_rows<double>(springs, needs_row);
   REQUIRE(rows.slice_count() == 2);
   CHECK(rows.slices == std::vector<std::size_t>{0, 48, 64});  // 3 and 1 rows of 16 lanes
-  const auto row = [&](std::size_t place) {
+  const auto row = [&](std::size_t vertex) {
     std::vector<double> stiffness;
-    for (std::size_t lane = rows.slices[place / 16] + place % 16; lane < rows.slices[place / 16 + 1];
+    for (std::size_t lane = rows.slices[vertex / 16] + vertex % 16; lane < rows.slices[vertex / 16 + 1];
          lane += 16)
       if (rows.stiffness[lane] != 0)
         stiffness.push_back(rows.stiffness[lane]);
       else
-        CHECK(rows.other[lane] == offset_of(static_cast<int>(place)));
+        CHECK(rows.other[lane] == offset_of(static_cast<int>(vertex)));
     return stiffness;
   };
   CHECK(row(0) == std::vector<double>{10, 20, 30});

@@ -164,22 +164,22 @@ TEST_CASE("a mesh numbered at random is put in order, and the answer stays where
       mesh.triangles(t, c) = shuffled[static_cast<std::size_t>(tidy.triangles()(t, c))];
   const RestMesh rest(mesh);
   CHECK(local_numbering(tidy).empty());
-  const std::vector<int> place = local_numbering(rest);
-  REQUIRE(place.size() == shuffled.size());
-  CHECK(std::set<int>(place.begin(), place.end()).size() == place.size());
-  CHECK(mean_edge_span(rest.edges(), place) < 3 * mean_edge_span(tidy.edges()));
+  const std::vector<int> permutation = local_numbering(rest);
+  REQUIRE(permutation.size() == shuffled.size());
+  CHECK(std::set<int>(permutation.begin(), permutation.end()).size() == permutation.size());
+  CHECK(mean_edge_span(rest.edges(), permutation) < 3 * mean_edge_span(tidy.edges()));
 
-  // Places only change the order of projections; with compliance everywhere any order comes to the same step.
+  // It only changes the order of projections; with compliance everywhere any order comes to the same step.
   SimulationInput input = test::sheet(rest, make_pins(rest, {5}, 0), "crossover");
   input.settings.iterations = 1000;
   input.strain_stiffness.kind = input.bending_stiffness.kind = StiffnessKind::compliance;
   input.strain_stiffness.compliance = 1e-3;
   input.bending_stiffness.compliance = 1e-2;
   const Positions plain = after<double>(input, 2, 0.981);
-  input.permutation = place;
-  const Positions placed = after<double>(input, 2, 0.981);
-  CHECK(placed.row(5) == rest.positions().row(5));
-  CHECK((placed - plain).cwiseAbs().maxCoeff() < 0.01 * (plain - rest.positions()).cwiseAbs().maxCoeff());
+  input.permutation = permutation;
+  const Positions permuted = after<double>(input, 2, 0.981);
+  CHECK(permuted.row(5) == rest.positions().row(5));
+  CHECK((permuted - plain).cwiseAbs().maxCoeff() < 0.01 * (plain - rest.positions()).cwiseAbs().maxCoeff());
 }
 
 TEST_CASE("only listed passes are in the plan", "[solver]") {

@@ -13,24 +13,24 @@
 namespace bendlab {
 namespace {
 
-std::size_t colour_of(const BatchOrder& order, std::size_t run) {
-  const auto behind = std::upper_bound(order.colours.begin(), order.colours.end(), run);
+std::size_t colour_of(const BatchOrder& order, std::size_t stack) {
+  const auto behind = std::upper_bound(order.colours.begin(), order.colours.end(), stack);
   return static_cast<std::size_t>(behind - order.colours.begin()) - 1;
 }
 
-// Every run once, no range in two colours, and no run before one of an earlier colour that shares a vertex.
+// Every stack once, no range in two colours, no stack before one of an earlier colour that shares a vertex.
 template <std::size_t arity>
 void check_tiles(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
                  int vertex_count, int tile_vertices) {
-  std::vector<int> seen(order.run_count(), 0);
+  std::vector<int> seen(order.stack_count(), 0);
   std::vector<std::size_t> latest(static_cast<std::size_t>(vertex_count), 0);  // colour at each vertex
-  for (const RunRange& range : tiled(order, corners, vertex_count, tile_vertices)) {
+  for (const StackRange& range : tiled(order, corners, vertex_count, tile_vertices)) {
     REQUIRE(range.first < range.last);
     const std::size_t colour = colour_of(order, range.first);
     REQUIRE(colour_of(order, range.last - 1) == colour);
-    for (std::size_t run = range.first; run < range.last; ++run) {
-      ++seen[run];
-      for (std::size_t lane = order.runs[run]; lane < order.runs[run + 1]; ++lane)
+    for (std::size_t stack = range.first; stack < range.last; ++stack) {
+      ++seen[stack];
+      for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
         if (const int constraint = order.constraint_of_lane[lane]; constraint >= 0)
           for (const int vertex : corners[static_cast<std::size_t>(constraint)]) {
             std::size_t& at_vertex = latest[static_cast<std::size_t>(vertex)];
@@ -51,11 +51,11 @@ TEST_CASE("tiles keep the order of whatever shares a vertex", "[solver]") {
       SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), model);
       for (const bool numbered_at_random : {false, true}) {  // at random nothing can be tiled; it must hold
         if (numbered_at_random) {
-          std::vector<int> place(static_cast<std::size_t>(rest.vertex_count()));
-          std::iota(place.begin(), place.end(), 0);
-          std::shuffle(place.begin(), place.end(), std::mt19937_64(1));
+          std::vector<int> permutation(static_cast<std::size_t>(rest.vertex_count()));
+          std::iota(permutation.begin(), permutation.end(), 0);
+          std::shuffle(permutation.begin(), permutation.end(), std::mt19937_64(1));
           for (auto& pair : input.distance.vertices)
-            for (int& vertex : pair) vertex = place[static_cast<std::size_t>(vertex)];
+            for (int& vertex : pair) vertex = permutation[static_cast<std::size_t>(vertex)];
         }
         const auto& pairs = input.distance.vertices;
         for (const int tile : {1, 7, 50, 1 << 20}) {

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-constexpr std::size_t most = 6, fine = 24;  // samples of a line; fine where a part of it may be held
+constexpr std::size_t most = 6, fine = 24;  // samples of a line; `fine` if a part of it may be held
 
 constexpr std::array<bool, fine> every_place = [] {
   std::array<bool, fine> list{};
@@ -89,7 +89,8 @@ Span PairSpans::operator()(int a, int b) const {
     span.seen += moment;
     for (std::size_t i = 0; place[s] && i < 3; ++i)
       add(span.shares, place[s]->corner[i], moment * place[s]->weight[i]);
-    if (!place[s]) add(span.shares, a, moment / 2), add(span.shares, b, moment / 2);  // across a gap
+    if (!place[s])  // the line crosses a gap
+      add(span.shares, a, moment / 2), add(span.shares, b, moment / 2);
   }
   for (Share& share : span.shares) share.part /= static_cast<float>(span.seen);
   double all = 0;

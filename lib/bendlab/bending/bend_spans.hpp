@@ -1,4 +1,4 @@
-// Where on the sheet a constraint resists bending, and how much of a curvature it sees beside what is held.
+// Where on the sheet a constraint resists bending, and how much a clamp lessens the curvature that it sees.
 #pragma once
 
 #include <array>
@@ -10,31 +10,33 @@
 
 namespace bendlab {
 
-/// #T: triangles with all corners pinned stay as they are; the sheet bends beyond them.
+/// #T: whether all corners of a triangle are pinned. Such a triangle is held: it does not bend.
 std::vector<char> held_triangles(const RestMesh& rest, const Pins& pins);
 
-/// Whose a constraint's energy is, and by how much a held part of it lessens what it sees of a curvature.
+/// Which vertices a constraint's energy belongs to, and which share of its angle or shortening is left where
+/// held triangles do not bend.
 struct Span {
   Shares shares;
   double seen = 1;
 };
 
-/// Of a hinge: the thirds of its triangles that are nearest to the edge. A held one leaves half the angle.
+/// The span of a hinge: the third of each triangle that is nearest to the edge. If one triangle is held, half
+/// of the angle is left.
 Span hinge_span(const std::array<int, 4>& hinge, const Pins& pins);
 
-/// Of pairs, by the theory of a line from 0 to 1 that bends by κ(s) and shortens by δ:
+/// The spans of pairs: the line between the two, from s = 0 to 1, bends by κ(s) and shortens by δ,
 ///
 ///     δ = ½ ∫∫ G κ(s) κ(s') ds ds',   G = min(s, s') (1 - max(s, s')),   ∂δ/∂κ(s) = ∫ G κ(s') ds'
 ///
-/// A place's share is that of the moment there, s (1 - s) on a line that bends evenly; a held part does not
-/// bend.
+/// A point's share of the energy is that of the moment there: ∝ s (1 - s) on a line that bends evenly. A held
+/// part does not bend.
 class PairSpans {
  public:
-  /// `held` is held_triangles(), `plane` UnitBend's; all are kept by reference.
+  /// `held` is held_triangles(), `plane` is UnitBend's; all arguments are kept by reference.
   PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<char>& held,
             std::span<const Vector2> plane);
 
-  /// Of the pair a, b: `seen` is the share of its shortening that is left.
+  /// The span of the pair a, b.
   Span operator()(int a, int b) const;
 
  private:

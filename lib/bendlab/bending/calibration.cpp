@@ -15,8 +15,8 @@
 namespace bendlab {
 namespace {
 
-constexpr int response_patch =
-    40;  // edges; 5000 vertices: D within 1 % of an irregular sheet's, 0.1 s at most
+// Edges. That is 5000 vertices: D is within 1 % of an irregular sheet's and takes 0.1 s at most.
+constexpr int response_patch = 40;
 
 double square(double x) {
   return x * x;
@@ -31,7 +31,7 @@ std::vector<double> bending_areas(const RestMesh& rest, const std::vector<char>&
   return area;
 }
 
-// How a kind resists: by the angle that its two triangles fold, or by how much two vertices come together.
+// How a kind resists: to the angle by which two triangles fold, or to two vertices coming closer.
 template <class Kind>
 constexpr bool folds = std::is_same_v<Kind, HingeAngle> || std::is_same_v<Kind, QuadraticBend>;
 template <class Kind>
@@ -42,7 +42,7 @@ constexpr bool every_kind_is_known(std::type_identity<std::tuple<Kinds...>>) {
   return ((folds<Kinds> || shortens<Kinds>)&&...);
 }
 static_assert(every_kind_is_known(std::type_identity<ElementKinds>{}),
-              "a kind that is new has to be calibrated too: say how it resists");
+              "a new kind has to be calibrated too: say how it resists");
 
 class Calibration {
  public:
@@ -140,10 +140,11 @@ class Calibration {
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
   }
 
-  // Hinges that fold less in the relaxed sheet than in the cylinder are what it relaxes by; the energy that
-  // it gains falls with their stiffness (it is convex in it, and this its gradient). What the cylinder then
-  // lacks comes back evenly. Measured on irregular sheets: after 8 rounds the difference is half of what it
-  // was, and more change nothing. Grids get direction-dependent by it: there the hinges stay as they were.
+  // Brings the relaxed sheet's rigidity nearer to the cylinder's. Hinges that fold less in the relaxed sheet
+  // than in the cylinder are those by which it relaxes: they get softer, the others stiffer, along the
+  // gradient of the energy that relaxing saves (convex in the stiffnesses). refit() then spreads what the
+  // cylinder lacks. Measured on irregular sheets: after 8 rounds half of the difference is left, and more
+  // rounds change nothing. A grid would come to depend more on the direction: its hinges stay as they were.
   void agree(const SheetResponse& response, const std::vector<double>& energy) {
     constexpr int rounds = 8, refits = 2;
     const std::vector<double> before(linear_.factors().begin(), linear_.factors().end());
@@ -152,12 +153,12 @@ class Calibration {
     for (int round = 0; answer && round < rounds; ++round) {
       for (std::size_t c = 0; c < stencils_.size(); ++c) {
         const Eigen::RowVector3d now = answer->angles.row(static_cast<Eigen::Index>(c));
-        const double told =
+        const double cylinder =
             mean(in_all_directions([&](const Vector2& d) { return square(value_in(folds_[c], d)); }));
         const double relaxed = mean(in_all_directions([&](const Vector2& d) {
           return square(now(0) * d.x() * d.x() + now(1) * d.y() * d.y() + now(2) * d.x() * d.y());
         }));
-        if (told > 0) linear_.factors()[c] *= std::exp(std::clamp(relaxed / told - 1, -1.0, 1.0));
+        if (cylinder > 0) linear_.factors()[c] *= std::exp(std::clamp(relaxed / cylinder - 1, -1.0, 1.0));
       }
       linear_.refit(energy, refits);
       answer = response(stencils_, linear_.factors());
@@ -169,7 +170,7 @@ class Calibration {
   static double spread(const SheetResponse::Answer& answer) {
     double least = std::numeric_limits<double>::infinity(), most = 0;
     for (const Vector2& d : all_bending_directions())
-      for (const Rigidity& each : {answer.as_told, answer.relaxed}) {
+      for (const Rigidity& each : {answer.unrelaxed, answer.relaxed}) {
         const double rigidity = cylinder_rigidity(each, d);
         least = std::min(least, rigidity), most = std::max(most, rigidity);
       }
@@ -187,7 +188,7 @@ class Calibration {
       case Deflection::small:
         return 1 / share(answer.relaxed);
       case Deflection::both:
-        return 2 / (share(answer.relaxed) + share(answer.as_told));
+        return 2 / (share(answer.relaxed) + share(answer.unrelaxed));
     }
     return 1;
   }
@@ -207,26 +208,26 @@ class Calibration {
       facts.push_back({name + "_most", most, "in the direction where it is most"});
     };
     add(
-        "large_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.as_told, d); },
-        "of the told B, that the sheet has where its membrane holds it to a cylinder, mean over directions");
+        "large_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.unrelaxed, d); },
+        "share of the stated B that the sheet has if its membrane holds it to a cylinder, mean over "
+        "directions");
     add(
         "small_deflection", [&](const Vector2& d) { return cylinder_rigidity(answer.relaxed, d); },
-        "of the told B, that the sheet has where it is bent along a line so little that its membrane does "
-        "not "
-        "matter, mean over directions");
+        "share of the stated B that the sheet has if it is bent along a line so little that its membrane "
+        "does not matter, mean over directions");
     add(
         "small_strip", [&](const Vector2& d) { return strip_rigidity(answer.relaxed, d); },
-        "the same of a strip so narrow and so little bent that it curves across as it likes (Poisson's "
+        "the same of a strip so narrow and so little bent that it may curve across as well (Poisson's "
         "ratio)");
     facts.push_back(
         {"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
-         "√(N/m)/m; by the square root of the membrane's stiffness in N/m: about the curvature in 1/m "
-         "from where on it holds the sheet to a cylinder"});
+         "√(N/m)/m; over the square root of the membrane's stiffness in N/m: about the curvature in 1/m "
+         "above which it holds the sheet to a cylinder"});
     return facts;
   }
 
-  // In the sheet's plane; on a rest shape that is not flat each in its own, averaged over directions because
-  // their axes have nothing in common.
+  // In the sheet's plane. On a rest shape that is not flat each hinge has a plane of its own; these share no
+  // axes, so its energy is averaged over directions.
   template <class Energy>
   void add_hinge(StiffnessFit& fit, double& softness, const std::array<int, 4>& vertices,
                  const Energy& energy) {
@@ -249,7 +250,7 @@ class Calibration {
 
   void add(ElementList<HingeAngle>& list) {
     for (std::size_t c = 0; c < list.size(); ++c) {
-      // ½ C² = V ≈ ¼ cos(θ0/2) (θ - θ0)² for the half sine.
+      // Half sine: ½ C² = V ≈ ¼ cos(θ0/2) (θ - θ0)².
       const double weight = list.law == HingeAngle::Law::angle ? 0.5 : 0.25 * list.rest[c][3];
       add_hinge(linear_, list.softness[c], list.vertices[c],
                 [&](double angle) { return weight * square(angle) / list.softness[c]; });
@@ -271,8 +272,8 @@ class Calibration {
     }
   }
 
-  // `energy` of its shortening. A spring along an edge belongs to the membrane, and one between pins to
-  // nothing.
+  // `energy` is a function of the shortening. A spring along an edge is part of the membrane, and one between
+  // pins resists nothing: both are idle.
   template <class Energy>
   void add_pair(StiffnessFit& fit, double& softness, const std::array<int, 2>& pair, const UnitBend& bend,
                 const PairSpans& spans, const Energy& energy) {
@@ -301,8 +302,8 @@ class Calibration {
       const auto [a, b] = list.vertices[c];
       const double length = (rest_.position(a) - rest_.position(b)).norm(),
                    push = list.rest_length[c] - length;
-      // Its energy is ½ (push + δ)², of which the first power of δ resists: what pushes has a moment linear
-      // in κ.
+      // The energy is ½ (push + δ)². Its part that is linear in δ is quadratic in κ: a spring that pushes has
+      // a moment linear in κ.
       if (linear && push > at_rest * length)
         add_pair(linear_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return push * std::max(0.0, shorter) / list.softness[c]; });
@@ -312,8 +313,7 @@ class Calibration {
       else
         throw std::invalid_argument(
             fmt::format("the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
-                        "apart, rest length {:.6g} "
-                        "m): use straight rest lengths",
+                        "apart, rest length {:.6g} m): use straight rest lengths",
                         a, b, length, list.rest_length[c]));
     }
   }
@@ -325,8 +325,8 @@ class Calibration {
   const CalibrationTarget& target_;
   std::vector<Vector2> plane_;
   StiffnessFit linear_, quartic_;
-  std::vector<HeightStencil> stencils_;  // of linear_'s, as far as they are hinges in a flat rest shape
-  std::vector<QuadraticForm> folds_;     // of the same, over κ
+  std::vector<HeightStencil> stencils_;  // of those in linear_ that are hinges in a flat rest shape
+  std::vector<QuadraticForm> folds_;     // their angles over κ
   std::optional<double> membrane_;
 };
 

@@ -41,24 +41,25 @@ namespace bendlab {
 enum class Deflection {
   large,  ///< bent to a cylinder, as a stiff membrane makes the sheet bend
   small,  ///< bent so little that the membrane does not matter: all hinges stiffer by one factor
-  both,   ///< hinges weighted so that the two are as near each other as the mesh allows, and B between them
+  both,   ///< hinges weighted so that the two differ as little as the mesh allows, with B between them
 };
 inline constexpr std::array<std::string_view, 3> deflection_names = {"large", "small", "both"};
 
 struct CalibrationTarget {
   std::optional<double> flexural_rigidity = {};    ///< B, N m
   std::optional<double> quartic_coefficient = {};  ///< C, N m³
-  std::optional<double> at_curvature = {};  ///< κ0, 1/m: gives C = B/κ0², so that the moment at κ0 is B κ0
+  std::optional<double> at_curvature = {};  ///< κ0, 1/m: C = B/κ0², so that the moment at κ0 is B κ0
   Deflection deflection = Deflection::large;
 };
 
 /// Sets the softness of every constraint so that the sheet meets the target at a compliance of 1. Adds facts:
 /// what the model's own stiffnesses were multiplied by, how evenly the energy is spread, what the membrane
-/// resists by itself. Throws std::invalid_argument where the target is not of the kind that the constraints
-/// need, and for springs in a rest shape that is not flat or in which they are not at rest. Of hinges in a
-/// flat rest shape facts say how much of B the sheet has at small and at large deflections; where the target
-/// asks for another deflection than large, it throws for other constraints, another rest shape and a sheet
-/// without enough vertices inside.
+/// resists by itself. For hinges in a flat rest shape facts also say which share of B the sheet has at small
+/// and at large deflections.
+///
+/// Throws std::invalid_argument if the target is not of the kind that the constraints need, and for springs
+/// if the rest shape is not flat or they are not at rest in it. A target with another deflection than large
+/// needs hinges, a flat rest shape and enough vertices inside the sheet; else it throws, too.
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target);
 

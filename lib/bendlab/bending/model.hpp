@@ -35,6 +35,7 @@ struct BendingInput {
 
 struct BendingModel {
   std::string_view name;
+  std::string_view label;       ///< the name in figures
   std::string_view summary;     ///< one line: what is joined to what
   std::string_view source;      ///< paper and equation
   std::string_view limits;      ///< what it cannot do

@@ -9,10 +9,10 @@
 namespace bendlab {
 namespace {
 
-// Of m / h² per projection. Measured on sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps,
-// excess 0.1 and 1: growth over T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to
-// 1.2 on alternating diagonals, 0.6 where both cross; 10 iterations hold up to 1.4 times as much as ten of
-// one.
+// In m / h². Measured on sheets of 16 cells, B = 10⁻⁵ to 1.5·10⁻³ N m, 16 to 256 substeps, excess 0.1 and 1:
+// growth over T h² / m is 0.8 to 0.9 on irregular sheets, 1.0 to 1.1 on the lattice, 1.1 to 1.2 on
+// alternating diagonals, 0.6 with both diagonals; one substep of 10 iterations holds up to 1.4 times as much
+// as 10 substeps of one.
 constexpr double membrane_of_one_projection = 1;
 
 double bounded(double excess, double growth) {
@@ -23,7 +23,7 @@ double bounded(double excess, double growth) {
 
 std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh& rest,
                                     std::span<const double> mass, double substep, int projections) {
-  constexpr double at_rest = 1e-6;  // of its length, as calibration has it
+  constexpr double at_rest = 1e-6;  // of its length, as in calibration.cpp
   PushBound bound;
   std::vector<double> length(springs.size());
   double virial = 0;
@@ -33,7 +33,7 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
     const double push = springs.rest_length[s] - length[s];
     if (!(push > at_rest * length[s])) continue;
     virial += push / springs.softness[s] * length[s];
-    bound.told = std::max(bound.told, push / length[s]);
+    bound.stated = std::max(bound.stated, push / length[s]);
     bound.length = std::max(bound.length, length[s]);
   }
   const double area = std::accumulate(rest.areas().begin(), rest.areas().end(), 0.0),
@@ -42,37 +42,38 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
   bound.tension = virial / (2 * area);
   bound.growth = bound.tension * substep * substep /
                  (membrane_of_one_projection * projections * all / static_cast<double>(mass.size()));
-  bound.taken = bound.told, bound.expected = bounded(bound.told, bound.growth);
+  bound.taken = bound.stated, bound.expected = bounded(bound.stated, bound.growth);
   if (bound.expected <= tolerated_growth) return bound;
-  // Here both are above what is tolerated, else the growth would be below it.
+  // Excess and growth are both above tolerated_growth here, or `expected` would be below it.
   bound.taken = 1 / (1 / tolerated_growth - 1 / bound.growth);
-  const double smaller = bound.taken / bound.told;
+  const double smaller = bound.taken / bound.stated;
   for (std::size_t s = 0; s < springs.size(); ++s)
     if (const double push = springs.rest_length[s] - length[s]; push > at_rest * length[s])
       springs.rest_length[s] = length[s] + smaller * push, springs.softness[s] *= smaller;
-  const double largest = 1 / (1 / tolerated_growth - 1 / bound.told);  // G that the told excess goes with
+  const double largest = 1 / (1 / tolerated_growth - 1 / bound.stated);  // G that allows the stated excess
   bound.substeps_factor = static_cast<int>(std::ceil(std::sqrt(bound.growth / largest)));
   return bound;
 }
 
 std::vector<BendingFact> facts_of(const PushBound& bound) {
   return {
-      {"push_tension", bound.tension, "N/m; with which the springs stretch the flat sheet"},
+      {"push_tension", bound.tension, "N/m; tension with which the springs stretch the flat sheet"},
       {"push_growth", bound.expected,
-       "by about this share the sheet would grow with the told excess, because the solver cannot hold it"},
-      {"excess_taken", bound.taken, "of the springs, instead of the told one where that grew too much"}};
+       "about the share by which the sheet would grow with the stated excess, because the solver cannot hold "
+       "it"},
+      {"excess_taken", bound.taken,
+       "of the springs, lower than the stated one if that makes the sheet grow too much"}};
 }
 
 std::optional<std::string> push_warning(const PushBound& bound) {
-  if (bound.taken == bound.told) return std::nullopt;
+  if (bound.taken == bound.stated) return std::nullopt;
   return fmt::format(
       "the springs push with {:.3g} N/m, which these projections cannot hold: with the excess {:.3g} the "
-      "sheet would "
-      "grow by about {:.0f} %. Taken instead is {:.3g}, with which it grows by about {:.0f} % and the moment "
-      "is linear up to "
-      "{:.3g}/m instead of {:.3g}/m; {} times as many substeps hold the told excess",
-      bound.tension, bound.told, 100 * bound.expected, bound.taken, 100 * tolerated_growth,
-      std::sqrt(48 * bound.taken) / bound.length, std::sqrt(48 * bound.told) / bound.length,
+      "sheet would grow by about {:.0f} %. Taken instead is {:.3g}, with which it grows by about {:.0f} % "
+      "and the moment is linear up to {:.3g}/m instead of {:.3g}/m; {} times as many substeps hold the "
+      "stated excess",
+      bound.tension, bound.stated, 100 * bound.expected, bound.taken, 100 * tolerated_growth,
+      std::sqrt(48 * bound.taken) / bound.length, std::sqrt(48 * bound.stated) / bound.length,
       bound.substeps_factor);
 }
 

@@ -25,7 +25,7 @@ double edge_length(const RestMesh& rest, int a, int b) {
   return (rest.position(a) - rest.position(b)).norm();
 }
 
-// Path lengths from the centre of the last walk, along paths with the fewest edges.
+// Path lengths from the centre of the last walk: the shortest of the paths with the fewest edges.
 class PathLengths {
  public:
   explicit PathLengths(const RestMesh& rest)
@@ -33,7 +33,8 @@ class PathLengths {
         length_(static_cast<std::size_t>(rest.vertex_count())),
         ring_(static_cast<std::size_t>(rest.vertex_count()), -1) {}
 
-  // `length_` is valid where `ring_` says so; rings are marked from the inside out and unmarked at the end.
+  // `length_` is valid where `ring_` is not -1. Rings are marked from the inside out, and unmarked by the
+  // next call.
   void measure(const RingWalker& walker, int rings) {
     for (const int vertex : visited_) ring_[static_cast<std::size_t>(vertex)] = -1;
     visited_.clear();
@@ -58,7 +59,7 @@ class PathLengths {
   std::vector<int> visited_;
 };
 
-// Hops that cover `level` mean edge lengths on this mesh: no edge is shorter than the shortest.
+// The number of edges that is sure to reach `level` mean edge lengths far on this mesh.
 int hops_within(const RestMesh& rest, int level) {
   double shortest = std::numeric_limits<double>::infinity();
   for (Eigen::Index e = 0; e < rest.edges().rows(); ++e)
@@ -73,8 +74,8 @@ int euclidean_ring(const RestMesh& rest, int a, int b) {
                   static_cast<int>(std::ceil(edge_length(rest, a, b) / rest.mean_edge_length() - rounding)));
 }
 
-// About how many springs there will be, so that the lists grow once: on a lattice ring r holds 6 r vertices,
-// and a pair of equal levels is reached from both ends.
+// About how many springs there will be, so that memory is reserved once: on a lattice ring r holds 6 r
+// vertices, and two vertices with the same level reach each other.
 std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rule) {
   std::vector<std::size_t> with_level;
   for (const int level : levels) {

@@ -25,8 +25,8 @@ inline constexpr std::array<std::string_view, 3> ring_fill_names = {"all", "beyo
 
 struct RingRule {
   RingFill fill = RingFill::all;
-  bool euclidean_rings =
-      false;  ///< ring r = vertices at (r - 1, r] mean edge lengths, instead of r edges away
+  /// Ring r holds the vertices at (r - 1, r] mean edge lengths, instead of those r edges away.
+  bool euclidean_rings = false;
   bool path_rest_length = false;    ///< along mesh edges (the shortest of the paths with the fewest edges)
   bool shared_pairs_twice = false;  ///< a pair reached from both ends gives two springs
   bool keep_pinned_pairs = false;   ///< springs between two pinned vertices, which move nothing

@@ -14,9 +14,9 @@ namespace {
 
 using Heights = Eigen::Matrix<double, Eigen::Dynamic, 3>;  // of the three unit curvatures
 
-constexpr int held_depth = 1;  // heights and slopes of the boundary: two vertices deep
+constexpr int held_depth = 1;  // two rows of vertices are held: they fix heights and slopes at the boundary
 
-// Edges from the nearest of `from`, which is emptied.
+// #V: edges to the nearest vertex of `from`.
 std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
   std::vector<int> depth(static_cast<std::size_t>(rest.vertex_count()), std::numeric_limits<int>::max());
   for (const int vertex : from) depth[static_cast<std::size_t>(vertex)] = 0;
@@ -27,7 +27,7 @@ std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
   return depth;
 }
 
-// Where the sheet ends or is not free: corners of edges with one triangle, pins, corners of triangles without
+// Where the sheet ends or is not free: ends of edges with one triangle, pins, corners of triangles without
 // area.
 std::vector<int> ends(const RestMesh& rest, const Pins& pins) {
   std::vector<char> end(pins.is_pinned);
@@ -66,8 +66,8 @@ Eigen::RowVector3d angle(const HeightStencil& stencil, const Heights& z) {
   return sum;
 }
 
-// Vertices in `unknown` (their number there, else -1) move to where the forces on them are zero. False where
-// nothing resists that some of them move.
+// Moves the unknown vertices to where the forces on them are zero. `unknown` (#V) numbers them; -1: held.
+// False if nothing resists the motion of some of them.
 bool relax(std::span<const HeightStencil> stencils, std::span<const double> factor,
            const std::vector<int>& unknown, Eigen::Index unknowns, Heights& z) {
   std::vector<Eigen::Triplet<double>> entries;
@@ -89,7 +89,7 @@ bool relax(std::span<const HeightStencil> stencils, std::span<const double> fact
   matrix.setFromTriplets(entries.begin(), entries.end());
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factors(matrix);
   if (factors.info() != Eigen::Success) return false;
-  // A stiffness of 10⁻¹³ of the largest is rounding: a vertex that nothing holds.
+  // A stiffness below 10⁻¹³ of the largest is rounding: nothing holds that vertex.
   if (factors.vectorD().minCoeff() <= 1e-13 * factors.vectorD().maxCoeff()) return false;
   const Heights moved = factors.solve(force);
   for (std::size_t v = 0; v < unknown.size(); ++v)
@@ -105,7 +105,7 @@ double cylinder_rigidity(const Rigidity& rigidity, const Vector2& d) {
 }
 
 double strip_rigidity(const Rigidity& rigidity, const Vector2& d) {
-  const Eigen::Vector3d moment(d.x() * d.x(), d.y() * d.y(), 2 * d.x() * d.y());  // its work on κ is m κ_dd
+  const Eigen::Vector3d moment(d.x() * d.x(), d.y() * d.y(), 2 * d.x() * d.y());  // its work on κ is κ_dd
   return 1 / moment.dot(rigidity.ldlt().solve(moment));
 }
 
@@ -130,8 +130,8 @@ SheetResponse::SheetResponse(const RestMesh& rest, const Pins& pins, std::span<c
     for (int c = 0; c < 3; ++c)
       area_[static_cast<std::size_t>(rest.triangles()(t, c))] +=
           rest.areas()[static_cast<std::size_t>(t)] / 3;
-  // Fades out before what is held: a repeating pattern that the rim cuts through counts with whole cells,
-  // nearly.
+  // Falls to 0 before the held vertices, so that a repeating pattern counts by nearly whole cells, wherever
+  // the rim cuts it.
   for (const int depth : depth_) {
     const double inside = depth < std::numeric_limits<int>::max() ? std::max(0, depth - held_depth - 1) : 0;
     window_.push_back(inside * inside);
@@ -151,11 +151,11 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
   for (std::size_t v = 0; v < depth_.size(); ++v)
     if (depth_[v] > held_depth && depth_[v] < std::numeric_limits<int>::max())
       unknown[v] = static_cast<int>(unknowns++);
-  const Heights told = surfaces(plane_);
-  Heights z = told;
+  const Heights smooth = surfaces(plane_);
+  Heights z = smooth;
   if (!relax(stencils, factor, unknown, unknowns, z)) return std::nullopt;
 
-  // Energy per area, half as much as for which it is a rigidity.
+  // Twice the energy per area at unit curvatures is the rigidity.
   const auto inside = [&](const HeightStencil& stencil) {
     double sum = 0;
     for (const int vertex : stencil.vertices) sum += window_[static_cast<std::size_t>(vertex)] / 4;
@@ -163,14 +163,14 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
   };
   Answer answer{Rigidity::Zero(), Rigidity::Zero(), Heights(static_cast<Eigen::Index>(stencils.size()), 3)};
   for (std::size_t c = 0; c < stencils.size(); ++c) {
-    const Eigen::RowVector3d here = angle(stencils[c], z), before = angle(stencils[c], told);
+    const Eigen::RowVector3d here = angle(stencils[c], z), before = angle(stencils[c], smooth);
     const double weight = inside(stencils[c]) * stencils[c].stiffness * factor[c];
     answer.angles.row(static_cast<Eigen::Index>(c)) = here;
     answer.relaxed += weight * here.transpose() * here;
-    answer.as_told += weight * before.transpose() * before;
+    answer.unrelaxed += weight * before.transpose() * before;
   }
-  // The rim holds the sheet a little off, so that inside it is bent otherwise than there: by what the best
-  // quadratic surface through it says.
+  // The held rim changes the curvature inside a little. The quadratic surface that fits the relaxed sheet
+  // best gives the mean curvature there.
   Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
   Eigen::Matrix<double, 6, 3> right = Eigen::Matrix<double, 6, 3>::Zero();
   double area = 0;
@@ -181,11 +181,11 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
     area += weight;
     const auto row = static_cast<Eigen::Index>(v);
     Eigen::Matrix<double, 6, 1> basis;
-    basis << size * size, size * plane_[v], told.row(row).transpose();
+    basis << size * size, size * plane_[v], smooth.row(row).transpose();
     normal += weight * basis * basis.transpose(), right += weight * basis * z.row(row);
   }
   const Eigen::LDLT<Eigen::Matrix<double, 6, 6>> fit(normal);
-  Eigen::Matrix3d mean;  // curvature by load; column by column, each a vector
+  Eigen::Matrix3d mean;  // curvatures, one column per load
   for (int load = 0; load < 3; ++load) {
     const Eigen::Matrix<double, 6, 1> of_load = right.col(load);
     const Eigen::Matrix<double, 6, 1> surface = fit.solve(of_load);
@@ -193,7 +193,7 @@ std::optional<SheetResponse::Answer> SheetResponse::operator()(std::span<const H
   }
   const Eigen::Matrix3d back = mean.inverse();
   answer.relaxed = (back.transpose() * answer.relaxed * back / area).eval();
-  answer.as_told /= area;
+  answer.unrelaxed /= area;
   if (!answer.relaxed.allFinite()) return std::nullopt;
   return answer;
 }

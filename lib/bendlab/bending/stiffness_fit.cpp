@@ -42,7 +42,7 @@ StiffnessFit::PerVertex StiffnessFit::energies() const {
   return sum;
 }
 
-// One common factor: the sum over the vertices with a target is right.
+// Scales all factors alike, so that the energies of the vertices with a target have the right sum.
 void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   const PerVertex have = energies();
   double sum = 0, target = 0;
@@ -51,11 +51,12 @@ void StiffnessFit::scale_to(const std::vector<double>& wanted) {
   for (double& factor : factor_) factor *= sum > 0 ? target / sum : 1;
 }
 
-// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: what a constraint
-// gives to a vertex in a direction is multiplied by what is wanted there over what is there, and its new
-// energy is the sum. Keeps f positive and, of the many solutions, near the model's own proportions.
+// A step of the iteration of Richardson (1972) and Lucy (1974) for W f = e with W, f ≥ 0: the energy that a
+// constraint gives to a vertex in a direction is multiplied by the ratio of wanted to present energy there,
+// and the sum of these is its new energy. Keeps f positive and, of the many solutions, near the model's own
+// proportions.
 void StiffnessFit::improve(const std::vector<double>& wanted) {
-  // Saves rounds: what alone would be right at once keeps half its error, what is slow becomes faster.
+  // Saves rounds: slow errors fall faster; an error that one plain step would remove is halved instead.
   constexpr double over_relaxation = 1.5;
   PerVertex ratio = energies();
   for (std::size_t v = 0; v < vertices_; ++v)
@@ -100,14 +101,14 @@ std::vector<BendingFact> StiffnessFit::facts(const std::vector<double>& wanted,
            "of the relative error of free vertices' bending energy, averaged over directions"},
           {name + "_worst", worst, "largest such error"},
           {name + "_anisotropy", mean(total) > 0 ? (*most - *least) / mean(total) : 0,
-           "energy of all free vertices: largest less smallest over directions, by the mean"},
+           "energy of all free vertices: largest less smallest over directions, divided by the mean"},
           {name + "_unreached", area > 0 ? unreached / area : 0,
            "share of the free vertices' area where no constraint resists bending"}};
 }
 
 void StiffnessFit::fit(const std::vector<double>& wanted) {
   // Measured on lattices, grids and irregular sheets: more rounds change the energy by less than 1 %, but
-  // switch more and more springs off.
+  // bring more and more springs to a stiffness of almost 0.
   constexpr int rounds = 24;
   factor_.assign(softness_.size(), 1);
   scale_to(wanted);

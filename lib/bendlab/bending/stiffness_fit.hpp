@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// Directions of bending that stand for all: enough for the energy of any constraint here, whose harmonics
-/// are 0, 2, … 8 of the direction's angle.
+/// Number of bending directions that are sampled: enough for the energy of any constraint here, whose
+/// harmonics in the direction's angle are 0, 2, … 8.
 inline constexpr std::size_t bending_directions = 9;
 using ByDirection = std::array<double, bending_directions>;
 
@@ -28,20 +28,20 @@ ByDirection in_all_directions(const Energy& energy) {
 
 double mean(const ByDirection& values);
 
-/// The part of a constraint's energy that is a vertex's.
+/// The part of a constraint's energy that belongs to a vertex.
 struct Share {
   int vertex;
   float part;
 };
 using Shares = std::vector<Share>;
 
-/// The constraints that meet one target, and each one's energy at κ = 1: how much in which direction, and
-/// whose.
+/// The constraints that meet one target, with each one's energy at κ = 1 by direction and its shares of
+/// vertices.
 class StiffnessFit {
  public:
   explicit StiffnessFit(int vertices) : vertices_(static_cast<std::size_t>(vertices)) {}
 
-  /// `energy` with the softness as it is. The softness is referred to until meet().
+  /// `energy` is that at the current softness. The reference to the softness is kept until meet().
   void add(double& softness, const ByDirection& energy, const Shares& shares);
 
   /// A constraint without bending energy (a spring along an edge): meet() gives it the median softness of the
@@ -51,19 +51,19 @@ class StiffnessFit {
   bool empty() const { return softness_.empty() && idle_.empty(); }
   std::size_t size() const { return softness_.size(); }  ///< without the idle ones
 
-  /// `wanted` (#V): energy of each vertex at κ = 1, 0 where it may be anything. `usual`: a stiffness of idle
-  /// constraints where nothing else resists. Sets every softness. Facts, named `name`_…: how well it went.
+  /// Sets every softness. `wanted` (#V): energy of each vertex at κ = 1; 0: any energy will do. `usual`: the
+  /// stiffness of idle constraints if there are no others. Returns facts, named `name`_…: how well it went.
   std::vector<BendingFact> meet(const std::vector<double>& wanted, double usual, const std::string& name) {
     fit(wanted);
     return finish(wanted, usual, name);
   }
 
-  /// meet() in its two steps, between which the factors may be changed: they are of every constraint's
-  /// stiffness, in the order of add().
+  /// The two steps of meet(). Between them the factors may be changed: one on each constraint's stiffness, in
+  /// the order of add().
   void fit(const std::vector<double>& wanted);
   std::vector<BendingFact> finish(const std::vector<double>& wanted, double usual, const std::string& name);
   std::span<double> factors() { return factor_; }
-  /// Fits the factors as they are a little more; the first fit() takes many times as many rounds.
+  /// Fits the current factors by some more rounds.
   void refit(const std::vector<double>& wanted, int rounds);
 
  private:

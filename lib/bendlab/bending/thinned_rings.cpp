@@ -14,7 +14,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Directions in the tangent plane of a vertex, as angles from an arbitrary axis that is fixed per vertex.
+// Directions in the tangent plane of a vertex, as angles from an axis: arbitrary, but fixed for each vertex.
 class TangentPlanes {
  public:
   explicit TangentPlanes(const RestMesh& rest)
@@ -41,8 +41,8 @@ class TangentPlanes {
   Positions normal_;
 };
 
-// In [0, 1), evenly spread over the vertices and the same everywhere (SplitMix64): where a vertex's
-// directions begin, so that what a lattice lacks at one vertex is not lacking at all.
+// Where a vertex's directions begin, in [0, 1): evenly spread over the vertices and the same on every machine
+// (SplitMix64), so that no direction is missing at all vertices of a lattice.
 double phase(int vertex) {
   std::uint64_t x = static_cast<std::uint64_t>(vertex) + std::uint64_t{0x9e3779b97f4a7c15};
   x = (x ^ (x >> 30)) * std::uint64_t{0xbf58476d1ce4e5b9};
@@ -50,8 +50,8 @@ double phase(int vertex) {
   return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
 }
 
-// How a spring's stiffness depends on the direction of bending: as cos⁸ of the angle between the two, whose
-// harmonics of the double angle are as 56, 28 and 8 (and 1) to 35.
+// A spring's stiffness is ∝ cos⁸ φ = (35 + 56 cos 2φ + 28 cos 4φ + 8 cos 6φ + cos 8φ) / 128, φ the angle
+// between it and the direction of bending. Here 128 times the three terms in the middle.
 using Harmonics = Eigen::Matrix<double, 6, 1>;
 Harmonics harmonics(double angle) {
   Harmonics h;
@@ -94,9 +94,9 @@ class Thinned {
     double angle;
   };
 
-  // A ring offers a few directions only, and a lattice the same ones everywhere. Of those near the one aimed
-  // at, the one that makes up for what earlier choices missed; on the other side where the sheet ends on this
-  // one.
+  // A ring has a few directions only, and a lattice has the same ones everywhere. So of the candidates near
+  // the aim the one is taken that best makes up for what earlier choices missed; if the sheet ends on this
+  // side, one on the opposite side.
   std::vector<Candidate>::iterator choose(std::vector<Candidate>& candidates, double aim,
                                           double reach) const {
     const Harmonics wanted = owed_ + harmonics(aim);

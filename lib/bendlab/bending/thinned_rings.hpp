@@ -33,10 +33,10 @@ inline constexpr auto thinned_ring_parameters = joined(
             .maximum = 64}},
     level_parameters);
 
-/// Springs at rest, ordered by vertex, and the levels as facts. A spring resists bending along itself,
-/// whichever way it points: the axes of a vertex's springs divide a half turn evenly, every other one points
-/// the other way. Where the energy of a bent sheet's spring is ∝ length to the `power` / softness, all
-/// springs have the same; the softness of one as long as t mean edges is 1.
+/// Springs at rest, ordered by vertex, and the levels as facts. The axes of a vertex's springs divide a half
+/// turn evenly, because a spring resists bending along its axis, whichever way it points; every other spring
+/// points the opposite way. The softness is (length / t mean edges) to the `power`: springs whose energy is
+/// ∝ length to the `power` / softness then have the same energy.
 BendingConstraints thinned_rings(const BendingInput& input, int power);
 
 }  // namespace bendlab

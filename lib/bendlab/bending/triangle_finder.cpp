@@ -40,8 +40,8 @@ std::size_t TriangleFinder::index(int x, int y) const {
 
 std::optional<TriangleFinder::Place> TriangleFinder::operator()(const Vector2& point) const {
   const auto cross = [](const Vector2& a, const Vector2& b) { return a.x() * b.y() - a.y() * b.x(); };
-  constexpr double outside =
-      0.6;  // of a triangle's height: a notch of an equilateral lattice is half a height deep
+  // Of a triangle's height: a notch of an equilateral lattice is half a height deep.
+  constexpr double outside = 0.6;
   std::optional<Place> found;
   double deepest = -outside;
   const auto [x, y] = cell_of(point);

@@ -12,7 +12,7 @@ namespace bendlab {
 
 class TriangleFinder {
  public:
-  /// `plane` is #V by 2, kept by reference; `cell` about an edge's length, in its unit.
+  /// `plane` is #V by 2, kept by reference; `cell` is about an edge's length, in the unit of `plane`.
   TriangleFinder(const Triangles& triangles, std::span<const Vector2> plane, double cell);
 
   struct Place {
@@ -20,7 +20,8 @@ class TriangleFinder {
     std::array<int, 3> corner;
     std::array<double, 3> weight;  ///< barycentric coordinates
   };
-  /// Of a point just outside (in a notch of the outline) the nearest place of the sheet; nothing farther out.
+  /// For a point just outside (in a notch of the outline) the nearest point of the sheet; nothing for a point
+  /// farther out.
   std::optional<Place> operator()(const Vector2& point) const;
 
  private:
@@ -32,7 +33,7 @@ class TriangleFinder {
   Vector2 low_ = Vector2::Zero();
   double cell_;
   std::array<int, 2> cells_{1, 1};
-  std::vector<std::vector<int>> triangles_in_;  // of each cell, those whose box touches it
+  std::vector<std::vector<int>> triangles_in_;  // for each cell, the triangles whose box touches it
 };
 
 }  // namespace bendlab

@@ -16,7 +16,7 @@ namespace {
 using Gradients = Eigen::Matrix<double, 2, 3>;  // of a triangle's three hat functions, 1/m
 using Forms = Eigen::Matrix<double, Eigen::Dynamic, 5>;
 
-// ½ x² c² + x y c s + ½ y² s²: z over κ.
+// z over κ: ½ x² c² + x y c s + ½ y² s².
 QuadraticForm height(const Vector2& q) {
   return {0.5 * q.x() * q.x(), q.x() * q.y(), 0.5 * q.y() * q.y()};
 }
@@ -38,7 +38,7 @@ Vector3 normal_of(const RestMesh& rest) {
   return sum.norm() > 0 ? sum.normalized() : Vector3::Zero().eval();
 }
 
-// Zero of a triangle without area, which then has no part in anything.
+// Zero for a triangle without area, so that it adds nothing.
 Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   Gradients g = Gradients::Zero();
   if (!(std::abs(twice_area) > 0)) return g;
@@ -49,8 +49,8 @@ Gradients hat_gradients(const std::array<Vector2, 3>& q, double twice_area) {
   return g;
 }
 
-// Strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: from the displacements of its
-// corners, and from its slopes.
+// Strains of a triangle as (xx, yy, √2 xy), whose squared norm is |ε|²: those of its corners' displacements,
+// and those of its slopes.
 struct TriangleBend {
   std::array<int, 3> corner;
   double area;
@@ -83,8 +83,8 @@ TriangleBend triangle_bend(const std::array<int, 3>& corner, const std::vector<V
   return bend;
 }
 
-// The unknowns to hold so that no part of the sheet can move as a whole: a vertex of each connected part, and
-// another's way around it.
+// The unknowns to hold so that no connected part of the sheet can move as a whole: both of one vertex, and
+// one of another vertex, which stops the rotation.
 std::vector<int> held_unknowns(const RestMesh& rest, const std::vector<Vector2>& plane) {
   std::vector<int> held;
   for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
@@ -119,7 +119,7 @@ Forms least_strain(const RestMesh& rest, const std::vector<Vector2>& plane,
       for (int j = 0; j < 6; ++j) entries.emplace_back(unknown(bend, i), unknown(bend, j), stiffness(i, j));
     }
   }
-  // Held by springs: as a rigid motion costs nothing, they stay unstrained.
+  // Springs hold them. They stay unstrained, because a rigid motion costs no energy.
   for (const int held : held_unknowns(rest, plane)) entries.emplace_back(held, held, stiffest);
   Eigen::SparseMatrix<double> matrix(unknowns, unknowns);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -152,8 +152,7 @@ std::vector<Vector2> plane_coordinates(const RestMesh& rest) {
 std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q) {
   const Vector2 edge = q[1] - q[0];
   const double length = edge.norm();
-  std::array<double, 4>
-      weight{};  // of the heights at the vertices in the sum of both slopes towards the edge
+  std::array<double, 4> weight{};  // of the vertices' heights in the sum of both slopes towards the edge
   for (const std::size_t opposite : {2u, 3u}) {
     const Vector2 offset = q[opposite] - q[0];
     const double along = offset.dot(edge) / (length * length);

@@ -1,7 +1,7 @@
 // A flat sheet bent to a cylinder of curvature κ, to leading order in κ: how much closer pairs of vertices
 // come, and by which angles the edges fold. The bent sheet is made of flat triangles; it is not a smooth
-// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) of what the chord of
-// a smooth arc does.
+// cylinder. Its edges keep their lengths, so a pair t edges apart shortens by (1 - 1/t²) times as much as the
+// chord of a smooth arc.
 #pragma once
 
 #include <array>
@@ -12,7 +12,7 @@
 
 namespace bendlab {
 
-/// A form in the direction of bending d = (c, s), a unit vector: Σ form[k] c^(N-1-k) s^k.
+/// The value of a form in the direction d = (c, s), a unit vector: Σ form[k] c^(N-1-k) s^k.
 template <std::size_t N>
 double value_in(const std::array<double, N>& form, const Vector2& direction) {
   double sum = 0, power = 1;
@@ -23,22 +23,22 @@ double value_in(const std::array<double, N>& form, const Vector2& direction) {
 using QuadraticForm = std::array<double, 3>;
 using QuarticForm = std::array<double, 5>;
 
-/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of its triangles; x and y of a
-/// sheet that lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
+/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of its triangles. They are x
+/// and y if the sheet lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
 std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 
-/// Fold angle at the edge q0 q1 of the triangles with q2 and q3, over κ, in m: z = ½ κ (q·d)² at the four
-/// vertices, each triangle flat.
+/// Fold angle over κ, in m, at the edge q0 q1 between the triangles with q2 and q3: z = ½ κ (q·d)² at the
+/// four vertices, and each triangle is flat.
 QuadraticForm fold(const std::array<Vector2, 4>& q);
 
-/// The same angle of any small heights of the four vertices, as a sum of them: the weights, in 1/m.
+/// The same angle for any small heights z of the four vertices is Σ weight z: these weights, in 1/m.
 std::array<double, 4> fold_weights(const std::array<Vector2, 4>& q);
 
-/// A hinge laid flat: p0, p1 of its edge, then the vertices opposite it.
+/// A hinge unfolded into a plane: p0, p1 of its edge, then the vertices opposite it.
 std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p);
 
 /// The bent sheet: z = ½ κ (p·d)² at the vertices, linear on every triangle, and the displacements κ² w in
-/// the plane that leave the least strain (von Kármán: ε = sym ∇w + ½ ∇z ∇zᵀ, Σ area |ε|² as small as can be).
+/// the plane that minimise the strain energy Σ area |ε|² (von Kármán: ε = sym ∇w + ½ ∇z ∇zᵀ).
 class UnitBend {
  public:
   /// Throws std::invalid_argument if the rest shape is not flat.
@@ -46,19 +46,19 @@ class UnitBend {
 
   std::span<const Vector2> plane() const { return plane_; }  ///< #V, plane_coordinates()
 
-  /// By how much the straight line from a to b becomes shorter, over κ², in m³.
+  /// Decrease of the distance between a and b, over κ², in m³.
   QuarticForm shortening(int a, int b) const;
 
   /// w in the direction d, over κ², in m³.
   Vector2 displacement(int vertex, const Vector2& direction) const;
 
-  /// What strain is left, because a mesh need not be able to bend without: a membrane of stiffness 1 N/m
-  /// (energy ½ |ε|² per area) has the energy ¼ C κ⁴ per area, averaged over all directions; this is C in m⁴.
+  /// Some meshes cannot bend without strain. C in m⁴: a membrane of stiffness 1 N/m (energy ½ |ε|² per area)
+  /// then has the energy ¼ C κ⁴ per area, averaged over all directions.
   double membrane_quartic() const { return membrane_quartic_; }
 
  private:
   std::vector<Vector2> plane_;
-  std::vector<std::array<Vector2, 5>> displacement_;  // of each vertex, quartic forms
+  std::vector<std::array<Vector2, 5>> displacement_;  // w of each vertex, quartic forms
   double membrane_quartic_ = 0;
 };
 

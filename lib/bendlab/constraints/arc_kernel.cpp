@@ -1,3 +1,8 @@
+// What lies in a lane: one segment of ArcSpring (arc_spring.hpp).
+//
+//     .-'''-.         p[0], p[1]   vertices a and b: packs of x, y, z and of w = 1/m
+//    /       \        rest[0]      L, m
+//   a----r----b       r = |p[0] - p[1]|, ρ = r/L, y = κL/2 with r/L = sinc y
 #include "bendlab/constraints/arc_spring.hpp"
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/pack_math.hpp"
@@ -43,18 +48,18 @@ struct PackKernel<ArcSpring> {
     return dot(d, d) > shortest * shortest ? Pack<Real>{} : -rest[0];
   }
 
-  // A segment at ρ = r/L: its push p = P L²/k_b, and dp/dρ.
+  // A segment at ρ = r/L: its push p = P L²/k_b, and the slope dp/dρ.
   template <class Real>
   struct Bent {
     Pack<Real> ratio, push, slope;
   };
 
-  // ArcSpring::change(). In units of L and k_b/L² the new ρ solves
+  // The lanes' ArcSpring::change(). In units of L and k_b/L² the new ρ solves
   //
   //     load - yielding (1 - ρ) = p(ρ)
   //
-  // where `load` is the push that would hold the segment straight and `yielding` what shortening by L takes
-  // off it. Lanes that need no solution compute one all the same, of a load that has one.
+  // `load` is the push that would hold the segment straight, and `yielding` is the decrease of that push if
+  // the segment shortens by L. Lanes that need no solution compute one with a load that has a solution.
   template <class Real, Law law>
   BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const std::array<Pack<Real>, 1>& rest,
                                           std::integral_constant<Law, law>, const Pack<Real>& w,
@@ -62,7 +67,7 @@ struct PackKernel<ArcSpring> {
     using P = Pack<Real>;
     const P length = rest[0], per_both = 1 / (length * w), per_w = length * per_both;
     const P straight = multiplier - value * per_w, to_push = alpha * length * length;
-    P limit;  // of the load that a straight segment bears
+    P limit;  // the largest load that leaves a segment straight
     if constexpr (law == Law::exact)
       limit = broadcast<Real>(12);
     else
@@ -76,7 +81,7 @@ struct PackKernel<ArcSpring> {
       bent = arc<Real>(load, yielding);
     else
       bent = quartic<Real>(load, yielding);
-    // The last step, in ρ: it is exact to rounding both where the push changes the length much and where
+    // The last step is taken in ρ: it is exact to rounding, whether the push changes the length much or
     // little.
     const P held = to_push * multiplier;
     const P step = (bent.push - held + bent.slope * (1 - bent.ratio - shortened)) / (yielding - bent.slope);
@@ -85,8 +90,8 @@ struct PackKernel<ArcSpring> {
   }
 
  private:
-  // The polynomial law or its derivative, by ascending powers. Element by element: of a list of casts GCC 12
-  // makes wrong numbers under -frounding-math.
+  // The polynomial law or its derivative, by ascending powers. Computed element by element, because GCC 12
+  // computes wrong numbers from a list of casts under -frounding-math.
   template <class Real, bool derivative>
   static constexpr auto series = [] {
     std::array<Real, ArcSpring::polynomial.size() - derivative> coefficients{};
@@ -102,7 +107,8 @@ struct PackKernel<ArcSpring> {
             detail::polynomial(series<Real, true>, ratio)};
   }
 
-  // Fraction of an interval at which the hyperbola through both ends and with the slope of the first is 0.
+  // Fraction of an interval at which a hyperbola is 0 that has the values of both ends and the first end's
+  // slope.
   template <class Real>
   BENDLAB_INLINE static Pack<Real> first_guess(const Pack<Real>& at_0, const Pack<Real>& slope_at_0,
                                                const Pack<Real>& at_1) {
@@ -116,9 +122,9 @@ struct PackKernel<ArcSpring> {
   }
 
   // In z = y²: ρ = 3e - z f and p = 4/e with e = j1(y)/y, f = j2(y)/y², e' = -f/2 and ρ' = -e/2. Times e, the
-  // equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0, falling and convex on the way to its root:
-  // Newton's method cannot run away. After these steps z is right to 10⁻³ (float) and 10⁻⁷ (double), and the
-  // last one squares that.
+  // equation reads G(z) = e (load - yielding (1 - ρ)) - 4 = 0. G falls and is convex up to its root, so
+  // Newton's method does not diverge. After these steps the error of z is 10⁻³ (float) and 10⁻⁷ (double); the
+  // last step in change() squares it.
   template <class Real>
   BENDLAB_INLINE static Bent<Real> arc(const Pack<Real>& load, const Pack<Real>& yielding) {
     using P = Pack<Real>;
@@ -137,7 +143,7 @@ struct PackKernel<ArcSpring> {
     return {3 * e - z * f, 4 * per_e, -4 * f * per_e * per_e * per_e};
   }
 
-  // p is convex in ρ: the same from 1 - ρ = 0.
+  // The same with the polynomial law: p is convex in ρ, and the steps start at 1 - ρ = 0.
   template <class Real>
   BENDLAB_INLINE static Bent<Real> quartic(const Pack<Real>& load, const Pack<Real>& yielding) {
     using P = Pack<Real>;

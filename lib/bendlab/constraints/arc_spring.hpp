@@ -1,12 +1,12 @@
 // A segment that buckles: the bending spring of Choi and Ko 2002, §4.2, between two vertices a and b.
 //
-//       .-'''-.           The cloth between a and b is not compressed, it is bent to a circular arc of length L:
-//      /       \          r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ², and its ends push apart with
+//       .-'''-.           The cloth between a and b is not compressed, but bent to a circular arc of length
+//      /       \          L: r/L = sinc y, y = κL/2 in [0, π], U = ½ k_b L κ². Its ends push apart with
 //     a----r----b         P = -dU/dr = k_b κ² / (sinc y - cos y): 12 k_b/L² straight, 4π² k_b/L² closed.
 //
-// Nothing resists r > L. At r = L the push is whatever holds the segment straight, up to 12 k_b/L²: the force
-// jumps. Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs;
-// change() solves for the multiplier with the jump in it and needs none.
+// Nothing resists r > L. At r = L the push is that which holds the segment straight, up to 12 k_b/L²: the
+// force jumps. Choi and Ko join the two sides by a steep spring c_b, which their implicit integration needs.
+// change() solves for the multiplier including the jump, and needs no such spring.
 #pragma once
 
 #include <array>
@@ -33,16 +33,16 @@ struct ArcSpring {
 
   enum class Law {
     exact,       ///< the arc's push
-    polynomial,  ///< P = -(4 k_b/L²) p(r/L), p of degree 4: within 1.6 % of that
+    polynomial,  ///< P = -(4 k_b/L²) p(r/L), p of degree 4: within 1.6 % of the exact push
   };
   static constexpr std::array<std::string_view, 2> law_names = {"exact", "polynomial"};
 
-  /// -4 p, p as Blender's implicit cloth solver has it (implicit_blender.c, which leaves the factor 4/L²
-  /// out); by ascending powers of r/L.
+  /// -4 p by ascending powers of r/L. p is from Blender's implicit cloth solver (implicit_blender.c, which
+  /// leaves out the factor 4/L²).
   static constexpr std::array<double, 5> polynomial = {4 * 9.713, -4 * 23.116, 4 * 39.083, -4 * 34.193,
                                                        4 * 11.541};
 
-  /// r/L and P L²/k_b of a segment that is bent the fraction t in [0, 1] of the way from straight to closed.
+  /// r/L and P L²/k_b of a segment at t in [0, 1] between straight (0) and closed (1).
   struct Bent {
     double ratio, push;
   };
@@ -51,7 +51,7 @@ struct ArcSpring {
   /// P L²/k_b at r/L in [0, 1].
   static double push(double ratio, Law law) { return bent(bending_of(ratio, law), law).push; }
 
-  /// C = r - L. Undefined where r has collapsed against L.
+  /// C = r - L. Undefined if r has collapsed compared with L.
   template <class Real>
   static ConstraintValue<Real, 2> value(const std::array<Vector3Of<Real>, 2>& p,
                                         const std::array<Real, 1>& rest, Law) {
@@ -65,9 +65,9 @@ struct ArcSpring {
   /// U / k_b, 1/m, at C = r - L.
   static double energy(double value, const std::array<double, 1>& rest, Law law);
 
-  /// Δλ of the exact solution of λ' = h² P(r'), r' = r + w Δλ at C = r - L, where P at r' = L may be anything
-  /// from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` 1 / (k_b h²), λ ≥ 0 pushes. In double for every
-  /// Real.
+  /// Δλ of the exact solution of λ' = h² P(r') with r' = r + w Δλ, at C = r - L. At r' = L, P may have any
+  /// value from 0 to its limit. `w` is Σ w|∇C|² in 1/kg, `alpha` is 1 / (k_b h²), λ ≥ 0 pushes. In double for
+  /// every Real.
   static double change(double value, const std::array<double, 1>& rest, Law law, double w, double alpha,
                        double multiplier);
 
@@ -76,7 +76,7 @@ struct ArcSpring {
   static double sinc_minus_cosine(double y);
   static double bending_of(double ratio, Law law);
 
-  // Where `above(t)`, true at 0, turns false, to 2⁻⁶⁰ of [0, 1].
+  // The t in [0, 1], to 2⁻⁶⁰, at which `above(t)` turns from true (at 0) to false.
   template <class Above>
   static double bisected(const Above& above) {
     double low = 0, high = 1;
@@ -85,7 +85,7 @@ struct ArcSpring {
   }
 };
 
-/// sinc y - cos y; its series where the difference would cancel.
+/// sinc y - cos y; for small y by its series, because the difference would cancel.
 inline double ArcSpring::sinc_minus_cosine(double y) {
   if (y > 0.5) return sinc(y) - std::cos(y);
   double term = y * y / 3, sum = 0;  // Σ (-1)ⁿ 2 (n + 1) y²ⁿ⁺² / (2n + 3)!
@@ -114,7 +114,7 @@ inline double ArcSpring::energy(double value, const std::array<double, 1>& rest,
     const double y = std::numbers::pi * bending_of(ratio, law);
     return 2 * y * y / length;
   }
-  double from = 0, to = 0;  // of the polynomial's integral
+  double from = 0, to = 0;  // from · ratio and to: the polynomial's integral at `ratio` and at 1
   for (std::size_t n = polynomial.size(); n-- > 0;) {
     const double coefficient = polynomial[n] / static_cast<double>(n + 1);
     from = from * ratio + coefficient, to += coefficient;
@@ -124,18 +124,19 @@ inline double ArcSpring::energy(double value, const std::array<double, 1>& rest,
 
 inline double ArcSpring::change(double value, const std::array<double, 1>& rest, Law law, double w,
                                 double alpha, double multiplier) {
-  const double straight = multiplier - value / w;  // λ' at r' = L
-  if (straight < 0) return -multiplier;
+  const double straight = multiplier - value / w;  // λ' if r' = L
+  if (straight < 0) return -multiplier;            // it would pull: λ' = 0
+  // Below in units of L and k_b/L²; to_push λ is a push in these.
   const double length = rest[0], to_push = alpha * length * length, yielding = to_push * length / w;
-  if (to_push * straight <= bent(0, law).push) return -value / w;
-  // In units of L and k_b/L²: push(r') is `straight`'s less what shortening by 1 - r' relieves. It falls as
-  // r' grows.
+  if (to_push * straight <= bent(0, law).push) return -value / w;  // r' = L: the push stays below its limit
+  // It buckles: push(r') = to_push λ', which is to_push straight - yielding (1 - r') because r' = r + w Δλ.
   const Bent end = bent(bisected([&](double t) {
                           const Bent at = bent(t, law);
                           return to_push * straight - yielding * (1 - at.ratio) > at.push;
                         }),
                         law);
-  // From whichever of the two determines the other: a push that changes by 7 to 118 per unit of r', or r'.
+  // Δλ follows from λ' or from r', whichever is the more accurate: the push changes by 7 to 118 per unit of
+  // r'.
   return yielding > 40 ? end.push / to_push - multiplier : ((end.ratio - 1) * length - value) / w;
 }
 

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// offset_of() corner `corner` in every lane: of the constraint's vertex, or of the lane's own dummy.
+// For every lane offset_of() the constraint's corner `corner`, or the lane's own dummy.
 template <std::size_t arity>
 LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
                                int corner, int vertex_count) {
@@ -22,7 +22,7 @@ LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertic
   return offsets;
 }
 
-// Rest data of every lane; a padded lane gets `padding`.
+// Rest values of all lanes; a padded lane gets `padding`.
 template <class Real, class Get>
 LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   LargeArray<Real> values(order.constraint_of_lane.size(), padding);
@@ -38,11 +38,11 @@ template <class Real>
 DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count) {
   DistanceBatch<Real> batch;
   batch.count = list.size();
-  // A star that is shorter than its run ends in padded lanes: its centre is that of its first spring.
+  // A star that is shorter than its stack ends in padded lanes: its centre is that of its first spring.
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for (std::size_t run = 0; run < order.run_count(); ++run)
+  for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
     for (std::size_t lane = 0; lane < width; ++lane) {
-      const int first = order.constraint_of_lane[order.runs[run] + lane];
+      const int first = order.constraint_of_lane[order.stacks[stack] + lane];
       batch.a.push_back(offset_of(first >= 0 ? list.vertices[static_cast<std::size_t>(first)][0]
                                              : vertex_count + static_cast<int>(lane)));
     }

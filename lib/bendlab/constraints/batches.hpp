@@ -1,13 +1,13 @@
-// Constraints as the kernels want them: a structure of arrays per kind, in groups of max_lanes lanes that are
-// projected side by side. Groups form runs, runs form colours:
+// Constraints in the layout of the kernels: a structure of arrays per kind, in groups of max_lanes lanes that
+// are projected side by side. Groups form stacks, stacks form colours:
 //
 //   group   max_lanes constraints, no two of which share a vertex
-//   run     groups one after another in which every lane keeps its first vertex (a star of springs around one
+//   stack   groups one after another in which every lane keeps its first vertex (a star of springs around one
 //           centre): the kernel holds the centres in registers and moves half as many points through memory
-//   colour  runs no two of which share a vertex: they may go side by side on any number of threads with the
-//           same result
+//   colour  stacks no two of which share a vertex: they may be projected side by side on any number of
+//           threads with the same result
 //
-// A padded lane points to a dummy point behind the cloth's own, whose inverse mass is 0.
+// A padded lane refers to dummy points behind the cloth's own, whose inverse mass is 0.
 #pragma once
 
 #include <array>
@@ -24,66 +24,71 @@
 
 namespace bendlab {
 
-/// Where each constraint stands.
+/// The order of a batch's constraints.
 struct BatchOrder {
-  /// Constraint index, or -1 for a padded lane; as many as a multiple of max_lanes.
+  /// For each lane the constraint's index in the list, or -1 if it is padded; a multiple of max_lanes of
+  /// them.
   std::vector<int> constraint_of_lane;
-  std::vector<std::size_t> runs;     ///< first lane of each run, then the number of lanes
-  std::vector<std::size_t> colours;  ///< first run of each colour, then the number of runs
-  bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the reference may run it
+  std::vector<std::size_t> stacks;   ///< first lane of each stack, then the number of lanes
+  std::vector<std::size_t> colours;  ///< first stack of each colour, then the number of stacks
+  bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the oracle may project it
 
-  std::size_t run_count() const { return runs.size() - 1; }
+  std::size_t stack_count() const { return stacks.size() - 1; }
 };
 
-/// No constraint has more vertices.
+/// The most vertices that a constraint has.
 inline constexpr int dummy_corners = 4;
-/// Dummy points that padded lanes use: one per lane and corner, so that a pack never meets a point twice.
-/// Where they lie changes no result; but a lane whose dummies lie at one point counts as collapsed, and is
-/// projected again with care, which takes time.
+/// Dummy points for padded lanes: one per lane and corner, so that a pack never writes a point twice. Their
+/// positions change no result. But a lane whose dummies are at one point counts as collapsed and is projected
+/// again with care, which takes time.
 inline constexpr int dummy_points = dummy_corners * max_lanes;
 
 template <class Real>
 struct DistanceBatch {
   BatchOrder order;
-  LargeArray<int> a;             ///< max_lanes per run: offset_of() the star's centre
+  LargeArray<int> a;             ///< max_lanes per stack: offset_of() the star's centre
   LargeArray<int> b;             ///< offset_of() the other end
-  LargeArray<Real> rest_length;  ///< the largest number in a padded lane: never long enough to be corrected
+  LargeArray<Real> rest_length;  ///< m; the largest number in a padded lane
   LargeArray<Real> softness;     ///< by lane, or empty: 1
   LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< times softness: α, m/N
   std::size_t count = 0;
-  const Point<Real>* rest_points =
-      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
 };
 
 enum class StrainForm {
   normalised,  ///< √S_ii - 1 and S_ij / (|f_i| |f_j|) (SBD 2014, eqs. 14 and 15)
   green,       ///< S_ii - 1 and S_ij (SBD 2014, eqs. 9 and 10)
-  /// Ours: √S_ii - 1, and of shear the angle that lacks to a right one, asin(S_ij / (|f_i| |f_j|)). Its
-  /// gradient is 1 / |f| whatever the angle, where that of the cosine vanishes for parallel warp and weft and
-  /// a projection overshoots.
+  /// Ours: √S_ii - 1, and for shear the difference to a right angle, asin(S_ij / (|f_i| |f_j|)). Its gradient
+  /// is 1 / |f| at any angle. The gradient of the cosine vanishes for parallel warp and weft, so its
+  /// projection overshoots.
   angle,
 };
 inline constexpr std::array<std::string_view, 3> strain_form_names = {"normalised", "green", "angle"};
+
+/// What a stretch's α is times that of shear, so that all forms have one stiffness at rest: green's
+/// S_ii - 1 is about 2 (√S_ii - 1).
+constexpr int stretch_softness(StrainForm form) {
+  return form == StrainForm::green ? 4 : 1;
+}
 
 template <class Real>
 struct StrainBatch {
   BatchOrder order;
   LargeArray<int> a, b, c;              ///< offset_of() each corner
   LargeArray<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
-  LargeArray<Real> multiplier;          ///< λ of warp, weft, shear, area after one another; XPBD only
+  LargeArray<Real> multiplier;          ///< λ of all warps, then wefts, shears and areas; XPBD only
   StrainForm form = StrainForm::normalised;
   StiffnessKind kind = StiffnessKind::k;
   Real warp = 1, weft = 1, shear = 1, area = 0;  ///< fractions per projection (XPBD: 0 switches a term off)
   Real compliance = 0;  ///< inverse membrane stiffness, m/N; a triangle's α is compliance / rest area
   std::size_t count = 0;
-  const Point<Real>* rest_points =
-      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
 };
 
-/// Batches from lists, in the given order. `vertex_count` is where the dummies begin.
+/// Batches from lists, in the given order. `vertex_count` is the index of the first dummy.
 template <class Real>
 DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count);
 template <class Real>

@@ -1,4 +1,4 @@
-// Constraints that follow from the mesh alone, and the masses that go with them.
+// Constraints that depend on the mesh alone, and its masses.
 #pragma once
 
 #include <vector>
@@ -10,22 +10,21 @@
 
 namespace bendlab {
 
-/// One strain constraint per triangle, in mesh order; a triangle with all corners pinned has none, nor has
-/// one that is switched `off` (#T, or empty: none is).
+/// One strain constraint per triangle, in mesh order. A triangle gets none if all its corners are pinned or
+/// if it is `off` (#T; empty: none is).
 StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
                                      const std::vector<InverseRest>& inverse_rest,
                                      const std::vector<char>& off = {});
 
-/// #T: the degenerate triangles whose vertices all have a strain constraint without them
-/// (BadTriangles::membrane_off).
+/// #T: whether a triangle is degenerate and all its vertices also have a triangle that is not, so that it
+/// needs no strain constraint (BadTriangles::membrane_off).
 std::vector<char> dispensable_triangles(const RestMesh& rest);
 
-/// A spring at rest along every edge of the mesh that has a free end, in mesh order: the membrane of
-/// mass-spring cloth.
+/// The membrane of mass-spring cloth: a spring at rest along every edge with a free end, in mesh order.
 DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins);
 
-/// #V masses, kg: a third of each adjacent triangle's `density` (kg/m²) times area. A vertex of degenerate
-/// triangles alone, which have none to give, gets 1/100 of the mean: nothing that moves is without mass.
+/// #V masses, kg: `density` (kg/m²) times a third of the area of each adjacent triangle. A vertex that only
+/// has degenerate triangles gets 1/100 of the mean mass, because a vertex that moves needs a mass.
 std::vector<double> lumped_masses(const RestMesh& rest, double density);
 
 }  // namespace bendlab

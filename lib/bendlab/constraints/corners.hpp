@@ -1,4 +1,4 @@
-// Where a constraint's vertices are.
+// The positions of a constraint's corners.
 #pragma once
 
 #include <array>

@@ -1,10 +1,19 @@
+// What lies in a lane: a star, that is the springs of one centre a, group after group of its stack. The
+// centres stay in registers. A pack takes lanes<Real> of the max_lanes = 16 lanes at a time.
+//
+//   lane           0      1      2    …
+//   centre a       a0     a1     a2         batch.a[16 stack + lane]
+//   group 0  b     b0     b1     b2         batch.b, rest_length, softness, multiplier at
+//   group 1  b     b16    b17    b18        stacks[stack] + 16 group + lane
+//
+// The scalar code beside it: distance_constraint() and project_by_oracle() in oracle.hpp.
 #include "bendlab/constraints/kernels.hpp"
 
 namespace bendlab {
 namespace {
 
-// Lanes by which a batch's data is fetched before it is used. A tile begins in the midst of each colour,
-// where the processor has no stream to go on with (measured at a million vertices: 8 % of a spring).
+// A batch's data is fetched so many lanes before it is used. A tile begins in the middle of each colour,
+// where the processor has no stream to follow (measured at a million vertices: 8 % of the time of a spring).
 constexpr std::size_t ahead = 512;
 
 // The springs of a pack in the rest shape.
@@ -13,7 +22,7 @@ struct RestEnds {
   const Point<Real>* points;  // null: none
   const int *a, *b;           // offsets, a lane each
 
-  // Gives d that direction and the length, where `collapsed`.
+  // In `collapsed` lanes sets d to the direction at rest with the length `length`.
   BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
                            const Pack<Real>& length) const {
     if (points == nullptr) return;
@@ -25,11 +34,11 @@ struct RestEnds {
   }
 };
 
-//   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n
-//        n = (p_a - p_b) / |p_a - p_b|, of a collapsed spring as in the rest shape: there as if |p_a - p_b| were just
-//        long enough to have a direction
-// A correction is no longer than the spring's own, and its gradient is never rounding: nothing has to be
-// bounded. Returns how far b moves; a has moved.
+//   a o-------------o b      C = |p_a - p_b| - rest_length,   ∇_a C = n,   ∇_b C = -n,
+//                            n = d / |d|,   d = p_a - p_b
+//
+// A collapsed spring takes d from the rest shape, just long enough to have a direction. A correction is never
+// longer than C, and |∇C| is never rounding, so no move needs a bound. Moves a, and returns the move of b.
 template <class Real, bool compliant>
 BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoints<Real>& b,
                                              const Pack<Real>& rest, Real k, const Pack<Real>& alpha,
@@ -46,7 +55,7 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
     acts = (squared > shortest * shortest) & (sum > zero);
   }
   const P inverse_length = inverse_square_root(acts ? squared : one), inverse_sum = one / (acts ? sum : one);
-  P step;  // of the correction along d, per inverse mass
+  P step;  // the move along d, per inverse mass
   if constexpr (compliant) {
     const P multiplier = load(multipliers);
     const P change = acts ? (rest - squared * inverse_length - alpha * multiplier) * inverse_sum : zero;
@@ -59,19 +68,19 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
   return scaled<Real>(-step * b.w, d);
 }
 
-enum class Alpha { none, common, own };  // PBD; XPBD with one compliance for all springs; or each its own
+enum class Alpha { none, common, own };  // PBD; XPBD with one α for all springs; XPBD with an α for each
 
 template <class Real, Alpha kind, bool split>
-void project_runs(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
-                  Real compliance_over_h2, bool backwards) {
+void project_stacks(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first,
+                    std::size_t last, Real compliance_over_h2, bool backwards) {
   constexpr bool compliant = kind != Alpha::none;
   Pack<Real> alpha = broadcast(compliance_over_h2);
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for (std::size_t run = first; run < last; ++run)
+  for (std::size_t stack = first; stack < last; ++stack)
     for (std::size_t part = 0; part < width; part += static_cast<std::size_t>(lanes<Real>)) {
-      const std::size_t begin = batch.order.runs[run] + part,
-                        groups = (batch.order.runs[run + 1] - begin + part) / width;
-      const int* const centres = &batch.a[run * width + part];
+      const std::size_t begin = batch.order.stacks[stack] + part,
+                        groups = (batch.order.stacks[stack + 1] - begin + part) / width;
+      const int* const centres = &batch.a[stack * width + part];
       PackPoints<Real> a;
       [[maybe_unused]] detail::BaseRows<Real> base;
       if constexpr (split)
@@ -114,11 +123,11 @@ void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size
   const Real compliance = batch.compliance / (substep * substep);
   with_split(places, [&]<bool split>(std::bool_constant<split>) {
     if (batch.kind != StiffnessKind::compliance)
-      project_runs<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
+      project_stacks<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
     else if (batch.softness.empty())
-      project_runs<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
     else
-      project_runs<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
   });
 }
 
@@ -127,10 +136,10 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatc
   using P = Pack<Real>;
   constexpr auto width = static_cast<std::size_t>(max_lanes);
   const P zero{}, one = broadcast<Real>(1);
-  for (std::size_t run = 0; run < batch.order.run_count(); ++run)
-    for (std::size_t lane = batch.order.runs[run]; lane < batch.order.runs[run + 1];
+  for (std::size_t stack = 0; stack < batch.order.stack_count(); ++stack)
+    for (std::size_t lane = batch.order.stacks[stack]; lane < batch.order.stacks[stack + 1];
          lane += static_cast<std::size_t>(lanes<Real>)) {
-      const int* const centres = &batch.a[run * width + lane % width];
+      const int* const centres = &batch.a[stack * width + lane % width];
       const PackPoints<Real> a = gather(points, centres), b = gather(points, &batch.b[lane]);
       PackPoints<Real> va = gather(velocities, centres), vb = gather(velocities, &batch.b[lane]);
       const PackVector<Real> d = a.position - b.position;

@@ -5,22 +5,22 @@
 #include <cmath>
 #include <vector>
 
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 namespace bendlab {
 namespace {
 
 using Eigen::Vector3d;
 
-// Calls visit(lane, run) for every lane that holds a constraint.
+// Calls visit(lane, stack) for every lane that holds a constraint.
 template <class Visit>
 void for_constraints(const BatchOrder& order, Visit visit) {
-  for (std::size_t run = 0; run < order.run_count(); ++run)
-    for (std::size_t lane = order.runs[run]; lane < order.runs[run + 1]; ++lane)
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, run);
+  for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
+    for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
+      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
 }
 
-std::size_t place_at(int offset) {
+std::size_t index_at(int offset) {
   return static_cast<std::size_t>(offset / offset_of(1));
 }
 
@@ -38,7 +38,7 @@ double square(double x) {
   return x * x;
 }
 
-// A constraint whose bending part is its value.
+// Adds a constraint whose bending part is its value.
 template <std::size_t N>
 void add(AppliedWork& work, const ConstraintValue<double, N>& c, double multiplier, double alpha,
          double rounding) {
@@ -46,25 +46,25 @@ void add(AppliedWork& work, const ConstraintValue<double, N>& c, double multipli
   double slope = 0;  // |∇C|²
   for (const Vector3d& gradient : c.gradient) slope += gradient.squaredNorm();
   work.applied -= multiplier * c.value;
-  work.told += square(c.value) / alpha;
+  work.stated += square(c.value) / alpha;
   work.spent += alpha * square(multiplier);
   work.measured += square(c.value) / alpha;
   work.rounding += square(rounding) * slope / alpha;
 }
 
 template <class Real>
-AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& state) {
+AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& state) {
   AppliedWork work;
   if (!has_compliance(batch)) return work;
   const std::size_t count = batch.order.constraint_of_lane.size();
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
-    const std::array<Vector3d, 3> p = {state.positions[place_at(batch.a[lane])],
-                                       state.positions[place_at(batch.b[lane])],
-                                       state.positions[place_at(batch.c[lane])]};
+    const std::array<Vector3d, 3> p = {state.positions[index_at(batch.a[lane])],
+                                       state.positions[index_at(batch.b[lane])],
+                                       state.positions[index_at(batch.c[lane])]};
     const std::array<double, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // As the oracle has it (reference.cpp): α = compliance / A0, and four times that on S_ii - 1 = 2 E_ii.
+    // As in oracle.cpp: α = compliance / A0.
     const double alpha = compliance_over_h2(batch, state.substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
-    const double stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
+    const double stretch_alpha = stretch_softness(batch.form) * alpha;
     const auto add_term = [&](std::size_t term, Real k, const ConstraintValue<double, 3>& c,
                               double term_alpha) {
       if (k != 0)
@@ -78,23 +78,23 @@ AppliedWork membrane_work(const StrainBatch<Real>& batch, const StateByPlace& st
   return work;
 }
 
-// The Green strain E of the membrane at every place, as a tensor on the rest shape: the mean over the
-// triangles there, weighted by area. No area: there are none.
+// The Green strain E of the membrane at every vertex, as a tensor on the rest shape: the mean over its
+// triangles, weighted by area. A vertex with area 0 has none.
 struct MembraneStrain {
   std::vector<Eigen::Matrix3d> strain;
   std::vector<double> area;  // m²
 
   template <class Real>
-  MembraneStrain(const StrainBatch<Real>& batch, const StateByPlace& state)
+  MembraneStrain(const StrainBatch<Real>& batch, const PermutedState& state)
       : strain(state.positions.size(), Eigen::Matrix3d::Zero()), area(state.positions.size(), 0) {
     for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
-      add_triangle({place_at(batch.a[lane]), place_at(batch.b[lane]), place_at(batch.c[lane])}, state);
+      add_triangle({index_at(batch.a[lane]), index_at(batch.b[lane]), index_at(batch.c[lane])}, state);
     });
     for (std::size_t v = 0; v < strain.size(); ++v)
       if (area[v] > 0) strain[v] /= area[v];
   }
 
-  void add_triangle(const std::array<std::size_t, 3>& corner, const StateByPlace& state) {
+  void add_triangle(const std::array<std::size_t, 3>& corner, const PermutedState& state) {
     const auto edges = [&](std::span<const Vector3d> p) {
       Eigen::Matrix<double, 3, 2> e;
       e << p[corner[1]] - p[corner[0]], p[corner[2]] - p[corner[0]];
@@ -102,8 +102,7 @@ struct MembraneStrain {
     };
     const Eigen::Matrix<double, 3, 2> at_rest = edges(state.rest), now = edges(state.positions);
     const Eigen::Matrix2d metric = at_rest.transpose() * at_rest;
-    constexpr double least =
-        1e-6;  // sin² of its angle at the first corner: a flatter one's strain says nothing
+    constexpr double least = 1e-6;  // sin² of the angle at the first corner: flatter ones are left out
     if (!(metric.determinant() > least * metric(0, 0) * metric(1, 1))) return;
     const Eigen::Matrix<double, 3, 2> dual = at_rest * metric.inverse();
     const double of_triangle = 0.5 * std::sqrt(metric.determinant());
@@ -112,7 +111,7 @@ struct MembraneStrain {
   }
 };
 
-// r0 and B of a spring, see the header.
+// r0 and B of a spring (see the header).
 struct BendingPart {
   double at_rest = 0, value = 0;  // m
 };
@@ -120,7 +119,7 @@ struct BendingPart {
 class SpringMeter {
  public:
   template <class Real>
-  SpringMeter(const StrainBatch<Real>& membrane, const StateByPlace& state)
+  SpringMeter(const StrainBatch<Real>& membrane, const PermutedState& state)
       : state_(state), membrane_(membrane, state) {}
 
   std::optional<BendingPart> operator()(std::size_t a, std::size_t b) const {
@@ -135,18 +134,18 @@ class SpringMeter {
     return BendingPart{at_rest, (state_.positions[a] - state_.positions[b]).norm() - stretched};
   }
 
-  // m, of B: two ends and the strain between them.
+  // m, the rounding of B: from two ends and the strain between them.
   double rounding() const { return 4 * state_.rounding; }
 
  private:
-  const StateByPlace& state_;
+  const PermutedState& state_;
   MembraneStrain membrane_;
 };
 
-void add(AppliedWork& work, const BendingPart& bend, double multiplier, double told, double alpha,
+void add(AppliedWork& work, const BendingPart& bend, double multiplier, double stated, double alpha,
          double rounding) {
   work.applied -= multiplier * bend.value;
-  work.told -= told * bend.value;
+  work.stated -= stated * bend.value;
   work.measured += square(bend.value) / alpha;
   work.rounding += square(rounding) / alpha;
 }
@@ -155,9 +154,9 @@ template <class Real>
 void add_springs(AppliedWork& work, const DistanceBatch<Real>& batch, const SpringMeter& meter,
                  double substep) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for_constraints(batch.order, [&](std::size_t lane, std::size_t run) {
+  for_constraints(batch.order, [&](std::size_t lane, std::size_t stack) {
     const std::optional<BendingPart> bend =
-        meter(place_at(batch.a[run * width + lane % width]), place_at(batch.b[lane]));
+        meter(index_at(batch.a[stack * width + lane % width]), index_at(batch.b[lane]));
     if (!bend) return;
     const double softness = batch.softness.empty() ? 1 : static_cast<double>(batch.softness[lane]);
     const double alpha = softness * compliance_over_h2(batch, substep);
@@ -166,27 +165,27 @@ void add_springs(AppliedWork& work, const DistanceBatch<Real>& batch, const Spri
   });
 }
 
-// Kinds that measure bending by a distance: the push that their own law asks for.
+// Kinds that measure bending by a distance: `stated` is the push by their own law.
 template <class Real, OneSided Kind>
 void add_springs(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const SpringMeter& meter,
                  double substep) {
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
     const std::optional<BendingPart> bend =
-        meter(place_at(batch.corner[0][lane]), place_at(batch.corner[1][lane]));
+        meter(index_at(batch.corner[0][lane]), index_at(batch.corner[1][lane]));
     if (!bend || !(bend->value < 0)) return;
     const double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, substep);
     const double length = static_cast<double>(batch.rest[0][lane]);
-    const double told = Kind::push(1 + bend->value / length, batch.law) / (alpha * square(length));
-    add(work, *bend, static_cast<double>(batch.multiplier[lane]), told, alpha, meter.rounding());
+    const double stated = Kind::push(1 + bend->value / length, batch.law) / (alpha * square(length));
+    add(work, *bend, static_cast<double>(batch.multiplier[lane]), stated, alpha, meter.rounding());
   });
 }
 
 template <class Real, class Kind>
-void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const StateByPlace& state) {
+void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const PermutedState& state) {
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
     std::array<Vector3d, Kind::arity> p;
     std::array<double, Kind::rest_values> rest;
-    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = state.positions[place_at(batch.corner[i][lane])];
+    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = state.positions[index_at(batch.corner[i][lane])];
     for (std::size_t i = 0; i < Kind::rest_values; ++i) rest[i] = static_cast<double>(batch.rest[i][lane]);
     const double alpha = static_cast<double>(batch.softness[lane]) * compliance_over_h2(batch, state.substep);
     add(work, Kind::value(p, rest, batch.law), static_cast<double>(batch.multiplier[lane]), alpha,
@@ -195,16 +194,16 @@ void add_hinges(AppliedWork& work, const ElementBatch<Real, Kind>& batch, const 
 }
 
 bool is_measured(const AppliedWork& work) {
-  constexpr double least = 100;  // 10 times the rounding of C
-  return work.measured > least * work.rounding && work.told > 0;
+  constexpr double least = 100;  // of squares: 10 times the rounding of C
+  return work.measured > least * work.rounding && work.stated > 0;
 }
 
-// Work that is done on the cloth where it should be done by it is a share of 0.
+// If work is done on the cloth that the cloth should do, the share is 0.
 double share_of(const AppliedWork& work) {
-  // Settled strips and sheets had up to 7 times; one that shakes has hundreds, of multipliers that resist no
-  // bend.
+  // Flexibility over stiffness: settled strips and sheets had up to 7. A cloth that shakes has hundreds, from
+  // multipliers that resist no bending.
   constexpr double most = 8;
-  const double stiffness = std::max(0.0, work.applied) / work.told;
+  const double stiffness = std::max(0.0, work.applied) / work.stated;
   if (work.spent == 0 || !(stiffness > 0)) return stiffness;
   const double flexibility = std::min(work.spent / work.applied, most * stiffness);
   return std::cbrt(stiffness * square(flexibility));
@@ -213,7 +212,7 @@ double share_of(const AppliedWork& work) {
 }  // namespace
 
 AppliedWork& AppliedWork::operator+=(const AppliedWork& other) {
-  applied += other.applied, told += other.told, spent += other.spent;
+  applied += other.applied, stated += other.stated, spent += other.spent;
   measured += other.measured, rounding += other.rounding;
   return *this;
 }
@@ -226,7 +225,7 @@ EffectiveStiffness& EffectiveStiffness::operator+=(const EffectiveStiffness& oth
 std::optional<double> EffectiveStiffness::bending_share() const {
   double sum = 0, weight = 0;
   for (const AppliedWork* work : {&hinges, &springs})
-    if (is_measured(*work)) sum += work->told * share_of(*work), weight += work->told;
+    if (is_measured(*work)) sum += work->stated * share_of(*work), weight += work->stated;
   return weight > 0 ? std::optional(sum / weight) : std::nullopt;
 }
 
@@ -235,7 +234,7 @@ std::optional<double> EffectiveStiffness::membrane_share() const {
 }
 
 template <class Real>
-EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const StateByPlace& state) {
+EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state) {
   EffectiveStiffness result{
       .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
   std::optional<SpringMeter> meter;
@@ -255,7 +254,7 @@ EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, con
   return result;
 }
 
-template EffectiveStiffness effective_stiffness(const Constraints<float>&, const StateByPlace&);
-template EffectiveStiffness effective_stiffness(const Constraints<double>&, const StateByPlace&);
+template EffectiveStiffness effective_stiffness(const Constraints<float>&, const PermutedState&);
+template EffectiveStiffness effective_stiffness(const Constraints<double>&, const PermutedState&);
 
 }  // namespace bendlab

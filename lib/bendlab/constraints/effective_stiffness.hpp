@@ -1,29 +1,30 @@
-// What a solver made of the stiffness that it was told, read off its multipliers.
+// How much of the stated stiffness a solver realises, from its multipliers.
 //
 // XPBD that has not converged is softer than its compliances say. At the end of a substep h the force that a
-// constraint really exerted is λ/h² ∇C; the one that its compliance asks for is -C/α ∇C. Two ratios of work
-// follow, with α̃ = α/h²:
+// constraint really exerted is λ/h² ∇C; the one that its compliance states is -C/α ∇C. With α̃ = α/h² there
+// are two ratios of work:
 //
-//   stiffness   = Σ -λ C / Σ C²/α̃     the share of the told energy; too small where C is rough
-//   flexibility = Σ α̃ λ² / Σ -λ C     the share at equal force; too large where λ is rough
+//   stiffness   = Σ -λ C / Σ C²/α̃     the share of the stated energy; too small if C is rough
+//   flexibility = Σ α̃ λ² / Σ -λ C     the share at equal force; too large if λ is rough
 //
-// For one constraint both are the share λ α̃ / -C. In a sheet, a sweep leaves too much C in the constraints
-// that it projects first, so that they differ; by Cauchy-Schwarz the first is the smaller one. What a strip's
-// droop shows lies between them. The estimate is their weighted geometric mean
+// For one constraint both are the share λ α̃ / -C. In a sheet they differ, because a projection sweep leaves
+// too much C in the constraints that it projects first; by Cauchy-Schwarz the first ratio is the smaller one.
+// The share that a strip's droop shows lies between them. The estimate is their weighted geometric mean
 //
 //   share = stiffness^(1/3) flexibility^(2/3).
 //
-// The weights are measured, not derived: with them strips of hinges on the equilateral lattice were off by at
-// most 15 % at shares from 0.01 to 1, hanging membranes by 21 % (in list order by 40 % at a share of 0.09).
+// The weights are measured, not derived: with them the error was at most 15 % for strips of hinges on the
+// equilateral lattice at shares from 0.01 to 1, and 21 % for hanging membranes (in list order 40 % at a share
+// of 0.09).
 //
-// A spring between vertices measures bending by how much it shortens, and shortens less where the membrane
-// gives way. Its bending part B is what the membrane's strain ε along it (the mean of that at its ends)
-// leaves of the change of its length r, which is r0 in the rest shape; L is its rest length:
+// A spring between vertices measures bending by its shortening, and shortens less if the membrane gives way.
+// So its bending part B is the change of its length r beyond that of the membrane's strain ε along it, the
+// mean of both ends. r0 is its length in the rest shape, L its rest length:
 //
 //   B = r - r0 (1 + ε),   share = Σ -λ B / Σ (r0 - L + B) B/α̃
 //
-// Strips of springs were off by at most 19 % at shares from 0.01 to 1, and had up to twice what was estimated
-// below. Springs with a pinned end are left out: at a clamp the strain is not the mean of the ends'.
+// For strips of springs the error was at most 19 % at shares from 0.01 to 1; below that they had up to twice
+// the estimate. Springs with a pinned end are left out: at a clamp the strain is not the mean of the ends'.
 #pragma once
 
 #include <Eigen/Core>
@@ -37,10 +38,10 @@ namespace bendlab {
 /// Sums over constraints of one kind and over states; J times h².
 struct AppliedWork {
   double applied = 0;   ///< Σ -λ B
-  double told = 0;      ///< Σ -λ_told B, what the compliances ask for; Σ C²/α̃ where B = C
-  double spent = 0;     ///< Σ α̃ λ²; of springs 0
+  double stated = 0;    ///< Σ -λ B with the λ that the compliances state; Σ C²/α̃ if B = C
+  double spent = 0;     ///< Σ α̃ λ²; 0 for springs
   double measured = 0;  ///< Σ B²/α̃
-  double rounding = 0;  ///< the same, of what the rounding of positions makes of B
+  double rounding = 0;  ///< the same with the rounding of B by positions
 
   AppliedWork& operator+=(const AppliedWork& other);
 };
@@ -50,25 +51,24 @@ struct EffectiveStiffness {
 
   EffectiveStiffness& operator+=(const EffectiveStiffness& other);
 
-  /// 1, the share of the told stiffness that the cloth has. Nothing where none was told (k, or a compliance
-  /// of 0) and where the cloth is hardly bent or strained: Σ B²/α̃ below 100 times what rounding alone makes
-  /// of it, so that rounding changes the share by less than about 1 %.
+  /// 1, the share of the stated stiffness that the cloth has. Nothing if none is stated (k, or a compliance
+  /// of 0) or if the cloth is hardly bent or strained: Σ B²/α̃ has to be 100 times that of rounding alone, so
+  /// that rounding changes the share by less than about 1 %.
   std::optional<double> bending_share() const;
   std::optional<double> membrane_share() const;
 };
 
-/// A state by place: everything in the order of the points that the batches' offsets name.
-struct StateByPlace {
+/// A state in the order of the solver's point arrays, which the batches' offsets name.
+struct PermutedState {
   std::span<const Eigen::Vector3d> positions;  ///< m, relative to any origin
-  std::span<const Eigen::Vector3d>
-      rest;  ///< m, likewise; empty: springs have no bending part and count nothing
+  std::span<const Eigen::Vector3d> rest;       ///< m, likewise; empty: springs do not count
   std::span<const char> is_pinned;
   double substep = 0;   ///< h, s
   double rounding = 0;  ///< m, of a position that the solver keeps
 };
 
-/// Of the state at the end of a substep, with the multipliers of that substep.
+/// From the state at the end of a substep and the multipliers of that substep.
 template <class Real>
-EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const StateByPlace& state);
+EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state);
 
 }  // namespace bendlab

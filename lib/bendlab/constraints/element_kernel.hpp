@@ -1,5 +1,15 @@
 // What the kernels of all element kinds share. The source of a kind specialises PackKernel and instantiates
-// the kernels with BENDLAB_ELEMENT_KERNELS; no other includes this header.
+// the kernels with BENDLAB_ELEMENT_KERNELS; no other source includes this header.
+//
+// What lies in a lane: one constraint of the batch, with all its corners and rest values.
+//
+//   lane          0        1        2     …      lanes<Real> of a group at a time
+//   corner 0      v        v        v            p[0]: packs of x, y, z and of w = 1/m
+//   corner 1      v        v        v            p[1], …; offsets in batch.corner[i]
+//   rest          r        r        r            rest[0], …; in batch.rest[i]
+//   α, λ          α        α        α            XPBD: from batch.softness, batch.multiplier
+//
+// The scalar code beside it: Kind::value() and project_by_oracle() in oracle.hpp.
 #pragma once
 
 #include <type_traits>
@@ -21,15 +31,15 @@ struct PackConstraint {
 template <auto... laws>
 struct LawList {};
 
-/// Of a kind that opens by its rest shape where it has collapsed, besides: `when_collapsed(points, rest,
-/// law)`, there the value to be corrected by, and elsewhere 0 (see ConstraintValue).
+/// What a kind gives its kernels; `law` is a std::integral_constant<Kind::Law, …>:
 ///
-/// Of a kind: `rest_size_squared(rest)`, m², of a length that is no longer than the constraint's size at
-/// rest, and `exceeds_rest_size(squared, rest)`, the lanes in which a squared length is larger than that;
-/// `Laws`, its LawList, and `template <class Real, Kind::Law law> static PackConstraint<Real, Kind::arity>
-/// evaluate(points, rest, std::integral_constant<Kind::Law, law>)`, the lanes' Kind::value(); of one that is
-/// OneSided also `change(value, rest, std::integral_constant<Kind::Law, law>, w, alpha, multiplier)`, the
-/// lanes' Kind::change().
+/// * `Laws`: its LawList;
+/// * `evaluate<Real>(points, rest, law)` → PackConstraint<Real, Kind::arity>: the lanes' Kind::value();
+/// * `rest_size_squared(rest)`, m²: of a length that is no longer than the constraint's size at rest;
+/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that;
+/// * if it is OneSided, `change(value, rest, law, w, alpha, multiplier)`: the lanes' Kind::change();
+/// * if it opens along its rest shape, `when_collapsed(points, rest, law)`: in collapsed lanes the value to
+///   correct, elsewhere 0 (see ConstraintValue).
 template <class Kind>
 struct PackKernel;
 
@@ -71,12 +81,12 @@ BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
   return x > y ? x : y;
 }
 
-// What ∇C says of a projection.
+// Sums over ∇C that a projection needs.
 template <class Real>
 struct Leverage {
   Pack<Real> weighted{};  // Σ w|∇C|²
   Pack<Real> largest_w{};
-  PackMask<Real> is_more_than_rounding;  // of the corners that can move, see least_lever
+  PackMask<Real> is_more_than_rounding;  // the gradient of the corners that can move (see least_lever)
 
   template <std::size_t N>
   BENDLAB_INLINE Leverage(const std::array<PackPoints<Real>, N>& p,
@@ -91,7 +101,7 @@ struct Leverage {
   }
 };
 
-// Shortens a multiplier that would move a corner farther than largest_move sizes.
+// Shortens a change of the multiplier that would move a corner farther than largest_move sizes.
 template <class Kind, class Real>
 BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
                                        const std::array<PackVector<Real>, Kind::arity>& gradient,
@@ -111,8 +121,8 @@ BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
-// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none
-// there either.
+// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
+// either.
 template <class Kind, class Real, class Law>
 BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kind::arity> c,
                                                         const std::array<PackPoints<Real>, Kind::arity>& p,
@@ -137,8 +147,8 @@ BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kin
   return c;
 }
 
-// False where the constraints have to be projected carefully, because one has collapsed or a corner moved
-// farther than its constraint is long at rest; nothing is changed then.
+// Projects a pack of constraints. Returns false and changes nothing if they have to be projected carefully:
+// one has collapsed, or a corner would move farther than its constraint's size at rest.
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
                                  std::size_t lane, Real compliance_over_h2) {
@@ -181,7 +191,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
   if constexpr (careful) {
     change = within_reach<Kind>(change, c.gradient, p, rest);
   } else {
-    // No corner moves farther than the root of this: w²|∇C|² is at most the largest w times Σ w|∇C|².
+    // No corner moves farther than √way: w²|∇C|² is at most the largest w times Σ w|∇C|².
     const Pack<Real> way = change * change * leverage.weighted * leverage.largest_w;
     if (any(~c.defined | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
       return false;
@@ -199,7 +209,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
   return true;
 }
 
-// Apart, so that what is rare takes no registers from what is not.
+// A function of its own, so that the rare case takes no registers from the usual one.
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
                                          std::size_t lane, Real compliance_over_h2) {
@@ -209,7 +219,7 @@ template <class Real, class Kind, typename Kind::Law law, bool compliant, bool s
 template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
 void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
                    std::size_t last, Real compliance_over_h2) {
-  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last];
+  for (std::size_t lane = batch.order.stacks[first]; lane < batch.order.stacks[last];
        lane += static_cast<std::size_t>(lanes<Real>))
     if (!project_pack<Real, Kind, law, compliant, false, split>(places, batch, lane, compliance_over_h2))
         [[unlikely]]
@@ -249,7 +259,7 @@ void with_law(Law chosen, LawList<laws...>, const Action& action) {
 
 }  // namespace detail
 
-// Within a run no two constraints share a vertex, so backwards is as forwards.
+// No two constraints of a stack share a vertex, so the order within it does not matter.
 template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
              std::size_t last, Real substep, bool) {

@@ -1,6 +1,6 @@
-// Constraints on a fixed number of vertices that are one scalar function C of their positions: what the
-// bending models of the literature are made of. A kind says how many vertices and rest values it has; list,
-// batch, projection, damping and energy are the same for all.
+// Elements: constraints that are one scalar function C of a fixed number of vertices. The bending models of
+// the literature are made of them. A kind says how many vertices and rest values it has; list, batch,
+// projection, damping and energy are the same for all.
 //
 // A new kind takes a header with the struct below and its value and gradient for one constraint (the oracle),
 // a source with the same for a pack of lanes, and a line in kinds.hpp:
@@ -12,14 +12,14 @@
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
 //     template <class Real>
-//     static Real rest_size(rest);   // m, a length that is no longer than the constraint at rest, see largest_move
+//     static Real rest_size(rest);   // m, no longer than the constraint at rest (see largest_move)
 //   };
 //
-// Its energy is ½ C² / α. A kind with another energy that is free where C ≥ 0 is OneSided: k and damping act
-// on it only where C < 0, and it brings what otherwise follows from ½ C² / α,
+// Its energy is ½ C² / α. A kind with another energy, which is 0 for C ≥ 0, is OneSided: k and damping act on
+// it only if C < 0, and it defines what otherwise follows from ½ C² / α,
 //
 //     static constexpr bool one_sided = true;
-//     static double energy(C, rest, law);                      // where defined; times the compliance
+//     static double energy(C, rest, law);                        // times the compliance
 //     static double change(C, rest, law, w, alpha, multiplier);  // Δλ of a projection, w = Σ w|∇C|²
 #pragma once
 
@@ -40,8 +40,8 @@ template <class Kind>
 struct ElementList {
   std::vector<std::array<int, Kind::arity>> vertices;       ///< #C
   std::vector<std::array<double, Kind::rest_values>> rest;  ///< #C, see the kind
-  std::vector<double> softness;  ///< #C, XPBD: α of a constraint is its softness times the scene's compliance
-  typename Kind::Law law{};      ///< of all
+  std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
+  typename Kind::Law law{};      ///< of all elements in the list
 
   std::size_t size() const { return vertices.size(); }
 };
@@ -58,11 +58,10 @@ struct ElementBatch {
   Real k = 1;           ///< fraction per projection
   Real compliance = 0;  ///< times softness: α
   std::size_t count = 0;
-  const Point<Real>* rest_points =
-      nullptr;  ///< the rest shape, by which collapsed elements open; null: they stay
+  const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
 };
 
-/// A batch from a list, in the given order. `vertex_count` is where the dummies begin.
+/// A batch from a list, in the given order. `vertex_count` is the index of the first dummy.
 template <class Real, class Kind>
 ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, BatchOrder order,
                                             int vertex_count);

@@ -1,7 +1,7 @@
 #include "bendlab/constraints/energy.hpp"
 
 #include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 namespace bendlab {
 double elastic_energy(const DistanceConstraints& list, const Positions& positions) {
@@ -34,16 +34,17 @@ double elastic_energy(const ElementLists& lists, const Positions& positions) {
   return sum;
 }
 
-double elastic_energy(const StrainConstraints& list, const Positions& positions) {
-  constexpr StrainForm form = StrainForm::normalised;
+double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions) {
   double sum = 0;
   for (std::size_t t = 0; t < list.size(); ++t) {
     const std::array<double, 4>& q = list.inverse_rest[t];
     const auto p = corners(positions, list.vertices[t]);
     const double area = 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
-    for (const auto& term :
-         {stretch_constraint(p, q, 0, form), stretch_constraint(p, q, 1, form), shear_constraint(p, q, form)})
-      if (term.defined) sum += 0.5 * area * term.value * term.value;
+    const auto add = [&](const ConstraintValue<double, 3>& term, double softness) {
+      if (term.defined) sum += 0.5 * area * term.value * term.value / softness;
+    };
+    for (const int column : {0, 1}) add(stretch_constraint(p, q, column, form), stretch_softness(form));
+    add(shear_constraint(p, q, form), 1);
   }
   return sum;
 }

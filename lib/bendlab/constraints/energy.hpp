@@ -1,8 +1,8 @@
-// Elastic energy of constraints as XPBD sees them, U = Σ C² / (2 α), with α = softness (of a OneSided kind
-// its own energy / softness): divide by the scene's compliance. Undefined (collapsed) constraints count
-// nothing.
+// Elastic energy of XPBD's constraints times the scene's compliance: U = Σ C² / (2 α) with α = softness; for
+// a OneSided kind its own energy / softness. Undefined (collapsed) constraints do not count.
 #pragma once
 
+#include "bendlab/constraints/batches.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
 
@@ -14,7 +14,8 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Of warp, weft and shear in the normalised form, α = compliance / rest area.
-double elastic_energy(const StrainConstraints& list, const Positions& positions);
+/// Of warp, weft and shear in this form, α = compliance / rest area (stretch_softness() times that for warp and
+/// weft).
+double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
 
 }  // namespace bendlab

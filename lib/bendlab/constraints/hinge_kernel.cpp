@@ -1,3 +1,12 @@
+// What lies in a lane: one hinge.
+//
+//       p2            p[0] … p[3]   its corners: packs of x, y, z and of w = 1/m
+//      /  \           rest[0]       θ0
+//    p0 -- p1         rest[1]       1 / rest length of the edge, 1/m
+//      \  /           rest[2], [3]  sin(θ0/2), cos(θ0/2)
+//       p3
+//
+// Symbols and order are those of hinge_angle() in hinge_angle.hpp, the scalar code.
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/hinge_angle.hpp"
 #include "bendlab/constraints/pack_math.hpp"

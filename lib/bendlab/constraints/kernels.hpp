@@ -1,5 +1,5 @@
-// The hot loops: project a range of runs of a batch, all lanes of a pack at once. The runs must lie within
-// one colour. `substep` is h in s, used by XPBD only; `backwards` goes through the constraints in the
+// The hot loops: project a range of stacks of a batch, all lanes of a pack at once. The stacks must lie
+// within one colour. `substep` is h in s, used by XPBD only; `backwards` goes through the constraints in the
 // opposite order.
 #pragma once
 
@@ -10,19 +10,19 @@
 namespace bendlab {
 
 template <class Real>
-void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size_t first_run,
-             std::size_t last_run, Real substep, bool backwards = false);
+void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size_t first_stack,
+             std::size_t last_stack, Real substep, bool backwards = false);
 template <class Real>
-void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first_run,
-             std::size_t last_run, Real substep, bool backwards = false);
+void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first_stack,
+             std::size_t last_stack, Real substep, bool backwards = false);
 template <class Real, class Kind>
-void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first_run,
-             std::size_t last_run, Real substep, bool backwards = false);
+void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first_stack,
+             std::size_t last_stack, Real substep, bool backwards = false);
 
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
-/// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. Of a triangle
-/// the normalised warp, weft and shear terms are damped. The batch must be conflict-free (else see
-/// damp_reference()).
+/// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. For a triangle
+/// it damps the normalised warp, weft and shear terms. The batch must be conflict-free (else use
+/// damp_by_oracle()).
 template <class Real>
 void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch, Real k);
 template <class Real>
@@ -30,7 +30,7 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
 template <class Real, class Kind>
 void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k);
 
-/// Calls action(std::bool_constant<whether the places are split>). Split places are single precision's.
+/// Calls action(std::bool_constant<whether the places are split>). Only single precision has split places.
 template <class Real, class Action>
 void with_split(const Places<Real>& places, const Action& action) {
   if constexpr (sizeof(Real) == sizeof(float)) {

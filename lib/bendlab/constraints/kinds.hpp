@@ -1,4 +1,4 @@
-// Every element kind. A new one is added to the list, and calibrate() has to know how it resists.
+// Every element kind. A new kind is added to the list here, and calibrate() has to know how it resists.
 #pragma once
 
 #include <string_view>
@@ -46,12 +46,12 @@ using ElementLists = detail::OfKinds<double, ElementKinds>::Lists;
 template <class Real>
 using ElementBatches = typename detail::OfKinds<Real, ElementKinds>::Batches;
 
-/// Place of a kind in these.
+/// Index of a kind in these.
 template <class Kind>
 inline constexpr std::size_t kind_index = detail::OfKinds<double, ElementKinds>::index<Kind>();
 
-/// Place of the kind with that Kind::name. Throws std::invalid_argument, which lists the names there are.
-std::size_t kind_place(std::string_view name);
+/// Index of the kind with that Kind::name. Throws std::invalid_argument, which lists the names there are.
+std::size_t index_of_kind(std::string_view name);
 
 /// Calls action(list or batch) for each kind's.
 template <class Tuple, class Action>

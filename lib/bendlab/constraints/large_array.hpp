@@ -1,5 +1,5 @@
-// A vector whose memory, when it is large, the system is asked to map in pages of 2 MB: a sweep over a
-// million vertices touches more pages of 4 KB than a processor has translations for (measured: 15 % of a
+// A vector that asks the system for pages of 2 MB if it is large: a projection sweep over a million vertices
+// uses more pages of 4 KB than a processor has address translations for (measured: 15 % of the time of a
 // spring).
 #pragma once
 
@@ -28,7 +28,7 @@ struct HugePageAllocator {
     const std::size_t alignment = large ? huge_page : std::size_t{64};
     void* const memory = std::aligned_alloc(alignment, (bytes + alignment - 1) / alignment * alignment);
     if (!memory) throw std::bad_alloc();
-    if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // advice: refused, it is only slower
+    if (large) madvise(memory, bytes, MADV_HUGEPAGE);  // only advice: if refused, access is slower
     return static_cast<T*>(memory);
   }
   void deallocate(T* memory, std::size_t) { std::free(memory); }
@@ -42,7 +42,7 @@ struct HugePageAllocator {
 template <class T>
 using LargeArray = std::vector<T, HugePageAllocator<T>>;
 
-/// Asks for an element before it is needed; beyond the end, for the last.
+/// Fetches an element before it is needed; the last one if `index` is beyond the end.
 template <class T>
 void prefetch(const LargeArray<T>& array, std::size_t index) {
   __builtin_prefetch(array.data() + std::min(index, array.size() - 1));

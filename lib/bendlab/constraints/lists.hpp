@@ -1,4 +1,4 @@
-// Constraints as plain lists, as models build them and before they are ordered: one list per kind.
+// Constraints as plain lists, one per kind: as models build them, before they are ordered.
 #pragma once
 
 #include <array>
@@ -10,8 +10,7 @@ namespace bendlab {
 struct DistanceConstraints {
   std::vector<std::array<int, 2>> vertices;  ///< #C pairs (a, b)
   std::vector<double> rest_length;           ///< #C, m
-  std::vector<double>
-      softness;  ///< #C, or empty (all 1); XPBD: α is the softness times the scene's compliance
+  std::vector<double> softness;  ///< #C, or empty (all 1); XPBD: α is it times the scene's compliance
 
   std::size_t size() const { return vertices.size(); }
 };

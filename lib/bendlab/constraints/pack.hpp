@@ -1,6 +1,11 @@
-// Lanes: arithmetic on as many constraints at once as the machine's registers hold. Compiler vectors (GCC,
-// Clang), so that one source runs at 128, 256 and 512 bits. Points are loaded whole and transposed, which
-// measured faster than element-wise loads and than hardware gathers.
+// Packs: arithmetic on as many constraints at once as the machine's registers hold, one per lane. They are
+// vectors of the compiler (GCC, Clang), so that one source compiles for 128, 256 and 512 bits. Points are
+// loaded whole and transposed, which was measured to be faster than element-wise loads and hardware gathers:
+//
+//   point of lane 0:  x y z w | of lane 4: …               x x x x | …   lanes 0, 1, 2, 3 | 4, 5, 6, 7 | …
+//            lane 1:  x y z w | of lane 5: …   transposed  y y y y | …
+//            lane 2:  x y z w | …                          z z z z | …
+//            lane 3:  x y z w | …                          w w w w | …
 #pragma once
 
 #include <array>
@@ -59,7 +64,7 @@ BENDLAB_INLINE void store(Real* to, const Pack<Real>& pack) {
   std::memcpy(to, &pack, sizeof(pack));
 }
 
-// The masked form: the plain one makes GCC 12 warn of an uninitialised register inside its own header.
+// The masked form: with the plain one GCC 12 warns of an uninitialised register in its own header.
 BENDLAB_INLINE Pack<float> square_root(const Pack<float>& pack) {
 #if defined(__AVX512F__)
   return (Pack<float>)_mm512_maskz_sqrt_ps(0xffff, (__m512)pack);
@@ -80,9 +85,9 @@ BENDLAB_INLINE Pack<double> square_root(const Pack<double>& pack) {
 #endif
 }
 
-/// 1 / √x of positive, normal x, within two units in the last place: an approximation of 14 bits and Newton
-/// steps, each of which doubles them, take a fraction of the time that root and quotient take one after the
-/// other. Both sides of a power of four scale alike.
+/// 1 / √x of positive, normal x, within two units in the last place. An approximation of 14 bits and Newton
+/// steps, each of which doubles the bits, take a fraction of the time of a root and a quotient. Scaling x by
+/// a power of four scales the result exactly.
 BENDLAB_INLINE Pack<float> inverse_square_root(const Pack<float>& x) {
 #if defined(__AVX512F__)
   const Pack<float> guess = (Pack<float>)_mm512_maskz_rsqrt14_ps(0xffff, (__m512)x);
@@ -124,7 +129,7 @@ struct PackVector {
   Pack<Real> x, y, z;
 };
 
-/// By lanes, `a` where the mask is true, else `b`.
+/// In each lane `a` if the mask is true, else `b`.
 template <class Real, class Mask>
 BENDLAB_INLINE PackVector<Real> select(const Mask& mask, const PackVector<Real>& a,
                                        const PackVector<Real>& b) {
@@ -160,7 +165,7 @@ struct PackPoints {
 
 namespace detail {
 
-// Within each block of four lanes: first[from[0]], first[from[1]] or, from 4 on, second[from - 4].
+// In each block of four lanes, lane l gets first[i_l], or second[i_l - 4] if i_l is at least 4.
 template <int i0, int i1, int i2, int i3, class P, int... lane>
 BENDLAB_INLINE P blend(const P& first, const P& second, std::integer_sequence<int, lane...>) {
   constexpr int width = static_cast<int>(sizeof...(lane));
@@ -209,10 +214,10 @@ BENDLAB_INLINE auto concatenated(const First& first, const Second& second,
   return __builtin_shufflevector(first, second, lane...);
 }
 
-// Points at offsets[0], offsets[4], offsets[8], … side by side in one pack. Joined in registers: assembled in
-// memory, the wide load would wait for the narrow stores before it. Inserting from memory is a blend that
-// either vector port can do; the shuffles that GCC makes of a concatenation all go through one port, which is
-// what limits these kernels.
+// Points at offsets[0], offsets[4], offsets[8], … side by side in one pack. They are joined in registers: if
+// they were assembled in memory, the wide load would wait for the narrow stores before it. Inserting from
+// memory is a blend, which either vector port can do. The shuffles that GCC makes of a concatenation all go
+// through one port, and that port limits these kernels.
 template <class Real>
 BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* offsets) {
   if constexpr (lanes<Real> == 4) {
@@ -241,8 +246,9 @@ BENDLAB_INLINE void store_point(Point<Real>& point, const typename QuadType<Real
   std::memcpy(static_cast<void*>(&point), &quad, sizeof(quad));
 }
 
-// The inverse of rows_by_fours(). A quarter of a 512-bit register takes a shuffle to store, half of a 256-bit
-// one does not: the upper half is moved down once (and kept from being merged with the quarters' extraction).
+// The inverse of rows_by_fours(). Storing a quarter of a 512-bit register takes a shuffle, storing half of a
+// 256-bit one does not. So the upper half is moved down once; the asm keeps GCC from merging that with the
+// extraction of quarters.
 template <class Real>
 BENDLAB_INLINE void store_rows_by_fours(Point<Real>* points, const int* offsets, const Pack<Real>& row) {
   constexpr std::make_integer_sequence<int, 4> quad{};
@@ -273,7 +279,7 @@ BENDLAB_INLINE PackPoints<Real> gather(const Point<Real>* points, const int* off
   return {{row[0], row[1], row[2]}, row[3]};
 }
 
-/// Writes packs back to the points at `offsets[0 .. lanes)`; none may stand twice.
+/// Writes packs back to the points at `offsets[0 .. lanes)`, which must all differ.
 template <class Real>
 BENDLAB_INLINE void scatter(Point<Real>* points, const int* offsets, const PackPoints<Real>& packs) {
   Pack<Real> row[4] = {packs.position.x, packs.position.y, packs.position.z, packs.w};
@@ -283,7 +289,7 @@ BENDLAB_INLINE void scatter(Point<Real>* points, const int* offsets, const PackP
 
 namespace detail {
 
-// Lanes that hold an inverse mass before points are transposed: every fourth.
+// The lanes that hold an inverse mass before points are transposed: every fourth.
 template <class Real>
 BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
   PackMask<Real> mask{};
@@ -291,7 +297,7 @@ BENDLAB_INLINE PackMask<Real> inverse_mass_lanes() {
   return mask;
 }
 
-// What the points of split places moved, a row of them each, before they are transposed.
+// The moves of the points of split places, in rows before they are transposed.
 template <class Real>
 struct MovedRows {
   Pack<Real> row[4];
@@ -304,12 +310,12 @@ BENDLAB_INLINE MovedRows<Real> moved_rows(const Places<Real>& places, const int*
   return moved;
 }
 
-// The bases of one point per lane, to which others are taken relative.
+// The bases of one point per lane; other points are computed relative to them.
 template <class Real>
 struct BaseRows {
   Pack<Real> row[4];  // positions, 0 in the lanes of inverse masses
 
-  // base + moved, less this base. The difference of bases comes first: it is the one that is exact.
+  // base + moved, minus this base. The difference of bases comes first, because it is exact.
   BENDLAB_INLINE PackPoints<Real> relative(const Places<Real>& places, const int* offsets,
                                            const MovedRows<Real>& moved) const {
     Pack<Real> sum[4];
@@ -317,7 +323,7 @@ struct BaseRows {
     transpose<Real>(sum[0], sum[1], sum[2], sum[3]);
     return {{sum[0], sum[1], sum[2]}, sum[3]};
   }
-  // The base alone, less this one.
+  // The base alone, minus this base.
   BENDLAB_INLINE PackPoints<Real> relative_base(const Places<Real>& places, const int* offsets) const {
     Pack<Real> difference[4];
     for (int r = 0; r < 4; ++r) difference[r] = rows_by_fours(places.base, offsets + r) - row[r];
@@ -326,7 +332,7 @@ struct BaseRows {
   }
 };
 
-// The base at `offsets`, and the points there relative to it: what they moved, and their inverse masses.
+// The bases at `offsets`, and the points there relative to their own base: their moves and inverse masses.
 template <class Real>
 BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* offsets,
                                         const MovedRows<Real>& moved, PackPoints<Real>& relative) {
@@ -343,7 +349,7 @@ BENDLAB_INLINE BaseRows<Real> base_rows(const Places<Real>& places, const int* o
   return base;
 }
 
-// Writes moved rows back, each point moved on by `change`; none may stand twice.
+// Writes moved rows back plus `change` for each point; the points must all differ.
 template <class Real>
 BENDLAB_INLINE void scatter_moved(const Places<Real>& places, const int* offsets,
                                   const MovedRows<Real>& moved, const PackVector<Real>& change) {

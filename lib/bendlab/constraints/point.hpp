@@ -1,4 +1,4 @@
-// A vertex as four numbers in one 128-bit (float) or 256-bit (double) load: position and inverse mass.
+// A vertex as four numbers: position and inverse mass, one load of 128 bits (float) or 256 bits (double).
 #pragma once
 
 #include <Eigen/Core>
@@ -22,28 +22,28 @@ struct alignas(4 * sizeof(Real)) Point {
 template <class Real>
 using Points = LargeArray<Point<Real>>;
 
-/// Where the vertices are, for projections. `moved` alone where `base` is null; else base + moved, and
-/// projections change `moved`. Inverse masses stand in `base` then, and 0 in moved.w.
+/// The positions that projections change: `moved` if `base` is null, else base + moved (split places). Split
+/// places have their inverse masses in `base`, and 0 in moved.w.
 ///
-/// The sum is what single precision needs: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096
-/// substeps, far below the last digit of a position near 1 m. Constraints depend on differences, and that of
-/// two neighbours' bases is exact to the last digit of an edge, not of a position; what a substep adds to it
-/// is kept apart, to its own last digit.
+/// Single precision needs the sum: forces move a vertex by g h² in a substep, 10⁻¹⁰ m with 4096 substeps a
+/// second, far below the last digit of a position near 1 m. Constraints depend on differences. The difference
+/// of two neighbours' bases is exact to the last digit of an edge, not of a position, and `moved`, which a
+/// substep adds to it, keeps its own digits.
 template <class Real>
 struct Places {
   const Point<Real>* base = nullptr;
   Point<Real>* moved = nullptr;
 
-  Places(Point<Real>* whole) : moved(whole) {}  // NOLINT: positions are places
+  Places(Point<Real>* whole) : moved(whole) {}  // NOLINT: converts whole positions
   Places(const Point<Real>* at, Point<Real>* displacements) : base(at), moved(displacements) {}
 };
 
-/// Of a parameter from which Real is not deduced, so that an array of points will do.
+/// For a parameter from which Real is not deduced, so that an array of points converts to it.
 template <class Real>
 using PlacesOf = std::type_identity_t<Places<Real>>;
 
-/// Where a vertex stands in an array of points, counted in numbers. Batches store this instead of the vertex:
-/// a processor scales an address by 4 or 8 on the way, but not by the size of a point.
+/// The index of a vertex's first number in an array of points. Batches store it instead of the vertex: a
+/// processor scales an address by 4 or 8 for free, but not by the size of a point.
 constexpr int offset_of(int vertex) {
   return 4 * vertex;
 }

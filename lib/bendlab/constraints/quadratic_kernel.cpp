@@ -1,3 +1,11 @@
+// What lies in a lane: one hinge of QuadraticBend (quadratic_bend.hpp, with the scalar code).
+//
+//       p2            p[0] … p[3]         its corners: packs of x, y, z and of w = 1/m
+//      /  \           rest[0] … rest[3]   K_0 … K_3
+//    p0 -- p1         rest[4]             |Kx| at rest, m
+//      \  /           rest[5]             rest length of the edge, m
+//       p3
+//                     bend = Kx = Σ K_i p_i, relative to p0 because Σ K_i = 0
 #include "bendlab/constraints/element_kernel.hpp"
 #include "bendlab/constraints/quadratic_bend.hpp"
 

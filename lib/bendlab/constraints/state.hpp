@@ -15,14 +15,14 @@ namespace bendlab {
 /// A vertex that an obstacle pushed out in this iteration.
 template <class Real>
 struct Contact {
-  std::size_t vertex;       ///< its place in State's arrays
+  std::size_t vertex;       ///< permuted: its index in State's arrays
   Vector3Of<Real> normal;   ///< unit, out of the obstacle
   Real depth;               ///< m, how far it was pushed along the normal
   Vector3Of<Real> carried;  ///< m, how far the obstacle's surface there moves in this substep
 };
 
-/// Adds to `sum` and returns what the rounded sum lacks, of a number or a vector of them (Knuth 1969, theorem
-/// 4.2.2 B).
+/// Adds to `sum` and returns the error of the rounded sum (Knuth 1969, theorem 4.2.2 B). For a number or a
+/// vector of numbers.
 template <class Number>
 BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
   const Number before = sum;
@@ -31,20 +31,20 @@ BENDLAB_INLINE Number sum_with_remainder(Number& sum, Number change) {
   return (before - (sum - done)) + (change - done);
 }
 
-/// Positions and velocities of a cloth, coordinates relative to `origin` so that float keeps its digits.
-/// The point arrays hold #V points and then the dummies that padded lanes of a batch point to.
+/// Positions and velocities of a cloth. Coordinates are relative to `origin`, so that float keeps its digits.
+/// The point arrays hold #V points, in the order of the permutation, and then the dummies for padded lanes.
 template <class Real>
 struct State {
   int vertex_count = 0;
   Points<Real> position;  ///< w holds the inverse mass, 1/kg (0: pinned)
   Points<Real> previous;  ///< positions at the start of the substep
   Points<Real> velocity;  ///< m/s
-  /// In single precision under pbd, else empty: what the last digits of positions (between substeps) and
-  /// velocities do not hold. Positions and velocities are these sums.
+  /// Only in single precision under pbd, else empty: what the last digits of positions (between substeps) and
+  /// velocities do not hold. The exact positions and velocities are the sums with these.
   Points<Real> position_remainder, velocity_remainder;
   std::vector<double> mass;  ///< #V, kg, pinned vertices too
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
-  /// v += change, kept to the last digit of a small change where velocity_remainder is there.
+  /// v += change; with velocity_remainder no digit of a small change is lost.
   void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {
     using Quad = detail::QuadType<Real>::type;
     const Quad by = {change.x(), change.y(), change.z(), 0};
@@ -58,7 +58,7 @@ struct State {
     detail::store_point<Real>(velocity[vertex], v);
   }
 
-  /// What obstacles found in this iteration, kept only where a listed effect uses contacts.
+  /// The contacts that obstacles found in this iteration; only if a listed effect uses them.
   std::vector<Contact<Real>> contacts;
 };
 
@@ -90,17 +90,17 @@ struct PassContext {
   const Constraints<Real>& constraints;
   Real substep;             ///< h, s
   double time = 0;          ///< s, at the start of the substep
-  std::uint64_t acted = 0;  ///< for a pass to add what it changed (vertices, pairs …); the solver sums it up
+  std::uint64_t acted = 0;  ///< a pass adds the number of its changes (vertices, pairs …)
 };
 
-/// Where in a substep an effect's pass runs. Projection of constraints lies between `damp` and `velocity`,
-/// with the passes of `project` in it.
+/// Where in a substep an effect's pass is. Constraints are projected between `damp` and `velocity`, together
+/// with the passes of `project`.
 enum class Stage {
   force,      ///< before prediction: v += h a
   damp,       ///< before prediction, on the velocities with forces
-  predicted,  ///< on the predicted positions, once: what is carried along, what will be near
+  predicted,  ///< on the predicted positions, once: moves pins, finds what will be near
   project,    ///< on positions, after strain and bending in each iteration
-  contact,    ///< on positions, after these, on the contacts they found
+  contact,    ///< on positions, after `project`, with the contacts found there
   velocity,   ///< after the velocities were updated from the projected positions
 };
 

@@ -1,4 +1,4 @@
-// What a stiffness number means.
+// The meanings of a stiffness number.
 #pragma once
 
 #include <array>
@@ -14,7 +14,8 @@ enum class StiffnessKind {
 };
 inline constexpr std::array<std::string_view, 3> stiffness_kind_names = {"k", "k_per_step", "compliance"};
 
-/// The fraction one projection removes so that `projections` of an isolated constraint leave 1 - k.
+/// The fraction that one projection removes, so that `projections` of an isolated constraint leave 1 - k of
+/// it.
 inline double k_of_projection(StiffnessKind kind, double k, int projections) {
   return kind == StiffnessKind::k_per_step ? 1 - std::pow(1 - k, 1.0 / projections) : k;
 }

@@ -1,3 +1,12 @@
+// What lies in a lane: one triangle, with the λ of its four terms.
+//
+//     c         lane        0      1      2    …     lanes<Real> of a group at a time
+//    / \        a, b, c     v      v      v          Corners: packs of x, y, z and of w = 1/m
+//   /   \       Q⁻¹         q      q      q          RestInverse: q00, q01, q10, q11, 1/m
+//  a-----b      λ           λ      λ      λ          multipliers[4]: warp, weft, shear, area (XPBD)
+//
+// The four terms are projected one after another while the triangle stays in registers (strain_terms.hpp).
+// The scalar code beside it: stretch_constraint(), shear_constraint() and area_constraint() in oracle.hpp.
 #include <array>
 #include <type_traits>
 
@@ -7,8 +16,8 @@
 namespace bendlab {
 namespace {
 
-// Gives the lanes without a direction that of their rest shape, and a gradient of 0 to those that have none
-// there either.
+// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
+// either.
 template <class Real, StrainForm form, bool split, class TermOf, class Gradient>
 BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const TermOf& of,
                                            const Corners<Real, split>& t, const StrainBatch<Real>& batch,
@@ -30,24 +39,24 @@ BENDLAB_INLINE Term<Real, Gradient> opened(Term<Real, Gradient> term, const Term
   return term;
 }
 
-// What the projections of a triangle's four terms share. `multipliers` are XPBD's, of these lanes.
+// What the projections of a triangle's four terms share.
 template <class Real>
 struct TriangleLanes {
   const StrainBatch<Real>& batch;
   std::size_t lane;
   RestInverse<Real> q;
-  Pack<Real> alpha, stretch_alpha;  // XPBD: α̃
-  std::array<Pack<Real>, 4> multipliers{};
-  PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // of all terms so far
-  Pack<Real> least_weight;  // of a gradient that is more than rounding, see least_lever
-  Pack<Real> way{};  // of all terms so far: no corner moved farther than the root of this times the largest w
+  Pack<Real> alpha, stretch_alpha;                        // XPBD: α̃
+  std::array<Pack<Real>, 4> multipliers{};                // XPBD: λ
+  PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are
+  Pack<Real> least_weight;  // Σ w|∇C|² / Σ|∇C|² of a gradient that is more than rounding (see least_lever)
+  Pack<Real> way{};         // over all terms so far: no corner moved farther than √(way · largest w)
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
 
-  // One projection of one term: PBD with the fraction k, or XPBD. `careful`: collapsed lanes take the
-  // gradient of their rest shape, and no corner moves too far; else `defined` and `way` say whether it has to
-  // be.
+  // One projection of one term: PBD with the fraction k, or XPBD with a = α̃. `careful`: collapsed lanes take
+  // the gradient of their rest shape, and moves are bounded. Otherwise `defined` and `way` tell whether that
+  // is needed.
   template <StrainForm form, bool compliant, bool careful, bool split, class TermOf>
   BENDLAB_INLINE void apply(Corners<Real, split>& t, const TermOf& of, Real k, const Pack<Real>& a,
                             std::size_t which) {
@@ -61,7 +70,7 @@ struct TriangleLanes {
     const Pack<Real> sum = compliant ? term.scale * term.scale * weighted + a : weighted;
     const auto acts = term.defined & (weighted > least_weight * squares.sum());
     const Pack<Real> divisor = acts ? sum : one;
-    Pack<Real> change, step{};  // along `gradient`; of the multiplier
+    Pack<Real> change, step{};  // the move along `gradient`; Δλ
     if constexpr (compliant) {
       step = acts ? (-term.ratio * term.scale - a * multipliers[which]) / divisor : zero;
       change = term.scale * step;
@@ -83,14 +92,14 @@ struct TriangleLanes {
     term.gradient.add(t, change, t);
   }
 
-  // Of a triangle with two sides of that length at a right angle; of others no longer than they are.
+  // Exact for two equal sides at a right angle, else an underestimate.
   BENDLAB_INLINE Pack<Real> rest_size_squared() const { return 2 / squared_inverses(); }
   BENDLAB_INLINE Pack<Real> squared_inverses() const {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
   }
 
   // Whether the triangles have to be projected carefully: one has collapsed, or a corner moved farther than
-  // its triangle is long at rest.
+  // its triangle's size at rest.
   template <bool split>
   BENDLAB_INLINE bool needs_care(const Corners<Real, split>& t) const {
     return any(~defined | (way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
@@ -127,14 +136,14 @@ BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places,
   return t;
 }
 
-// False where the triangles have to be projected carefully; nothing is changed then.
+// Projects a pack of triangles. Returns false and changes nothing if they have to be projected carefully.
 template <class Real, StrainForm form, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& batch, std::size_t lane,
                                  Real twice_compliance_over_h2) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
-  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|); four times that on S_ii - 1
+  // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|), and four times that for S_ii - 1 = 2 E_ii.
   if constexpr (compliant) {
     const RestInverse<Real>& q = triangles.q;
     triangles.alpha = twice_compliance_over_h2 * absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10);
@@ -147,14 +156,14 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
       return false;
   if constexpr (compliant)
     for (std::size_t m = 0; m < 4; ++m) store(&batch.multiplier[m * count + lane], triangles.multipliers[m]);
-  if constexpr (split) t.a.w = t.b.w = t.c.w = Pack<Real>{};  // they stand in the base
+  if constexpr (split) t.a.w = t.b.w = t.c.w = Pack<Real>{};  // the base has the inverse masses
   scatter(places.moved, &batch.a[lane], t.a);
   scatter(places.moved, &batch.b[lane], t.b);
   scatter(places.moved, &batch.c[lane], t.c);
   return true;
 }
 
-// Apart, so that what is rare takes no registers from what is not.
+// A function of its own, so that the rare case takes no registers from the usual one.
 template <class Real, StrainForm form, bool compliant, bool split>
 [[gnu::noinline]] void project_carefully(const Places<Real>& places, StrainBatch<Real>& batch,
                                          std::size_t lane, Real twice_compliance_over_h2) {
@@ -166,13 +175,13 @@ void project_lanes(const Places<Real>& places, StrainBatch<Real>& batch, std::si
                    Real substep) {
   const Real twice_compliance_over_h2 = compliant ? 2 * batch.compliance / (substep * substep) : Real(0);
   constexpr auto width = static_cast<std::size_t>(lanes<Real>);
-  for (std::size_t lane = batch.order.runs[first]; lane < batch.order.runs[last]; lane += width)
+  for (std::size_t lane = batch.order.stacks[first]; lane < batch.order.stacks[last]; lane += width)
     if (!project_pack<Real, form, compliant, false, split>(places, batch, lane, twice_compliance_over_h2))
         [[unlikely]]
       project_carefully<Real, form, compliant, split>(places, batch, lane, twice_compliance_over_h2);
 }
 
-// Velocities after one term is damped: Δv = -k Ċ / Σ w|∇C|² w ∇C.
+// Damps one term: Δv = -k Ċ / Σ w|∇C|² w ∇C.
 template <class Real, class Gradient>
 BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, Term<Real, Gradient> term,
                               Real k) {
@@ -186,7 +195,7 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, T
 
 }  // namespace
 
-// Backwards or not: the triangles of a run share no vertex, so their order does not matter.
+// No two triangles of a stack share a vertex, so the order within it does not matter.
 template <class Real>
 void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {

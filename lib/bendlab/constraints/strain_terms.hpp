@@ -1,6 +1,6 @@
-// What the strain kernel projects of a triangle: its terms (stretch, shear, area), values and gradients for
-// the lanes of a pack. Part of strain_kernel.cpp, no other includes it; unnamed, because GCC allots registers
-// otherwise to templates that other sources may share.
+// The terms of a triangle that the strain kernel projects (stretch, shear, area): values and gradients for
+// the lanes of a pack. Only strain_kernel.cpp includes it. It is in an unnamed namespace, because GCC allots
+// registers differently to templates that other sources may share.
 #pragma once
 
 #include "bendlab/constraints/elements.hpp"
@@ -19,8 +19,8 @@ BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c
 //     a-----b
 
-// Of split places the corners are what they moved, and the bases' edges stand beside them: so nothing is lost
-// of either.
+// With split places the corners hold the moves, and first_base and second_base the edges of the bases, so
+// that neither loses digits.
 template <class Real, bool split = false>
 struct Corners {
   PackPoints<Real> a, b, c;
@@ -35,7 +35,7 @@ struct Corners {
     return c.position - a.position;
   }
   BENDLAB_INLINE Pack<Real> largest_w() const { return larger<Real>(larger<Real>(a.w, b.w), c.w); }
-  // Of the longest edge, or of how long the triangle is at rest.
+  // The square of the longest edge, or `at_rest` if that is larger.
   BENDLAB_INLINE Pack<Real> size_squared(const Pack<Real>& at_rest) const {
     const PackVector<Real> e1 = first_edge(), e2 = second_edge(), e3 = e2 - e1;
     return larger<Real>(larger<Real>(dot(e1, e1), dot(e2, e2)), larger<Real>(dot(e3, e3), at_rest));
@@ -64,7 +64,7 @@ BENDLAB_INLINE Pack<Real> absolute(const Pack<Real>& x) {
   return x < Pack<Real>{} ? -x : x;
 }
 
-// A number of each corner: |∇C|².
+// |∇C|² of each corner.
 template <class Real>
 struct PerTriangle {
   Pack<Real> a, b, c;
@@ -74,14 +74,15 @@ struct PerTriangle {
     return t.a.w * a + t.b.w * b + t.c.w * c;
   }
   BENDLAB_INLINE Pack<Real> sum() const { return a + b + c; }
-  // max w²|∇C|²: the square of how far a corner moves per multiplier.
+  // max w²|∇C|²: the squared move of the corner that moves farthest, per multiplier.
   template <class Triangle>
   BENDLAB_INLINE Pack<Real> farthest(const Triangle& t) const {
     return larger<Real>(larger<Real>(t.a.w * t.a.w * a, t.b.w * t.b.w * b), t.c.w * t.c.w * c);
   }
 };
 
-// A gradient that is one direction scaled per corner (stretch), or a vector per corner (shear, area).
+// Two forms of a gradient: one direction scaled for each corner (stretch), or a vector per corner (shear,
+// area).
 template <class Real>
 struct Scaled {
   PackVector<Real> direction;
@@ -120,9 +121,9 @@ struct PerCorner {
   }
 };
 
-// One term as C = ratio · scale and ∇C = scale · gradient, so that PBD's correction C / Σ w|∇C|² ∇C needs no
-// scale: it is ratio / Σ w|gradient|² gradient, which saves most square roots and divisions. `defined` is a
-// lane mask.
+// One term as C = ratio · scale and ∇C = scale · gradient. PBD's correction C / Σ w|∇C|² ∇C is then ratio / Σ
+// w|gradient|² gradient: without the scale it saves most square roots and divisions. `defined` is a lane
+// mask.
 template <class Real, class Gradient>
 struct Term {
   Pack<Real> ratio, scale;
@@ -141,7 +142,7 @@ BENDLAB_INLINE PerCorner<Real> select(const PackMask<Real>& mask, const PerCorne
   return {select(mask, a.gb, b.gb), select(mask, a.gc, b.gc)};
 }
 
-// Lanes of a square that is neither collapsed nor overgrown.
+// The lanes in which a square is neither collapsed nor overgrown.
 template <class Real>
 BENDLAB_INLINE PackMask<Real> in_bounds(const Pack<Real>& squared) {
   constexpr Real least = collapsed_ratio<Real> * collapsed_ratio<Real>;
@@ -155,7 +156,7 @@ BENDLAB_INLINE Term<Real, Scaled<Real>> stretch(const Corners<Real, split>& t, c
   const Pack<Real> one = broadcast<Real>(1), squared = dot(f, f);
   const auto defined = in_bounds<Real>(squared);
   if constexpr (form != StrainForm::green) {         // C = l - 1, ∇C = f / l
-    const Pack<Real> length = square_root(squared);  // not after the comparison: the terms wait for it
+    const Pack<Real> length = square_root(squared);  // without waiting for the comparison
     return {squared - length, one / (defined ? length : one), {f, squared, gb, gc}, defined};
   } else {
     return {squared - one, one, {f, squared, gb + gb, gc + gc}, defined};
@@ -208,8 +209,8 @@ BENDLAB_INLINE Term<Real, PerCorner<Real>> area(const Corners<Real, split>& t,
           defined};
 }
 
-// Lanes in which a term is to be corrected along the gradient of the rest shape, and by what: see
-// ConstraintValue.
+// The lanes in which a term is corrected along the gradient of the rest shape, and the value there (see
+// ConstraintValue).
 template <class Real>
 struct Opening {
   PackMask<Real> lanes;
@@ -235,7 +236,7 @@ struct Stretch {
     const PackVector<Real> f = combination<Real>(gb, t.first_edge(), gc, t.second_edge());
     return collapsed<Real>(dot(f, f));
   }
-  // C = f·d - 1 with the rest direction d, whatever another term has made of f: d is f at rest, of length 1.
+  // C = f·d - 1, however another term changed f; d is f at rest, of length 1.
   template <StrainForm, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>& at_rest) const {
     const PackVector<Real> d = combination<Real>(gb, at_rest.first_edge(), gc, at_rest.second_edge());
@@ -254,7 +255,7 @@ struct Shear {
   BENDLAB_INLINE auto term(const Corners<Real, split>& t) const {
     return shear<Real, form, split>(t, q);
   }
-  // Where warp and weft are parallel.
+  // If warp and weft are parallel.
   template <StrainForm form, bool split>
   BENDLAB_INLINE Opening<Real> opening(const Corners<Real, split>& t, const Corners<Real>&) const {
     const PackVector<Real> e1 = t.first_edge(), e2 = t.second_edge();

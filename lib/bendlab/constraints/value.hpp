@@ -1,4 +1,4 @@
-// A constraint at one state: what the oracle computes one at a time.
+// The value and gradient of one constraint, as the oracle computes them.
 #pragma once
 
 #include <array>
@@ -9,10 +9,10 @@
 
 namespace bendlab {
 
-/// C and ∇C of a constraint on N vertices; `defined` is false where the gradient has no direction. The value
-/// is then what a collapsed element is to be corrected by along the gradient of its rest shape: that is how
-/// it opens again. 0: nothing can be corrected (a hinge without an angle, which its triangles' strain opens;
-/// an overgrown element).
+/// C and ∇C of a constraint on N vertices. `defined` is false if the gradient has no direction. The value is
+/// then the one to correct along the gradient of the rest shape, so that a collapsed element opens again. 0:
+/// it cannot be corrected (a hinge without an angle, which its triangles' strain opens; an overgrown
+/// element).
 template <class Real, std::size_t N>
 struct ConstraintValue {
   Real value = 0;

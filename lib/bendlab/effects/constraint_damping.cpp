@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/effects/effect.hpp"
 
 namespace bendlab {
@@ -22,7 +22,7 @@ constexpr std::array parameters = {
 template <class Real, class Batch>
 void damp_any(const Point<Real>* points, Point<Real>* velocities, const Batch& batch, Real k) {
   batch.order.conflict_free ? damp(points, velocities, batch, k)
-                            : damp_reference(points, velocities, batch, k);
+                            : damp_by_oracle(points, velocities, batch, k);
 }
 
 template <class Real>

@@ -1,5 +1,5 @@
-// Disc: a round table top. Its rim is half a circle, so that there is no edge for the cloth to catch on: all
-// points within half the height of a flat disc that is smaller by as much.
+// Disc: a round table top. It holds all points within half its height of a flat disc, whose radius is smaller
+// by half the height. So its rim is half a circle, and the cloth has no edge to catch on.
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
@@ -9,7 +9,7 @@ template <class Real>
 struct FlatDisc {
   Vector3Of<Real> centre, axis;
   Real radius;
-  std::array<Vector3Of<Real>, 0> tips{};  // a rim is met by edges first: it bends too little for a triangle
+  std::array<Vector3Of<Real>, 0> tips{};  // none: edges of the cloth meet the rim before triangles do
 
   Vector3Of<Real> nearest(const Vector3Of<Real>& x) const {
     const Vector3Of<Real> arm = x - centre, within = arm - axis.dot(arm) * axis;

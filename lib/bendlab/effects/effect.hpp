@@ -1,6 +1,6 @@
-// The interface of an effect: something a scene lists by name and the step plan is compiled from. An effect
-// that is not listed has no pass, no buffer and no time. A new effect is one file, one line in effects.def,
-// one test.
+// The interface of an effect. A scene lists its effects by name, and the step plan is compiled from that
+// list. An effect that is not listed has no pass and no buffer, and takes no time. A new effect is one file,
+// one line in effects.def and one test.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace bendlab {
 
-/// What an effect may know of its scene.
+/// What an effect gets from its scene.
 struct EffectInput {
   const ParameterValues& parameters;  ///< the effect's own table, defaults filled in
   const RestMesh& rest;
@@ -33,7 +33,7 @@ struct Effect {
   std::string_view summary;
   std::string_view source;  ///< paper and equation
   std::span<const Parameter> parameters;
-  /// Its passes act on the scene's constraints or among them, which only solver methods that project have.
+  /// Its passes act on projected constraints or between projections: only for solver methods that project.
   bool needs_projection = false;
   bool uses_contacts = false;  ///< reads State::contacts, at Stage::contact
   bool repeatable = false;     ///< a scene may list it more than once
@@ -41,8 +41,8 @@ struct Effect {
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);
 
-  /// True where the effect provably changes nothing with these settings, whatever the cloth does; null: never
-  /// known.
+  /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null:
+  /// never known.
   bool (*idle)(const ParameterValues&) = nullptr;
 
   template <class Real>

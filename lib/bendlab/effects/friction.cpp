@@ -1,10 +1,9 @@
 // Friction: Coulomb's law where obstacles push the cloth.
 //
-// Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F that of all
-// friction. What is left of the sliding against the surface is cancelled as long as the total |F| stays
-// within μ_s D; where it does not, |F| becomes μ_k D. Sums over the iterations, not each iteration by itself:
-// the first one pushes most, and what strain and bending move afterwards has to stick too (the same as
-// accumulated impulses, Catto 2005, §4.3).
+// Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F the sum of all
+// friction. Friction cancels the sliding that is left, if |F| stays within μ_s D; otherwise |F| becomes μ_k
+// D. The sums go over the iterations of the substep: the first one pushes most, but a vertex that strain and
+// bending move later has to stick as well (like accumulated impulses, Catto 2005, §4.3).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -21,13 +20,13 @@ constexpr std::array parameters = {
               .type = ParameterType::number,
               .unit = "1",
               .default_value = 0.5,
-              .meaning = "μ_s: up to this times the push, friction lets nothing slide",
+              .meaning = "μ_s: nothing slides while friction is at most this times the push",
               .minimum = 0},
     Parameter{.name = "kinetic",
               .type = ParameterType::number,
               .unit = "1",
               .default_value = 0.4,
-              .meaning = "μ_k: friction of what slides, per push; never more than stops it",
+              .meaning = "μ_k: friction on what slides, per push; never more than what stops it",
               .minimum = 0},
 };
 
@@ -41,7 +40,7 @@ struct Grip {
   Vector pushed = Vector::Zero();   // Σ depth · normal
   Vector carried = Vector::Zero();  // Σ depth · carried
   Vector held = Vector::Zero();     // F, m
-  Vector normal = Vector::Zero();   // of the last push, into which friction moves nothing
+  Vector normal = Vector::Zero();   // of the last push; friction moves no vertex against it
 };
 
 template <class Real>

@@ -7,9 +7,9 @@
 
 namespace bendlab {
 
-/// Each component is its own value noise: independent uniform values at whole multiples of `time`, between
-/// them joined by 3 x² - 2 x³. Its mean is 0, its standard deviation over time `deviation`; it never exceeds
-/// 2.01 deviations, and values two `time`s or more apart are independent.
+/// Each component is value noise of its own: independent uniform values at whole multiples of `time`, joined
+/// by 3 x² - 2 x³. Its mean is 0 and its standard deviation over time is `deviation`. It never exceeds 2.01
+/// deviations; values at least 2 `time` apart are independent.
 struct Gusts {
   double deviation = 0;  ///< m/s
   double time = 1;       ///< s

@@ -1,15 +1,15 @@
 // Mesh obstacle: a triangle mesh from a file, closed (the cloth stays outside) or open (it stays on the side
 // it came from).
 //
-// * Vertices go to the nearest point. One asks again only when it has moved by as much as it was away: a
-//   vertex that is far costs a comparison.
-// * A vertex whose way in the substep is long against the thickness, and meets the mesh, is held outside the
+// * Vertices are pushed out from the nearest point of the mesh. A vertex looks for it again only after it has
+//   moved as far as it was away: a vertex far from the mesh costs one comparison.
+// * A vertex that moves far in a substep, compared with the thickness, and meets the mesh is held outside the
 //   plane of the triangle that it met first.
-// * Edges of the cloth against the mesh's ridges, its triangles against the mesh's pointed corners: what lies
-//   near is found once per substep, on the predicted positions.
+// * Edges of the cloth are tested against the mesh's ridges, and its triangles against the mesh's pointed
+//   corners. Pairs that are near are found once per substep, on the predicted positions.
 //
-// Not covered: edges and triangles are not followed through a substep. One that moves by more than the
-// thickness and half its length in it may cut a corner of the mesh between its vertices.
+// Not covered: edges and triangles are not followed through a substep. If one moves by more than the
+// thickness and half its length, it may cut a corner of the mesh between its vertices.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <memory>
@@ -52,13 +52,13 @@ std::shared_ptr<const MeshSurface> surface_of(const ParameterValues& values) {
   return std::make_shared<const MeshSurface>(std::move(mesh));
 }
 
-// Parameters in (0, 1) of the nearest points of two segments, where both lie between the ends.
+// Parameters in (0, 1) of the nearest points of two segments, if both lie between the ends.
 std::optional<std::array<double, 2>> nearest_between(const Vector3& a, const Vector3& along, const Vector3& b,
                                                      const Vector3& other) {
   const Vector3 apart = a - b;
   const double aa = along.squaredNorm(), ab = along.dot(other), bb = other.squaredNorm();
   const double determinant = aa * bb - ab * ab;
-  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: ends see to it
+  if (!(determinant > 1e-12 * aa * bb)) return std::nullopt;  // parallel within 1e-6: vertices deal with it
   const double s = (ab * other.dot(apart) - bb * along.dot(apart)) / determinant;
   const double u = (aa * other.dot(apart) - ab * along.dot(apart)) / determinant;
   if (!(s > 0 && s < 1 && u > 0 && u < 1)) return std::nullopt;
@@ -104,7 +104,7 @@ class MeshObstacle {
 
   struct Asked {
     Vector3 at = Vector3::Zero();
-    double distance = 0;  // m, a lower bound of the way to the surface from there
+    double distance = 0;  // m, a lower bound of the distance from there to the surface
 
     bool surely_beyond(double reach, const Vector3& x) const {
       const double left = distance - reach;
@@ -126,7 +126,8 @@ class MeshObstacle {
 
   // Every edge belongs to the first of its triangles.
   void own_edges() {
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;  // places, 3 · triangle + side
+    // Permuted vertices, 3 · triangle + side.
+    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;
     for (std::size_t t = 0; t < triangles_.size(); ++t)
       for (std::size_t i = 0; i < 3; ++i) {
         std::array ends = {triangles_[t][i], triangles_[t][(i + 1) % 3]};
@@ -148,7 +149,7 @@ class MeshObstacle {
 
   double distance_to_box(const Vector3& x) const { return box_.exteriorDistance(x); }
 
-  // A triangle's point is no farther from a corner than its longest side.
+  // No point of a triangle is farther from a corner than the longest side.
   bool any_in_reach(const State<Real>& state, const Step& step) const {
     double way = 0;
     for (std::size_t v = 0; v < asked_.size(); ++v)
@@ -216,8 +217,8 @@ class MeshObstacle {
     }
   }
 
-  // How a point of the cloth goes out whose nearest feature of the mesh, of mean normal `normal`, is `offset`
-  // away. Nothing where it is far enough.
+  // How a point x of the cloth is pushed out. `offset` leads to x from the nearest feature of the mesh, which
+  // has the mean normal `normal`. Nothing if x is far enough away.
   std::optional<Push> way_out(const Vector3& x, const Vector3& from, const Vector3& offset,
                               const Vector3& normal) const {
     const double distance = offset.norm();
@@ -255,7 +256,7 @@ class MeshObstacle {
     const std::array<Vector3, 3> x = {now(state, step, vertices[0]), now(state, step, vertices[1]),
                                       now(state, step, vertices[2])};
     const Vector3 w = nearest_weights(corner, x[0], x[1], x[2]);
-    if (!(w.minCoeff() > 0)) return;  // on an edge: ridges and vertices see to it
+    if (!(w.minCoeff() > 0)) return;  // on an edge: ridges and vertices deal with it
     const Vector3 at = w(0) * x[0] + w(1) * x[1] + w(2) * x[2];
     const Vector3 from = w(0) * before(state, step, vertices[0]) + w(1) * before(state, step, vertices[1]) +
                          w(2) * before(state, step, vertices[2]);
@@ -307,7 +308,7 @@ class MeshObstacle {
   std::vector<char> owned_;  // 3 #T
   std::vector<NearCorner> corners_near_;
   std::vector<NearRidge> ridges_near_;
-  std::vector<int> found_, corners_, ridges_;  // of the triangle that is being looked at
+  std::vector<int> found_, corners_, ridges_;  // for the current triangle
 };
 
 template <class Real>

@@ -38,7 +38,7 @@ const std::array parameters = {
               .type = ParameterType::numbers,
               .unit = "s",
               .default_value = std::span<const double>(start),
-              .meaning = "of the keyframes, growing; before the first one and after the last one those hold"},
+              .meaning = "of the keyframes, growing; the first one holds before its time, the last after"},
     Parameter{.name = "offsets",
               .type = ParameterType::numbers,
               .unit = "m",
@@ -96,7 +96,7 @@ class Keyframes {
     return std::ranges::all_of(poses_, [](const Pose& p) { return p.angle == 0 && p.offset.isZero(0); });
   }
 
-  // A keyframe's own time gives its pose to the last bit.
+  // At a keyframe's own time this is its pose, to the last bit.
   Pose at(double time) const {
     const auto next = std::ranges::upper_bound(times_, time);
     const auto k = static_cast<std::size_t>(next - times_.begin());
@@ -122,8 +122,8 @@ class Keyframes {
   bool smooth_;
 };
 
-// The vertex a scene names that each pinned vertex is held with: itself, or the nearest one, over pinned
-// vertices. #V, -1 where free.
+// #V: for each pinned vertex the vertex named in the scene that pins it: itself, or the nearest one along
+// pinned vertices. -1 for free vertices.
 std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   std::vector<int> seed(static_cast<std::size_t>(rest.vertex_count()), -1), queue = pins.seeds;
   for (const int vertex : queue) seed[static_cast<std::size_t>(vertex)] = vertex;
@@ -134,8 +134,8 @@ std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
   return seed;
 }
 
-// The vertices that the settings name; all pinned ones where they name none. Throws std::invalid_argument for
-// one that is not in the mesh or not pinned.
+// The vertices that the settings name; all pinned ones if they name none. Throws std::invalid_argument for a
+// vertex that is not in the mesh or not pinned.
 std::set<int> named_vertices(const EffectInput& input) {
   std::set<int> named;
   const auto add = [&](int vertex, const std::string& setting) {
@@ -156,18 +156,18 @@ std::set<int> named_vertices(const EffectInput& input) {
   return named;
 }
 
-// Where each of them stands in the state.
-std::vector<std::size_t> places_of_moving(const EffectInput& input) {
+// The pinned vertices that move, permuted.
+std::vector<std::size_t> moving_vertices(const EffectInput& input) {
   const std::set<int> named = named_vertices(input);
   const std::vector<int> seed = seeds_of_pins(input.rest, input.pins);
-  std::vector<std::size_t> places;
+  std::vector<std::size_t> vertices;
   for (const int vertex : input.pins.all)
     if (named.contains(vertex) || named.contains(seed[static_cast<std::size_t>(vertex)]))
-      places.push_back(input.permuted(vertex));
-  return places;
+      vertices.push_back(input.permuted(vertex));
+  return vertices;
 }
 
-// A turn about an axis, then an offset; without angles it is start + offset and no other arithmetic.
+// A turn about an axis, then an offset; without angles exactly start + offset.
 class Motion {
  public:
   explicit Motion(const ParameterValues& values)
@@ -181,14 +181,14 @@ class Motion {
 
   bool none() const { return keyframes_.all_at_the_start(); }
 
-  // Calls place(i, position) for the i-th of the starts; coordinates are relative to `origin`.
-  template <class Place>
-  void at(double time, const std::vector<Vector3>& starts, const Vector3& origin, const Place& place) const {
+  // Calls visit(i, position) for the i-th of the starts; coordinates are relative to `origin`.
+  template <class Visit>
+  void at(double time, const std::vector<Vector3>& starts, const Vector3& origin, const Visit& visit) const {
     const Pose pose = keyframes_.at(time);
     const Eigen::Matrix3d turn = Eigen::AngleAxisd(pose.angle, axis_).toRotationMatrix();
     const Vector3 centre = centre_ - origin;
     for (std::size_t i = 0; i < starts.size(); ++i)
-      place(i, turns_ ? Vector3(centre + turn * (starts[i] - centre) + pose.offset)
+      visit(i, turns_ ? Vector3(centre + turn * (starts[i] - centre) + pose.offset)
                       : Vector3(starts[i] + pose.offset));
   }
 
@@ -198,26 +198,26 @@ class Motion {
   Vector3 axis_, centre_;
 };
 
-// Sets the predicted positions of pinned vertices, which no projection moves, to those of the substep's end,
-// at context.time + h. What prediction made of their velocities is overwritten; `update` derives their
-// velocities from where they were before, for whatever asks how fast a pin moves.
+// Sets the predicted positions of pinned vertices to those at the end of the substep, context.time + h. No
+// projection moves them. `update` derives their velocities from their previous positions, for those who ask
+// how fast a pin moves.
 template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
   const Motion motion(input.parameters);
-  std::vector<std::size_t> places = places_of_moving(input);
-  if (places.empty() || motion.none()) return {};
+  std::vector<std::size_t> vertices = moving_vertices(input);
+  if (vertices.empty() || motion.none()) return {};
   return {{"moving_pins", Stage::predicted,
-           [motion, places = std::move(places),
+           [motion, vertices = std::move(vertices),
             starts = std::vector<Vector3>()](PassContext<Real>& context) mutable {
              State<Real>& state = context.state;
              if (starts.empty())
-               for (const std::size_t v : places)
+               for (const std::size_t v : vertices)
                  starts.push_back(state.previous[v].vector().template cast<double>());
              const double end = context.time + static_cast<double>(context.substep);
              motion.at(end, starts, state.origin, [&](std::size_t i, const Vector3& position) {
                const Vector3Of<Real> now = position.template cast<Real>();
-               context.acted += now != state.previous[places[i]].vector();
-               state.position[places[i]].set(now);
+               context.acted += now != state.previous[vertices[i]].vector();
+               state.position[vertices[i]].set(now);
              });
            }}};
 }
@@ -228,7 +228,7 @@ namespace effect {
 extern const Effect moving_pins{
     .name = "moving_pins",
     .summary =
-        "pinned vertices follow keyframes exactly; of several lists that move a vertex the last one counts",
+        "pinned vertices follow keyframes exactly; if several lists move a vertex, the last one counts",
     .source = "prescribed motion: start + offset, after a turn about an axis where angles are given",
     .parameters = parameters,
     .needs_projection = true,

@@ -7,9 +7,9 @@
 namespace bendlab {
 namespace {
 
-// Beyond the margin, for rounding: of float boxes, relative to the largest coordinate.
+// Added to the margin for the rounding of float boxes; relative to the largest coordinate.
 constexpr double box_rounding = 4e-7;
-// A pair this near at rest, relative to the thickness, touches: a seam that is not welded.
+// Relative to the thickness: a pair nearer than this at rest touches (a seam that is not welded).
 constexpr double touching = 1e-6;
 
 Positions centres_of(const RestMesh& rest) {
@@ -22,7 +22,7 @@ Positions centres_of(const RestMesh& rest) {
   return centres;
 }
 
-// Each edge to the first triangle that has it.
+// Gives each edge to the first triangle that has it.
 template <class Triangles>
 void give_edges(Triangles& triangles) {
   struct Side {
@@ -33,7 +33,7 @@ void give_edges(Triangles& triangles) {
   std::vector<Side> sides;
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(triangles[t].place[i], triangles[t].place[(i + 1) % 3]);
+      const auto [low, high] = std::minmax(triangles[t].vertices[i], triangles[t].vertices[(i + 1) % 3]);
       sides.push_back({low, high, t, i});
     }
   std::ranges::sort(sides);
@@ -42,7 +42,7 @@ void give_edges(Triangles& triangles) {
         s == 0 || sides[s - 1].low != sides[s].low || sides[s - 1].high != sides[s].high;
 }
 
-// The least and the largest of vertices' vectors along each axis: their order does not matter.
+// The least and the largest component of vertices' vectors along each axis: the same in any order.
 template <class Real>
 struct Range {
   Vector3 low, high;
@@ -73,7 +73,7 @@ NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
     Triangle triangle{};
     for (std::size_t i = 0; i < 3; ++i) {
       const int v = input.rest.triangles()(t, static_cast<Eigen::Index>(i));
-      triangle.place[i] = static_cast<int>(input.permuted(v));
+      triangle.vertices[i] = static_cast<int>(input.permuted(v));
       triangle.owns_vertex[i] = !std::exchange(owned[static_cast<std::size_t>(v)], 1);
     }
     triangles_.push_back(triangle);
@@ -81,7 +81,8 @@ NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
   give_edges(triangles_);
 }
 
-// Where all places lie within their margins, so do all straight ways between such.
+// Pairs found before hold if every vertex is within its margin at both ends of the substep: then its straight
+// way is, too.
 template <class Real>
 void NearPairs<Real>::begin(const State<Real>& state, double margin) {
   if (part_of_target_ < 1 || !cover(state.previous) || !cover(state.position)) {
@@ -110,7 +111,7 @@ void NearPairs<Real>::find(const State<Real>& state, double part_of_target, doub
       [&](int a, int b) { look_at(state, static_cast<std::size_t>(a), static_cast<std::size_t>(b)); });
 }
 
-// On the same side along an axis, at the start and at the end: on that side all the way.
+// Two elements on the same sides along an axis at the start and at the end are so all the way.
 template <class Real>
 bool NearPairs<Real>::Way::meets(const Way& other) const {
   const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
@@ -124,9 +125,9 @@ void NearPairs<Real>::set_boxes(const State<Real>& state) {
   const Range<Real> moved(rest_.size(), [&](std::size_t v) -> Vector3Of<Real> {
     return state.position[v].vector() - state.previous[v].vector();
   });
-  const Range<Real> places(rest_.size(),
-                           [&](std::size_t v) -> Vector3Of<Real> { return state.position[v].vector(); });
-  const double largest = std::max(places.low.cwiseAbs().maxCoeff(), places.high.cwiseAbs().maxCoeff()) +
+  const Range<Real> positions(rest_.size(),
+                              [&](std::size_t v) -> Vector3Of<Real> { return state.position[v].vector(); });
+  const double largest = std::max(positions.low.cwiseAbs().maxCoeff(), positions.high.cwiseAbs().maxCoeff()) +
                          std::max(moved.low.cwiseAbs().maxCoeff(), moved.high.cwiseAbs().maxCoeff());
   const double reach = 0.5 * part_of_target_ * thickness_ + margin_ + box_rounding * largest;
   const auto box_about = [&](const Point<Real>& p) {
@@ -142,7 +143,7 @@ void NearPairs<Real>::set_boxes(const State<Real>& state) {
   triangle_ways_.resize(triangles_.size()), boxes_.resize(triangles_.size());
   for (std::size_t t = 0; t < triangles_.size(); ++t) {
     Way& way = triangle_ways_[t] = {};
-    for (const int place : triangles_[t].place) way.include(vertex_ways_[static_cast<std::size_t>(place)]);
+    for (const int v : triangles_[t].vertices) way.include(vertex_ways_[static_cast<std::size_t>(v)]);
     boxes_[t] = way.end;
     boxes_[t].low -= shared, boxes_[t].high -= shared;
     boxes_[t].include(way.start);
@@ -152,8 +153,8 @@ void NearPairs<Real>::set_boxes(const State<Real>& state) {
 
 template <class Real>
 typename NearPairs<Real>::Way NearPairs<Real>::edge_way(const Triangle& t, std::size_t edge) const {
-  Way way = vertex_ways_[static_cast<std::size_t>(t.place[edge])];
-  way.include(vertex_ways_[static_cast<std::size_t>(t.place[(edge + 1) % 3])]);
+  Way way = vertex_ways_[static_cast<std::size_t>(t.vertices[edge])];
+  way.include(vertex_ways_[static_cast<std::size_t>(t.vertices[(edge + 1) % 3])]);
   return way;
 }
 
@@ -161,25 +162,25 @@ template <class Real>
 void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::size_t second) {
   if (!triangle_ways_[first].meets(triangle_ways_[second])) return;
   const auto has = [](const Triangle& t, int v) {
-    return t.place[0] == v || t.place[1] == v || t.place[2] == v;
+    return t.vertices[0] == v || t.vertices[1] == v || t.vertices[2] == v;
   };
   for (const auto& [own, other] : {std::pair(first, second), std::pair(second, first)}) {
     const Triangle &t = triangles_[own], &facing = triangles_[other];
     for (std::size_t i = 0; i < 3; ++i) {
-      const int v = t.place[i];
+      const int v = t.vertices[i];
       if (t.owns_vertex[i] && !has(facing, v) &&
           vertex_ways_[static_cast<std::size_t>(v)].meets(triangle_ways_[other]))
-        add(state, Pairing::vertex_triangle, {v, facing.place[0], facing.place[1], facing.place[2]});
+        add(state, Pairing::vertex_triangle, {v, facing.vertices[0], facing.vertices[1], facing.vertices[2]});
     }
   }
   const Triangle &a = triangles_[first], &b = triangles_[second];
   for (std::size_t i = 0; i < 3; ++i) {
     if (!a.owns_edge[i]) continue;
-    const int a0 = a.place[i], a1 = a.place[(i + 1) % 3];
+    const int a0 = a.vertices[i], a1 = a.vertices[(i + 1) % 3];
     const Way way = edge_way(a, i);
     if (!way.meets(triangle_ways_[second])) continue;
     for (std::size_t j = 0; j < 3; ++j) {
-      const int b0 = b.place[j], b1 = b.place[(j + 1) % 3];
+      const int b0 = b.vertices[j], b1 = b.vertices[(j + 1) % 3];
       if (b.owns_edge[j] && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1 && way.meets(edge_way(b, j)))
         add(state, Pairing::edge_edge, {a0, a1, b0, b1});
     }
@@ -194,15 +195,15 @@ void NearPairs<Real>::measure_start(const State<Real>& state, NearPair& pair) co
 }
 
 template <class Real>
-void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& place) {
-  NearPair pair{place, pairing, 0, {}, thickness_};
+void NearPairs<Real>::add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices) {
+  NearPair pair{vertices, pairing, 0, {}, thickness_};
   measure_start(state, pair);
-  // Two vertices come nearer by their margins besides.
+  // Each of the two elements may come nearer by its margin.
   const double end = separation_along(pair.normal, pairing, corners_of(pair, state.position)) - 2 * margin_;
   const double least = std::min(pair.start, end);
   if (least > part_of_target_ * thickness_) return;
   Corners rest;
-  for (std::size_t i = 0; i < 4; ++i) rest[i] = rest_[static_cast<std::size_t>(place[i])];
+  for (std::size_t i = 0; i < 4; ++i) rest[i] = rest_[static_cast<std::size_t>(vertices[i])];
   const double at_rest = shortest_gap(pairing, rest).vector.norm();
   pair.target = std::min(thickness_, 0.5 * at_rest);
   if (at_rest > touching * thickness_ && least <= part_of_target_ * pair.target) pairs_.push_back(pair);

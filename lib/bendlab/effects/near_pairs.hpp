@@ -1,4 +1,5 @@
-// What of a cloth may touch itself within a substep: pairs of vertex and triangle and pairs of edges.
+// The parts of a cloth that may touch each other within a substep: pairs of vertex and triangle, pairs of
+// edges.
 #pragma once
 
 #include <array>
@@ -12,26 +13,26 @@
 namespace bendlab {
 
 struct NearPair {
-  std::array<int, 4> place;  ///< of its vertices in State's arrays, as in Corners
+  std::array<int, 4> vertices;  ///< permuted: indices in State's arrays, ordered as in Corners
   Pairing pairing;
   double start;    ///< m, its gap's length at the start of the substep
   Vector3 normal;  ///< the unit vector of that gap
-  double target;   ///< m, how far apart it should be: the thickness, or half of the rest distance where less
+  double target;   ///< m, how far apart it should be: the thickness, or half of the rest distance if less
 };
 
 /// Finds the pairs that can come nearer than a part of their target while each vertex goes straight from
-/// where the substep started to a place within a margin of where it is now. All of these are found, and few
+/// where the substep started to a point within a margin of where it is now. It finds all of them, and few
 /// others:
 ///
-/// * boxes around each triangle's way, in a tree: n log n at most, n where the cloth is smooth. What all
-///   vertices share of their motion is left out: cloth in free fall sweeps no space;
-/// * each vertex and each edge belongs to one triangle, so a pair is looked at once (Curtis et al. 2008);
-/// * two elements that some axis or their gap's normal keeps apart both at the start and at the end were apart
-///   all the way.
+/// * A tree holds boxes around each triangle's way: n log n at most, n if the cloth is smooth. The motion
+///   that all vertices share is left out: cloth in free fall sweeps no space.
+/// * Each vertex and each edge belongs to one triangle, so every pair is tested once (Curtis et al. 2008).
+/// * Two elements are apart all the way if some axis or their gap's normal separates them both at the start
+///   and at the end.
 ///
-/// Half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded to
-/// a diameter of the thickness before a pair is pushed; neighbours at rest never are. A pair that has a
-/// common vertex or touches at rest (a seam) is none.
+/// Why half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded
+/// to a diameter of the thickness before a pair is pushed, and neighbours at rest never are. Elements that
+/// have a common vertex or touch at rest (a seam) are no pair.
 ///
 /// The order of the pairs depends on the mesh alone.
 template <class Real>
@@ -42,18 +43,19 @@ class NearPairs {
   /// Begins a substep. Pairs found before are kept where they still cover the whole way.
   void begin(const State<Real>& state, double margin);
   void find(const State<Real>& state, double part_of_target, double margin);
-  /// True while no vertex has left its margin since the pairs were found, but for what all share.
+  /// True while no vertex has left its margin since the pairs were found, apart from motion that all share.
   bool cover(const Points<Real>& points) const;
 
   const std::vector<NearPair>& pairs() const { return pairs_; }
 
  private:
   struct Triangle {
-    std::array<int, 3> place;
+    std::array<int, 3> vertices;                 // permuted
     std::array<bool, 3> owns_vertex, owns_edge;  // edge i from corner i to the next
   };
 
-  // Where an element starts and ends, with half of what two may lack in distance.
+  // Boxes around an element at start and end, each grown by half of the distance at which two elements
+  // matter.
   struct Way {
     Box start, end;
     void include(const Way& other) { start.include(other.start), end.include(other.end); }
@@ -63,27 +65,27 @@ class NearPairs {
   void measure_start(const State<Real>& state, NearPair& pair) const;
   void set_boxes(const State<Real>& state);
   void look_at(const State<Real>& state, std::size_t first, std::size_t second);
-  void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& place);
+  void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices);
   Way edge_way(const Triangle& t, std::size_t edge) const;
 
   double thickness_;
   std::vector<Triangle> triangles_;
-  std::vector<Vector3> rest_;  // m, by place
+  std::vector<Vector3> rest_;  // m, permuted
   BoxTree tree_;
 
   double part_of_target_ = 0, margin_ = 0;  // of the last find
   Points<Real> found_at_;
   std::vector<Way> vertex_ways_, triangle_ways_;
-  std::vector<Box> boxes_;  // of the triangles' ways, without what all share
+  std::vector<Box> boxes_;  // of the triangles' ways, without the motion that all share
   std::vector<NearPair> pairs_;
 };
 
-/// Where a pair's vertices are.
+/// The positions of a pair's vertices.
 template <class Real>
 Corners corners_of(const NearPair& pair, const Points<Real>& points) {
   Corners corners;
   for (std::size_t i = 0; i < 4; ++i)
-    corners[i] = points[static_cast<std::size_t>(pair.place[i])].vector().template cast<double>();
+    corners[i] = points[static_cast<std::size_t>(pair.vertices[i])].vector().template cast<double>();
   return corners;
 }
 

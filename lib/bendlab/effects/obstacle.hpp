@@ -1,4 +1,4 @@
-// What obstacles share: the settings of all, how they move, and how vertices are pushed out of one.
+// What obstacles share: common settings, how they move, and how they push vertices out.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -26,7 +26,7 @@ inline constexpr std::array common_parameters = {
               .type = ParameterType::numbers,
               .unit = "m/s",
               .default_value = std::span<const double>(zero),
-              .meaning = "of the obstacle, which stands where its settings say at time 0",
+              .meaning = "of the obstacle, which is where its settings say at time 0",
               .length = 3},
 };
 
@@ -44,7 +44,7 @@ inline Vector3 vector_of(const ParameterValues& values, std::string_view name) {
   return {v[0], v[1], v[2]};
 }
 
-/// The setting as a unit vector. Throws std::invalid_argument where it is zero.
+/// The setting as a unit vector. Throws std::invalid_argument if it is zero.
 inline Vector3 direction_of(const ParameterValues& values, std::string_view name) {
   const Vector3 v = vector_of(values, name);
   if (!(v.norm() > 0))
@@ -53,7 +53,7 @@ inline Vector3 direction_of(const ParameterValues& values, std::string_view name
   return v.normalized();
 }
 
-/// The longest edge that obstacles reckon with, m: cloth stretched beyond this may be missed between
+/// The longest edge that obstacles expect, m. If cloth stretches beyond it, they may miss it between
 /// vertices.
 inline double longest_edge(const RestMesh& rest) {
   constexpr double largest_stretch = 1.5;
@@ -86,13 +86,14 @@ class Step {
     sine_ = static_cast<Real>(std::sin(turn)), versine_ = static_cast<Real>(1 - std::cos(turn));
   }
 
-  /// From where a point of the obstacle is in the world at time 0 to the end of the substep; without spin.
+  /// From a point of the obstacle in the world at time 0 to the same point in the state's coordinates at the
+  /// end of the substep; without spin.
   const Vector3& shift() const { return shift_; }
-  /// How far the velocity takes it.
+  /// How far the velocity moves it in the substep.
   const Vector& advance() const { return advance_; }
 
-  /// How far the obstacle takes what is at `start` at the start of the substep: R(ωh) about the pivot, and
-  /// on.
+  /// How far the obstacle carries a point from `start` in the substep: by the rotation R(ωh) about the pivot
+  /// and by the velocity.
   Vector carried(const Vector& start) const {
     const Vector turned = axis_.cross(Vector(start - pivot_));
     return advance_ + sine_ * turned + versine_ * axis_.cross(turned);
@@ -104,7 +105,7 @@ class Step {
   Real sine_, versine_;
 };
 
-/// Moves a vertex by `depth` along the unit `normal`, and records the contact where those are used.
+/// Moves a vertex by `depth` along the unit `normal`, and records the contact if `contacts_used`.
 template <class Real>
 void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex,
           const Vector3Of<Real>& normal, Real depth, bool contacts_used) {
@@ -116,9 +117,9 @@ void push(PassContext<Real>& context, const Step<Real>& step, std::size_t vertex
         {vertex, normal, depth, step.carried(context.state.previous[vertex].vector())});
 }
 
-/// Moves points of the cloth Σ weight·vertex by `depth` along `normal`, by a push of each free vertex in
-/// proportion to weight and inverse mass: Σ m Δx is what one force at that point gives. Where the point lies
-/// next to pinned corners, the free ones have next to no weight: see least_lever and largest_move.
+/// Moves the point Σ weight·vertex of the cloth by `depth` along `normal`. Each free vertex is pushed in
+/// proportion to weight and inverse mass, as by a force at that point. Beside pinned corners the free ones
+/// have almost no weight: see least_lever and largest_move.
 template <class Real, std::size_t corners>
 void push_together(PassContext<Real>& context, const Step<Real>& step,
                    const std::array<std::size_t, corners>& vertices, const std::array<Real, corners>& weights,

@@ -1,5 +1,5 @@
 // Rigid-mode damping: pulls every free vertex's velocity towards that of the rigid motion with the same
-// linear and angular momentum, so that both are kept and only deformation is damped.
+// linear and angular momentum. So both momenta are kept, and only deformation is damped.
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
@@ -56,12 +56,11 @@ struct RigidMotion {
               state.velocity[v].vector().template cast<double>());
   }
 
-  // Pseudo-inverse: vertices on a line, or a single one, have axes without inertia, about which nothing
-  // spins.
+  // Pseudo-inverse: vertices on a line, or a single one, have axes without inertia. Nothing spins about
+  // these.
   static Vector3d solve_symmetric(const Matrix3d& inertia, const Vector3d& angular_momentum) {
     const Eigen::SelfAdjointEigenSolver<Matrix3d> axes(inertia);
-    constexpr double relative_rank =
-        1e-12;  // of the largest moment: rounding of a sum over vertices is below it
+    constexpr double relative_rank = 1e-12;  // of the largest moment: above the rounding of the sums
     const double threshold = relative_rank * axes.eigenvalues().maxCoeff();
     Vector3d along = axes.eigenvectors().transpose() * angular_momentum;
     for (int i = 0; i < 3; ++i)

@@ -1,20 +1,20 @@
-// Obstacles that are all points within a radius of a convex core: a ball about a point, a capsule about a
-// segment, a round table top about a flat disc. The distance to the core is a convex function along every
-// line, which makes each of the searches below short:
+// Obstacles that hold all points within a radius of a convex core: a ball about a point, a capsule about a
+// segment, a round table top about a flat disc. The distance to the core is convex along every line, which
+// makes the searches below short:
 //
-// * vertices: within radius + thickness of the core → out along the direction from the core;
-// * fast vertices (a substep's way longer than the radius, so that the nearest way out may be the wrong one):
-//   along the way to where they enter, and then held outside the tangent plane there;
-// * edges between vertices that are outside may still cut through: the lowest point of an edge by Kelley's
-//   cutting planes. Where both ends are R = radius + thickness away from the core, so they are from the core's
-//   point nearest to the edge: the middle of an edge of length l is √(R² - l²/4) away at least, and the inside of
-//   a triangle √(R² - l²/3). That is outside the radius if l² <= 3 t (2 radius + t): then edges and triangles
-//   are not looked at;
-// * a ball or a capsule's end may come through a triangle between its edges: the core's tips against
-//   triangles.
+// * A vertex within radius + thickness of the core is pushed out along the direction from the core.
+// * A fast vertex moves farther than the radius in a substep, so that the nearest way out may lead to the
+//   wrong side. It is followed to where it enters, and held outside the tangent plane there.
+// * An edge whose ends are outside may still cut through. Kelley's cutting planes find its lowest point. If
+//   both ends are R = radius + thickness away from the core, they are also that far from the core's point
+//   nearest to the edge. So the middle of an edge of length l is at least √(R² - l²/4) away, and the inside
+//   of a triangle √(R² - l²/3). That is outside the radius if l² <= 3 t (2 radius + t), t the thickness: then
+//   edges and triangles are not tested.
+// * A ball or a capsule's end may come through a triangle between its edges: the core's tips are tested
+//   against triangles.
 //
 // Not covered: edges and triangles are not followed through a substep. One that moves by more than
-// radius + thickness in it may pass the core between its vertices: h < (radius + thickness) / speed.
+// radius + thickness may pass the core between its vertices, so h < (radius + thickness) / speed.
 #pragma once
 
 #include <algorithm>
@@ -24,11 +24,11 @@
 
 namespace bendlab::obstacle {
 
-/// A push of an edge or triangle is worth its search only above this fraction of the thickness.
+/// Edges and triangles are pushed only if they are deeper than this fraction of the thickness.
 inline constexpr double tolerance = 1e-3;
 
-// Core<Real>: nearest(x), the core's point nearest to x; away(), a unit vector that leads away from any point
-// of the core; tips, its extremal points where there are finitely many; moved<To>(shift).
+// Core<Real> has nearest(x), the core's point nearest to x; away(), a unit vector that leads away from any
+// point of the core; tips, its extremal points if there are finitely many; moved<To>(shift).
 
 template <class Real, template <class> class Core>
 class RoundObstacle {
@@ -46,11 +46,11 @@ class RoundObstacle {
     if (longest * longest <= 3 * t * (2 * radius + t)) return;
     near_ = static_cast<Real>(t + longest / std::sqrt(3.0));
     clearance_.resize(static_cast<std::size_t>(input.rest.vertex_count()));
-    const auto place = [&](int v) { return input.permuted(v); };
-    for (const auto& e : input.rest.edges().rowwise()) edges_.push_back({place(e(0)), place(e(1))});
+    for (const auto& e : input.rest.edges().rowwise())
+      edges_.push_back({input.permuted(e(0)), input.permuted(e(1))});
     if (core_.tips.empty()) return;
     for (const auto& t3 : input.rest.triangles().rowwise())
-      triangles_.push_back({place(t3(0)), place(t3(1)), place(t3(2))});
+      triangles_.push_back({input.permuted(t3(0)), input.permuted(t3(1)), input.permuted(t3(2))});
   }
 
   void operator()(PassContext<Real>& context) {
@@ -69,7 +69,8 @@ class RoundObstacle {
   }
 
  private:
-  // Distances to the surface, for edges and triangles to ask; whether any vertex is near or fast.
+  // Finds the vertices' distances to the surface, for edges and triangles. Whether any vertex is near or
+  // fast.
   bool any_near(const State<Real>& state, const Step<Real>& step, const Core<Real>& core) {
     bool any = false;
     for (std::size_t v = 0; v < clearance_.size(); ++v) {
@@ -94,7 +95,7 @@ class RoundObstacle {
     const Vector p = point.vector(), from = context.state.previous[v].vector() + step.advance();
     const Real way = (p - from).squaredNorm();
     Vector offset = p - core.nearest(p);
-    // √apart < √way + reach is necessary for the way to enter; (a + b)² <= 2 (a² + b²).
+    // The way enters only if |offset| < √way + reach; (a + b)² <= 2 (a² + b²).
     if (way > radius_ * radius_ && offset.squaredNorm() < 2 * (way + reach_ * reach_)) {
       push_fast(context, step, core, v, from);
       const Vector at = point.vector();
@@ -107,11 +108,11 @@ class RoundObstacle {
          contacts_used_);
   }
 
-  // Where the way from outside enters, by Newton's method on the distance, which is convex along it: a
-  // tangent stays below, so no step passes the surface, and once the distance grows the way has missed it.
+  // Where the way from outside enters, by Newton's method on the distance. It is convex along the way, so a
+  // tangent stays below it and no step passes the surface. Once the distance grows, the way has missed it.
   void push_fast(PassContext<Real>& context, const Step<Real>& step, const Core<Real>& core, std::size_t v,
                  const Vector& from) const {
-    constexpr int most_steps = 32;  // quadratic; where it grazes, a step quarters the height
+    constexpr int most_steps = 32;  // quadratic; if the way only grazes, a step quarters the height
     const Vector to = context.state.position[v].vector(), way = to - from;
     Real s = 0;
     for (int i = 0; i < most_steps && s <= 1; ++i) {
@@ -162,7 +163,7 @@ class RoundObstacle {
     }
   }
 
-  // The side is that from which the triangle came.
+  // Pushes the triangle to the side that it came from.
   void push_triangle(PassContext<Real>& context, const Step<Real>& step, const Vector& tip,
                      const std::array<std::size_t, 3>& triangle) const {
     const auto corners_in = [&](const Points<Real>& points) {
@@ -188,7 +189,7 @@ class RoundObstacle {
   Motion motion_;
   Real radius_, reach_, slack_, near_ = 0;
   bool contacts_used_;
-  std::vector<Real> clearance_;  // #V, m; empty where vertices are enough
+  std::vector<Real> clearance_;  // #V, m; empty if vertices are enough
   std::vector<std::array<std::size_t, 2>> edges_;
   std::vector<std::array<std::size_t, 3>> triangles_;
 };

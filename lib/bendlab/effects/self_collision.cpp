@@ -1,30 +1,31 @@
 // Self-collision: cloth keeps its thickness from itself and does not pass through itself.
 //
-// A pair of a vertex and a triangle, or of two edges, has a gap: the vector between the points where they are
-// nearest. Two rules act on it.
+// A pair of a vertex and a triangle, or of two edges, has a gap: the vector between their nearest points. Two
+// rules act on it.
 //
-// * In each iteration a pair nearer than its target is moved apart along its gap, and a pair that met on
-//   the straight way from the start of the substep is moved back to the side it came from, along the gap at
-//   the moment it met: Δx_i = -w_i λ n, mass-weighted (Müller et al. 2007, §4.3; the moment of contact, Provot
-//   1997 and Bridson et al. 2002, §6). Linear momentum is kept to rounding. Angular momentum is kept too
-//   where the correction lies along the gap; for a pair that met, about where it met, not where it has
-//   slid to since.
-// * The iterations may end before all pairs are served. So at the end of the substep every pair's way is looked
-//   at once more; those that meet are moved back as before, a few rounds long, and what then still meets moves
-//   as a rigid body with all it meets, until nothing does (Provot 1997; Bridson et al. 2002, §7.4: impact
+// * In each iteration a pair nearer than its target is moved apart along its gap. A pair that met on the
+//   straight way from the start of the substep is moved back to the side it came from, along the gap at the
+//   moment it met: Δx_i = -w_i λ n, mass-weighted (Müller et al. 2007, §4.3; the moment of contact: Provot
+//   1997 and Bridson et al. 2002, §6). Linear momentum is kept to rounding. Angular momentum is kept if the
+//   correction lies along the gap; for a pair that met it is kept about the point where it met.
+// * The iterations may end before all pairs are corrected. So at the end of the substep every pair is tested
+//   once more. Pairs that meet are moved back as before, for a few rounds. Pairs that still meet then move as
+//   one rigid body with all they meet, until none does (Provot 1997; Bridson et al. 2002, §7.4: impact
 //   zones).
 //
-// Guaranteed, where the substep starts without an intersection: none at its end, whatever the step, speed and
-// iterations, as long as pins do not push through each other. Not guaranteed: the thickness itself, where
-// iterations are few; that a start with intersections is undone (each pair stays on its side); what other
-// constraints wanted, obstacles included, where the last look moves a vertex; that a triangle does not turn
-// over within its own plane, through a line.
+// Guaranteed: if the substep starts without an intersection, there is none at its end, whatever the step,
+// speed and iterations, as long as pins do not push through each other. Not guaranteed:
+//
+// * the thickness itself, if iterations are few;
+// * that intersections at the start are undone (each pair stays on its side);
+// * that other constraints and obstacles are met by vertices which the last test moves;
+// * that a triangle does not turn over within its own plane, through a line.
 //
 // Cost grows about as the number of vertices while layers move less than a few edges against each other in a
-// substep; beyond that the boxes around the ways overlap and it grows faster. Substeps are the remedy.
+// substep. Beyond that the boxes around the ways overlap, and it grows faster. Substeps are the remedy.
 //
-// Velocities follow from positions: what meets does not bounce. A pair that is nearer than its target is
-// given time to come apart, as it would shoot apart else.
+// Velocities follow from positions: cloth that meets does not bounce. A pair that is nearer than its target
+// is given time to come apart; otherwise it would shoot apart.
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -43,58 +44,57 @@ namespace bendlab {
 namespace {
 
 constexpr std::array parameters = {
-    Parameter{
-        .name = "thickness",
-        .type = ParameterType::number,
-        .unit = "m",
-        .default_value = 0.005,
-        .meaning = "how far layers of cloth keep apart; half of the distance at rest where that is less",
-        .minimum = 0,
-        .above = true},
+    Parameter{.name = "thickness",
+              .type = ParameterType::number,
+              .unit = "m",
+              .default_value = 0.005,
+              .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
+              .minimum = 0,
+              .above = true},
 };
 
-// s: a pair that is nearer than its target comes apart by the target in this time.
+// s: in this time a pair that is nearer than its target comes apart by the target.
 constexpr double recovery_time = 0.02;
-// A pair has met where it is this part of its target apart, or this part of its distance at the start if that
-// is less: what is near already may come nearer by a little only, or rounding would have it after a few
-// substeps.
+// A pair has met if its distance is this part of its target, or this part of its distance at the start if
+// that is less. So a pair that is near already may come only a little nearer; else it would be within
+// rounding after a few substeps.
 constexpr double meeting = 0.05, meeting_of_start = 0.8;
 // A pair that met is moved back to this part of its target, or to its distance at the start.
 constexpr double moved_back = 0.5;
 constexpr int rounds_before_zones = 8;
-// What a vertex may move before pairs are looked for again: this part of the thickness, and this of the mean
-// edge at most, so that neighbours at rest are no pairs.
+// How far a vertex may move before pairs are found again: this part of the thickness, and at most this part
+// of the mean edge, so that neighbours at rest are no pairs.
 constexpr double margin_per_thickness = 0.5, margin_per_edge = 0.125;
 
 // Sets of vertices that move as one.
 class Zones {
  public:
   bool joined(const NearPair& pair) {
-    const auto zone = [&](std::size_t i) { return zone_of(pair.place[i]); };
+    const auto zone = [&](std::size_t i) { return zone_of(pair.vertices[i]); };
     return zone(0) == zone(1) && zone(0) == zone(2) && zone(0) == zone(3);
   }
   void join(const NearPair& pair) {
-    for (const int place : pair.place) {
-      if (parent_.try_emplace(place, place).second) members_.push_back(place);
-      parent_[zone_of(place)] = zone_of(pair.place[0]);
+    for (const int vertex : pair.vertices) {
+      if (parent_.try_emplace(vertex, vertex).second) members_.push_back(vertex);
+      parent_[zone_of(vertex)] = zone_of(pair.vertices[0]);
     }
   }
-  /// The zones, by members in the order they came.
+  /// The zones, in the order in which their members were added.
   std::vector<std::vector<int>> all() {
     std::map<int, std::size_t> index;
     std::vector<std::vector<int>> zones;
-    for (const int place : members_) {
-      const auto [at, is_new] = index.try_emplace(zone_of(place), zones.size());
+    for (const int vertex : members_) {
+      const auto [at, is_new] = index.try_emplace(zone_of(vertex), zones.size());
       if (is_new) zones.emplace_back();
-      zones[at->second].push_back(place);
+      zones[at->second].push_back(vertex);
     }
     return zones;
   }
 
  private:
-  int zone_of(int place) {
-    auto at = parent_.find(place);
-    if (at == parent_.end()) return place;
+  int zone_of(int vertex) {
+    auto at = parent_.find(vertex);
+    if (at == parent_.end()) return vertex;
     while (at->second != at->first) {
       const auto above = parent_.find(at->second);
       at->second = above->second;
@@ -107,7 +107,7 @@ class Zones {
   std::vector<int> members_;
 };
 
-// The rotation that displacements d of masses at r about their centre have in common.
+// The rigid rotation with the angular momentum of displacements d of masses at r, about their centre.
 struct Turn {
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
   Vector3 moment = Vector3::Zero();
@@ -116,7 +116,7 @@ struct Turn {
     inertia += mass * (r.squaredNorm() * Eigen::Matrix3d::Identity() - r * r.transpose());
     moment += mass * r.cross(d);
   }
-  // Vertices on a line do not turn about it.
+  // Vertices on a line do not rotate about it.
   Eigen::Matrix3d rotation() const {
     constexpr double relative_rank = 1e-12;
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(inertia);
@@ -143,8 +143,8 @@ class SelfCollision {
     State<Real>& state = context.state;
     if (!std::exchange(begun_, true)) near_.begin(state, margin_);
     const double recovered = std::min(1.0, static_cast<double>(context.substep) / recovery_time);
-    const auto move = [&](int place, const Vector3& to) {
-      point(state, place).set(to.template cast<Real>());
+    const auto move = [&](int vertex, const Vector3& to) {
+      point(state, vertex).set(to.template cast<Real>());
     };
     for (const NearPair& pair : near_.pairs()) {
       const double target = std::min(pair.target, pair.start + recovered * pair.target);
@@ -156,11 +156,11 @@ class SelfCollision {
   // Stage::velocity.
   void let_nothing_through(PassContext<Real>& context) {
     State<Real>& state = context.state;
-    const auto move = [&](int place, const Vector3& to) {
-      Point<Real>& p = point(state, place);
+    const auto move = [&](int vertex, const Vector3& to) {
+      Point<Real>& p = point(state, vertex);
       const Vector3Of<Real> old = p.vector();
       p.set(to.template cast<Real>());
-      Point<Real>& velocity = state.velocity[static_cast<std::size_t>(place)];
+      Point<Real>& velocity = state.velocity[static_cast<std::size_t>(vertex)];
       velocity.set(velocity.vector() + (p.vector() - old) / context.substep);
     };
     Zones zones;
@@ -177,18 +177,18 @@ class SelfCollision {
         else
           zones.join(pair), ++context.acted;
       }
-      if (met_any)  // nothing may move after the last look
+      if (met_any)  // nothing may move after the last test
         for (const std::vector<int>& zone : zones.all()) move_as_one(state, zone, move);
     }
     begun_ = false;
   }
 
  private:
-  static Point<Real>& point(State<Real>& state, int place) {
-    return state.position[static_cast<std::size_t>(place)];
+  static Point<Real>& point(State<Real>& state, int vertex) {
+    return state.position[static_cast<std::size_t>(vertex)];
   }
 
-  // The gap at which a pair met since the start of the substep; `end` is where it is.
+  // The gap at which a pair met since the start of the substep; `end` are its present positions.
   static std::optional<Gap> meeting_gap(const State<Real>& state, const NearPair& pair, const Corners& end) {
     const double separation = std::min(meeting * pair.target, meeting_of_start * pair.start);
     if (!(separation > 0)) return std::nullopt;
@@ -196,7 +196,7 @@ class SelfCollision {
     return first_contact(pair.pairing, corners_of(pair, state.previous), end, separation);
   }
 
-  // The gap along which a pair that is to be `target` apart comes apart.
+  // The gap along which to move a pair to the distance `target`; nothing if it is that far apart.
   static std::optional<Gap> gap_to_widen(const State<Real>& state, const NearPair& pair, double target) {
     const Corners end = corners_of(pair, state.position);
     if (std::min(pair.start, separation_along(pair.normal, pair.pairing, end)) >= target) return std::nullopt;
@@ -204,8 +204,8 @@ class SelfCollision {
     return shortest_gap(pair.pairing, end);
   }
 
-  // Moves the points that a gap lies between apart along it, until they are `target` apart; false where they
-  // are.
+  // Moves the two nearest points apart along the gap, until they are `target` apart; false if they are
+  // already.
   template <class Move>
   static bool widen(State<Real>& state, const NearPair& pair, const Gap& gap, double target,
                     const Move& move) {
@@ -214,7 +214,7 @@ class SelfCollision {
     std::array<double, 4> share;
     double missing = target, shares = 0, whole = 0, largest_w = 0, largest_share = 0, size = target;
     for (std::size_t i = 0; i < 4; ++i) {
-      const auto w = static_cast<double>(point(state, pair.place[i]).w);
+      const auto w = static_cast<double>(point(state, pair.vertices[i]).w);
       missing -= gap.weight[i] * normal.dot(x[i]);
       share[i] = w * gap.weight[i];
       shares += share[i] * gap.weight[i], whole += gap.weight[i] * gap.weight[i];
@@ -224,21 +224,21 @@ class SelfCollision {
     if (!(missing > 0 && shares > static_cast<double>(least_lever<Real>) * largest_w * whole)) return false;
     missing = std::min(missing, largest_move * size * shares / largest_share);  // no corner farther than that
     for (std::size_t i = 0; i < 4; ++i)
-      if (share[i] != 0) move(pair.place[i], x[i] + missing / shares * share[i] * normal);
+      if (share[i] != 0) move(pair.vertices[i], x[i] + missing / shares * share[i] * normal);
     return true;
   }
 
-  // Rigid motion with the momenta of the members' own (the angular one to first order in the angle); pinned
-  // members take the others with them.
+  // Replaces the members' motion by a rigid one with the same momenta (the angular one to first order in the
+  // angle). Pinned members carry the others with them.
   template <class Move>
   static void move_as_one(State<Real>& state, const std::vector<int>& zone, const Move& move) {
     double mass = 0;
     Vector3 centre = Vector3::Zero(), shift = Vector3::Zero();
     bool held = false;
-    for (const int place : zone) held |= point(state, place).w == 0;
+    for (const int vertex : zone) held |= point(state, vertex).w == 0;
     const auto for_deciding = [&](const auto& action) {
-      for (const int place : zone) {
-        const auto p = static_cast<std::size_t>(place);
+      for (const int vertex : zone) {
+        const auto p = static_cast<std::size_t>(vertex);
         if (held && state.position[p].w != 0) continue;
         const Vector3 start = state.previous[p].vector().template cast<double>();
         action(state.mass[p], start, Vector3(state.position[p].vector().template cast<double>() - start));
@@ -252,10 +252,10 @@ class SelfCollision {
     if (!held)
       for_deciding([&](double m, const Vector3& start, const Vector3& d) { turn.add(m, start - centre, d); });
     const Eigen::Matrix3d rotation = held ? Eigen::Matrix3d::Identity() : turn.rotation();
-    for (const int place : zone) {
-      if (point(state, place).w == 0) continue;
-      const Vector3 start = state.previous[static_cast<std::size_t>(place)].vector().template cast<double>();
-      move(place, centre + shift + rotation * (start - centre));
+    for (const int vertex : zone) {
+      if (point(state, vertex).w == 0) continue;
+      const Vector3 start = state.previous[static_cast<std::size_t>(vertex)].vector().template cast<double>();
+      move(vertex, centre + shift + rotation * (start - centre));
     }
   }
 

@@ -4,7 +4,7 @@
 namespace bendlab {
 namespace {
 
-// All points of a ball are near its centre.
+// The core of a ball is its centre.
 template <class Real>
 struct Centre {
   std::array<Vector3Of<Real>, 1> tips;

@@ -2,16 +2,15 @@
 //
 // F = P Q⁻¹ maps a triangle's material coordinates to space; its singular values σ₁ ≥ σ₂ are the principal
 // stretches. With F = U Σ Vᵀ and Σ' the clamped stretches, U Σ' Vᵀ = F G for G = V Σ' Σ⁻¹ Vᵀ, which follows
-// from FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. That leaves open where the triangle goes as a
-// rigid piece: its centre of mass stays, for its linear momentum, and it turns in its plane by the angle at
-// which Σ m r × r' = 0, for its angular momentum; neither changes a stretch. So one projection is exact for
-// any masses. Pins are infinite masses: one pinned corner is what the triangle is placed about. Of two, the
-// edge between lies where it must, the free corner alone moves, and the bounds are met after several
-// projections, if that edge allows.
+// from FᵀF = V Σ² Vᵀ alone. The edges become P' = P Q⁻¹ G Q. The rigid motion of the triangle is still free:
+// its centre of mass stays, which keeps linear momentum, and it turns in its plane by the angle at which Σ m
+// r × r' = 0, which keeps angular momentum; neither changes a stretch. So one projection is exact for any
+// masses. Pins are infinite masses: with one pinned corner, the triangle turns about it. With two, only the
+// free corner moves, and the bounds are met after several projections, if the pinned edge allows it.
 //
-// Triangle by triangle, each sees what the ones before it did. A few sweeps settle what neighbours disagree
-// on; a whole sheet that is too long takes as many as the square of its width in triangles, as with any such
-// sweep.
+// Triangles are projected one after another, each on the result of the one before. A few projection sweeps
+// settle conflicts between neighbours; a whole sheet that is too long needs about the square of its width in
+// triangles, as with any such sweep.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -48,7 +47,7 @@ using Edges2 = Eigen::Matrix<Real, 3, 2>;  // p1 - p0, p2 - p0
 
 template <class Real>
 struct Triangle {
-  std::array<std::uint32_t, 3> corners;  // places in the state
+  std::array<std::uint32_t, 3> corners;  // permuted
   std::array<Real, 4> inverse_rest;      // Q⁻¹ by rows, 1/m
 };
 
@@ -65,7 +64,7 @@ class Limits {
   bool correction(Real xx, Real xy, Real yy, Matrix2<Real>& g) const {
     const Real mean = (xx + yy) / 2, half_difference = (xx - yy) / 2;
     const Real squared = half_difference * half_difference + xy * xy;
-    const Real above = max_ * max_ - mean, below = mean - min_ * min_;  // room on either side
+    const Real above = max_ * max_ - mean, below = mean - min_ * min_;  // distances of the mean to the bounds
     if (above >= 0 && below >= 0 && squared <= above * above && squared <= below * below) return false;
     const Real radius = std::sqrt(squared);  // σ² = mean ± radius
     const Real first = factor(std::sqrt(mean + radius));
@@ -85,7 +84,8 @@ class Limits {
   }
 };
 
-// Moves a triangle's corners so that its edges become `edges`, up to a turn in its plane; momenta as above.
+// Moves a triangle's corners so that its edges become `edges`, up to a rotation in its plane; keeps momenta
+// as described above.
 template <class Real>
 void place(std::array<Point<Real>*, 3> corners, const Edges2<Real>& edges) {
   using Vector = Vector3Of<Real>;
@@ -133,7 +133,7 @@ bool limit(const Triangle<Real>& triangle, const Limits<Real>& limits, Points<Re
   return true;
 }
 
-// In the order of their first places: near in memory, and the same whatever the threads.
+// Sorted by their first corner: near in memory, and the same whatever the threads.
 template <class Real>
 std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
   const std::vector<InverseRest> inverse = inverse_rest_from_warp(input.rest.mesh(), Vector3::UnitX());
@@ -176,8 +176,7 @@ extern const Effect strain_limiting{
     .summary = "no triangle's principal stretch leaves its bounds; keeps both momenta",
     .source =
         "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; ours: the "
-        "turn "
-        "that keeps angular momentum",
+        "turn that keeps angular momentum",
     .parameters = parameters,
     .needs_projection = true,
     .compile_float = compile<float>,

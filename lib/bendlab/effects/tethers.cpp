@@ -20,7 +20,7 @@ constexpr std::array parameters = {
         .unit = "1",
         .default_value = 4,
         .meaning =
-            "tethers of a vertex at most: to the nearest vertex of each group of pins that hang together, "
+            "at most so many tethers of a vertex: to the nearest vertex of each connected group of pins, "
             "nearest groups first",
         .minimum = 1,
         .maximum = 64},
@@ -41,11 +41,11 @@ constexpr std::array parameters = {
 };
 
 struct Tether {
-  std::size_t vertex, pin;  // places in the state
+  std::size_t vertex, pin;  // permuted
   double length;            // m
 };
 
-// The pins, those that the mesh joins together.
+// The connected groups of pins.
 std::vector<std::vector<int>> groups_of(const RestMesh& rest, const Pins& pins) {
   std::vector<std::vector<int>> groups;
   std::vector<char> seen(static_cast<std::size_t>(rest.vertex_count()), 0);
@@ -72,7 +72,7 @@ GeodesicDistances straight_distances(const RestMesh& rest, std::span<const int> 
   return result;
 }
 
-// Vertex by vertex, the nearest pin last: it has the last word.
+// Ordered by vertex, with the tether to the nearest pin last: what comes last is met exactly.
 std::vector<Tether> tethers_of(const EffectInput& input) {
   const bool straight = input.parameters.text("distance") == "straight";
   std::vector<GeodesicDistances> from;

@@ -21,14 +21,14 @@ constexpr std::array parameters = {
               .minimum = 0},
 };
 
-// Without other forces v' = -(c A / m) v has the solution v exp(-c A h / m), which turns no velocity round
-// however long the step. With gravity, that is added in one piece before, a falling sheet ends at
-// g h / (exp(k h) - 1) for k = c A / m: by the fraction k h / 2 less than g / k.
+// Without other forces v' = -(c A / m) v has the solution v exp(-c A h / m): it reverses no velocity, however
+// long the step. Gravity is added before it in one piece, so a falling sheet ends at g h / (exp(k h) - 1)
+// with k = c A / m: less than g / k by the fraction k h / 2.
 template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
   const double coefficient = input.parameters.number("coefficient");
   if (coefficient == 0) return {};
-  // c A in kg/s: the mass of a cloth of density c.
+  // c A in kg/s: the lumped mass of a cloth of density c.
   const std::vector<double> drag = lumped_masses(input.rest, coefficient);
   std::vector<Real> drag_at(drag.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)

@@ -9,13 +9,13 @@
 // largest where the air flows along the cloth, and jumps to its opposite as the cloth turns through that
 // position. With c (Keckeisen et al. 2004) it goes through zero there.
 //
-// An explicit impulse h F of a strong wind on a light triangle would throw it beyond the air's velocity, more
-// in each substep. So a triangle takes its force to no more than where it does it good: with m, the part of
-// its corners' masses that is its own, |u + s h F / m| is least at s = m |u| D / (h (D² + L²)), D and L being
-// the sizes of drag and lift; the impulse is h F times the smaller of s and 1. Then |u| does not grow. A
-// vertex's change is the mean of what its triangles would do as free pieces, weighted by mass, so (Jensen's
-// inequality) the kinetic energy relative to a steady uniform wind does not grow either in a free cloth,
-// whatever h. Where s ≥ 1, that is for (D² + L²) / D ≤ m |u| / h, the force is the law's, exactly.
+// An explicit impulse h F of a strong wind would throw a light triangle beyond the air's velocity, farther in
+// each substep. So the impulse is bounded. Let m be the triangle's part of its corners' masses, and D and L
+// the sizes of drag and lift: |u + s h F / m| is least at s = m |u| D / (h (D² + L²)). The impulse is h F
+// times the smaller of s and 1, so |u| does not grow. A vertex's change is the mean of the changes that its
+// triangles would have as free pieces, weighted by mass. So (Jensen's inequality) the kinetic energy of a
+// free cloth relative to a steady uniform wind does not grow either, whatever h. If s ≥ 1, that is if (D² +
+// L²) / D ≤ m |u| / h, the force is exactly the law's.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -73,7 +73,7 @@ constexpr std::array parameters = {
               .type = ParameterType::number,
               .unit = "s",
               .default_value = 0.5,
-              .meaning = "time in which a gust gives way to the next, independent one",
+              .meaning = "time from one gust to the next, which is independent of it",
               .minimum = 0,
               .above = true},
     Parameter{
@@ -105,10 +105,10 @@ struct Air {
   Vector3 velocity_at(double time) const {
     return gusts.deviation > 0 ? Vector3(mean + gusts.at(time)) : mean;
   }
-  // What blows at `place` now came through the world's origin, or through the plane there across the wind,
-  // place·mean / |mean|² ago.
-  Vector3 velocity_at(double time, const Vector3& place) const {
-    return velocity_at(time - place.dot(mean) / mean.squaredNorm());
+  // The air at `point` now was on the plane through the world's origin across the wind point·mean / |mean|²
+  // ago.
+  Vector3 velocity_at(double time, const Vector3& point) const {
+    return velocity_at(time - point.dot(mean) / mean.squaredNorm());
   }
 };
 
@@ -117,7 +117,7 @@ class Wind {
   using Vector = Vector3Of<Real>;
 
   struct Triangle {
-    std::array<std::uint32_t, 3> corners;  // places in the state
+    std::array<std::uint32_t, 3> corners;  // permuted
     std::array<Real, 3> share;             // of each corner's mass: the triangle's part of the area around it
   };
 
@@ -147,8 +147,7 @@ class Wind {
     }
   }
 
-  // All triangles see the velocities from before: their order does not matter but for rounding, and it is
-  // fixed.
+  // All triangles see the velocities from before, so their order matters for rounding only; it is fixed.
   void operator()(PassContext<Real>& context) {
     State<Real>& state = context.state;
     std::fill(impulse_.begin(), impulse_.end(), Vector::Zero());
@@ -171,8 +170,8 @@ class Wind {
   }
 
   Vector local_air(const State<Real>& state, const Triangle& triangle, double time) const {
-    const Vector3 place = centroid(state.position, triangle).template cast<double>() + state.origin;
-    return air_.velocity_at(time, place).template cast<Real>();
+    const Vector3 centre = centroid(state.position, triangle).template cast<double>() + state.origin;
+    return air_.velocity_at(time, centre).template cast<Real>();
   }
 
   Vector impulse_on(const Triangle& triangle, const State<Real>& state, const Vector& air, Real h) const {

@@ -1,4 +1,4 @@
-// What a disk may say no to, in words that help, and a rename that survives a power cut.
+// Errors of the disk with advice, and a rename that survives a power cut.
 #pragma once
 
 #include <filesystem>
@@ -18,10 +18,11 @@ std::filesystem::path part_path(const std::filesystem::path& file);
 /// Throws RunFileError unless the file can be opened for reading.
 void require_readable(const std::filesystem::path& file);
 
-/// Creates the file if need be. Throws RunFileError unless it can be written and no other writer holds it.
+/// Creates the file if it does not exist. Throws RunFileError unless it can be written and no other writer
+/// has it open.
 void require_writable(const std::filesystem::path& file);
 
-/// Brings `part` to the disk, renames it to `file` and brings the rename to the disk. Throws RunFileError.
+/// Flushes `part` to the disk, renames it to `file` and flushes the rename. Throws RunFileError.
 void publish(const std::filesystem::path& part, const std::filesystem::path& file);
 
 }  // namespace bendlab

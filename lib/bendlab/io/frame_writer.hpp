@@ -1,4 +1,4 @@
-// Writes the frames of a run on a thread of its own, so that the solver waits for neither metrics nor disk.
+// Writes the frames of a run on its own thread, so that the solver does not wait for metrics or the disk.
 //
 //   solver ── push(frame) ──▶ [ at most 4 frames ] ──▶ prepare(frame) ──▶ RunFileWriter::write(frame)
 #pragma once
@@ -18,12 +18,11 @@ namespace bendlab {
 
 class FrameWriter {
  public:
-  static constexpr std::size_t capacity =
-      4;  ///< frames; enough to ride out a slow write, little enough to hold
+  static constexpr std::size_t capacity = 4;  ///< frames: enough to bridge a slow write, few enough to hold
 
-  /// `prepare` runs on the writer thread, one frame at a time in order, before the frame is written: it fills
-  /// metrics and cell fields from time and positions. What it touches is the caller's again after drain().
-  /// Throws RunFileError when the file can't be created.
+  /// `prepare` is called on the writer thread before a frame is written, one frame at a time in order: it
+  /// fills metrics and cell fields from time and positions. The caller may use what it accesses only after
+  /// drain(). Throws RunFileError if the file can't be created.
   FrameWriter(const std::filesystem::path& path, const RunHeader& header,
               std::function<void(Frame&)> prepare = {});
 
@@ -32,15 +31,15 @@ class FrameWriter {
   FrameWriter(const FrameWriter&) = delete;
   FrameWriter& operator=(const FrameWriter&) = delete;
 
-  /// Hands a frame over; waits while the queue is full. Throws what stopped the thread, if anything did: a
-  /// RunFileError, or an exception of `prepare`. The frames before the failing one are in the file.
+  /// Hands a frame over; waits while the queue is full. Throws the exception that stopped the thread, if any:
+  /// a RunFileError, or one of `prepare`. The frames before the failing one are in the file.
   void push(Frame frame);
 
   /// Waits until every frame pushed is in the file. Throws as push() does.
   void drain();
 
-  /// drain(), then RunFileWriter::finish(). Where an exception of `prepare` was already reported, finishes
-  /// the file with the frames before it.
+  /// drain(), then RunFileWriter::finish(). If an exception of `prepare` was already thrown, finishes the
+  /// file with the frames before it.
   void finish(const RunFooter& footer);
 
   std::uint64_t frames() const;  ///< written so far

@@ -33,7 +33,8 @@ Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = null
 
 Handle file_access() {
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  // Locks keep a second process off a file that is being written; where the file system has none, go without.
+  // A lock keeps other processes from a file that is being written. It is optional: some file systems have
+  // none.
   check(H5Pset_file_locking(access, true, true));
   return access;
 }
@@ -48,17 +49,17 @@ Failure system_failure(int code) {
   return Failure(std::system_category().message(code), code);
 }
 
-/// Creation list of every dataset: without time stamps, so that equal runs are equal bytes.
+/// Creation list of every dataset: without time stamps, so that equal runs give equal bytes.
 Handle dataset_creation() {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(creation, false));
   return creation;
 }
 
-/// Datasets made in this scope have the format of HDF5 1.10, whose chunk index is an extensible array: an
-/// entry stays where it was written. The default index is a B-tree, whose nodes split every 32 chunks, and a
-/// process killed between the writes of the halves loses a dataset: 13 of 1500 kills of a run that does
-/// nothing but write. The superblock stays an old one, because the newest refuses to open after a crash.
+/// Datasets created in this scope have the format of HDF5 1.10. Its chunk index is an extensible array, whose
+/// entries stay where they were written. The default index is a B-tree: its nodes split every 32 chunks, and
+/// a process that is killed between the writes of the halves loses a dataset (13 of 1500 kills of a run that
+/// only writes). The superblock stays an old one, because the newest refuses to open after a crash.
 class ExtensibleArrayScope {
  public:
   explicit ExtensibleArrayScope(hid_t object) : file_(H5Iget_file_id(object), H5Fclose) {
@@ -111,7 +112,7 @@ Failure last_failure() {
     std::string text;
     int code = 0;
   } cause;
-  // From the call that failed first up to ours: the first text is the cause, unless a text names an errno.
+  // Goes from the call that failed first up to ours: the first text is the cause, unless a text has an errno.
   const auto visit = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
     auto& found = *static_cast<Cause*>(out);
     const std::string text = error->desc ? error->desc : "";
@@ -129,8 +130,8 @@ Failure last_failure() {
 
 Handle create_file(const std::string& path) {
   const Handle creation(H5Pcreate(H5P_FILE_CREATE), H5Pclose);
-  // No small piece of metadata crosses a memory page: a process that is killed amid a write may leave the
-  // first of two pages new and the second old, and a checksum then refuses both.
+  // No small piece of metadata crosses a memory page: a process that is killed during a write may leave the
+  // first of two pages new and the second old, so that the checksum fails.
   check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_PAGE, false, 1));
   check(H5Pset_file_space_page_size(creation, 4096));
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, file_access()), H5Fclose};
@@ -151,7 +152,7 @@ void require_room(hid_t file, std::uint64_t bytes) {
 }
 
 void flush(hid_t file) {
-  // The superblock names the end of the file, and a file that ends before it doesn't open: so grow first.
+  // The superblock stores the end of the file, and a shorter file doesn't open. So the file grows first.
   hsize_t end = 0;
   struct stat status {};
   check(H5Fget_filesize(file, &end));
@@ -257,8 +258,7 @@ std::map<std::string, double> read_number_attributes(hid_t object) {
 
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape) {
-  constexpr hsize_t rows_per_chunk =
-      65536;  // a chunk below the 4 GiB that HDF5 allows, and worth compressing
+  constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
   const Handle creation = dataset_creation();
   if (shape[0] > 1024) {  // shorter ones are not worth an index
     std::vector<hsize_t> chunk(shape.begin(), shape.end());
@@ -323,7 +323,7 @@ Series::Series(hid_t parent, const std::string& name, const Layout& layout)
   const double nan = std::numeric_limits<double>::quiet_NaN();
   check(H5Pset_fill_value(creation, H5T_NATIVE_DOUBLE, &nan));
   check(H5Pset_chunk(creation, static_cast<int>(rank), chunk.data()));
-  // No chunk cache: values reach the file, or fail to, in append(), before the chunk index knows of them.
+  // No chunk cache: append() writes values to the file, or fails, before the chunk index has them.
   const Handle access(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose);
   check(H5Pset_chunk_cache(access, 1, 0, 1));
   const Handle space = simple_space(std::span(none).first(rank), limits.data());

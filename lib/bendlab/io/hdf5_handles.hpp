@@ -1,7 +1,7 @@
 // The HDF5 C library behind a few small types. Only sources of this folder include this header.
 //
-// Everything here is used under a Lock: several runs are written from several threads of one process, and the
-// library is not built thread-safe everywhere.
+// Everything here is used under a Lock: threads of one process write several runs, and not every build of the
+// library is thread-safe.
 #pragma once
 
 #include <hdf5.h>
@@ -20,12 +20,11 @@
 
 namespace bendlab::hdf5 {
 
-/// A call of the library failed. what() is the reason: the system's text where there is one, else the
-/// library's.
+/// A call of the library failed. what() is the reason: the system's text if there is one, else the library's.
 class Failure : public std::runtime_error {
  public:
   explicit Failure(const std::string& text, int code = 0) : std::runtime_error(text), code_(code) {}
-  int code() const { return code_; }  ///< errno, 0 when the system was not the cause
+  int code() const { return code_; }  ///< errno, 0 if the system was not the cause
 
  private:
   int code_;
@@ -34,8 +33,8 @@ class Failure : public std::runtime_error {
 /// The Failure that the library's error stack of this thread describes.
 Failure last_failure();
 
-/// The process-wide lock. Also silences the library's own printing, which is a setting of each thread, and
-/// lets it convert a NaN as a fill value.
+/// The process-wide lock. Also turns off the library's own printing, a setting of each thread, and lets it
+/// convert a NaN as a fill value.
 class Lock {
  public:
   Lock();
@@ -45,7 +44,7 @@ class Lock {
   WithoutTraps without_traps_;
 };
 
-/// Passes a result on, or throws last_failure() where the library says so by a negative number.
+/// Returns the result, or throws last_failure() if it is negative.
 template <class Result>
 Result check(Result result) {
   if (result < 0) throw last_failure();
@@ -91,12 +90,12 @@ hid_t type_of() {
 Handle create_file(const std::string& path);                 ///< replaces what is there
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
-/// Throws Failure unless the disk has room for this many bytes more, eightfold: other runs may be writing
-/// too. A flush that meets a full disk half-way can leave a file that doesn't open, so the question comes
-/// first.
+/// Throws Failure unless the disk has room for 8 times as many bytes: other runs may be writing, too. Checked
+/// before a flush, because one that fails half-way on a full disk can leave a file that doesn't open.
 void require_room(hid_t file, std::uint64_t bytes);
 
-/// Hands what was written to the operating system: a killed process loses nothing of it, a power cut may.
+/// Hands what was written to the operating system: it survives the end of the process, but maybe no power
+/// cut.
 void flush(hid_t file);
 
 Handle create_group(hid_t parent, const std::string& name);
@@ -151,15 +150,15 @@ std::vector<T> read_all(hid_t parent, const std::string& name) {
 }
 
 /// A dataset of floating-point numbers that grows by the same number of rows with every frame. Rows that were
-/// never written read as NaN: on a full disk a dataset may have grown without its values. Not compressed:
-/// gzip saves 30 % of a moving cloth's frames and costs more time than all metrics together.
+/// never written read as NaN: on a full disk a dataset may grow without its values. Not compressed: gzip
+/// saves 30 % of a moving cloth's frames, but costs more time than all metrics together.
 class Series {
  public:
   struct Layout {
     hid_t type = H5T_NATIVE_DOUBLE;  ///< in the file
     hsize_t rows = 1;                ///< per frame
     hsize_t columns = 0;             ///< 0: a vector, not a matrix
-    hsize_t frames_per_chunk = 1;    ///< more than one only where a frame is a number or two
+    hsize_t frames_per_chunk = 1;    ///< more than one only if a frame is a number or two
   };
   Series() = default;
   Series(hid_t parent, const std::string& name, const Layout& layout);

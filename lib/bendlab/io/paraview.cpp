@@ -59,8 +59,8 @@ std::string escaped(const std::string& text) {
   return result;
 }
 
-/// Rows first … first + count of a dataset of `rows` rows. The comment inside differs from frame to frame,
-/// because ParaView's Xdmf reader takes what stands first in a geometry's item for the name of its data, and
+/// Rows first … first + count of a dataset of `rows` rows. The XML comment inside differs from frame to
+/// frame: ParaView's Xdmf reader takes the first text in a geometry's item for the name of its data, and
 /// shows a geometry of the same name again instead of reading it.
 std::string hyperslab(const std::string& dataset, const std::string& number, std::uint64_t first,
                       std::uint64_t count, std::uint64_t rows, int columns) {
@@ -144,7 +144,7 @@ void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shap
   const std::string file = escaped(run_file.filename().string());
   for (std::size_t k = 0; k < shape.times.size(); ++k) out << xdmf_frame(file, shape, k);
   out << "</Grid>\n</Domain></Xdmf>\n";
-  out.close();  // a full disk shows itself here at the earliest
+  out.close();  // a full disk may show only now
   if (!out) throw file_error(path, "can't be written", std::system_category().message(errno), errno);
 }
 

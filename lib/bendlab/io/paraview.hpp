@@ -15,7 +15,7 @@
 
 namespace bendlab {
 
-/// What both views need to know of a run with V vertices, T triangles and F frames.
+/// What both views need of a run with V vertices, T triangles and F frames.
 struct ParaViewShape {
   std::uint64_t vertices = 0, triangles = 0;
   std::vector<double> times;             ///< F, s
@@ -26,16 +26,16 @@ struct ParaViewShape {
 /// The group /VTKHDF with its type and version.
 hdf5::Handle create_vtkhdf(hid_t file);
 
-/// What stays the same through the run, all of it below /VTKHDF: topology and the pinned vertices.
+/// Writes what is the same in all frames, below /VTKHDF: topology and the pinned vertices.
 void write_static_part(hid_t vtk, const RunHeader& header);
 inline constexpr const char* static_part[] = {"NumberOfPoints", "Vertices", "Lines",
                                               "Polygons",       "Strips",   "PointData"};
 
-/// /VTKHDF/Steps. Written once and last: ParaView crashes where its attribute
-/// NSteps and the lengths of its datasets differ.
+/// Writes /VTKHDF/Steps, once and last: ParaView crashes if its attribute NSteps and the lengths of its
+/// datasets differ.
 void write_steps(hid_t file, const ParaViewShape& shape);
 
-/// `<stem of run_file>.xdmf` beside the run file, which it names relatively. Throws RunFileError.
+/// Writes `<stem of run_file>.xdmf` beside the run file, with a relative path to it. Throws RunFileError.
 void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shape);
 
 }  // namespace bendlab

@@ -1,5 +1,5 @@
-// One HDF5 file per run, ours and ParaView's at once: VTKHDF 2.0 PolyData with Steps, and beside it our own
-// groups.
+// One HDF5 file per run, for us and for ParaView: VTKHDF 2.0 PolyData with Steps, and our own groups beside
+// it.
 //
 //   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
@@ -7,7 +7,8 @@
 //                           them
 //   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
 //   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
-//   /provenance             attributes; dataset `config` (resolved config, JSON text)
+//   /provenance             attributes (`point`: the place on the sweep, `models`: labels of all bending models,
+//                           both JSON; commit, compiler, …); dataset `config` (resolved config, JSON text)
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
@@ -28,22 +29,22 @@
 
 namespace bendlab {
 
-/// A file could not be written or read: says which, why, and what to do. Exit code 5.
+/// A file could not be written or read. The text says which file, why, and what to do. Exit code 5.
 class RunFileError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// `implausible`: computed to its end as a complete run is, and it broke a bound that its scene cannot break.
+/// `implausible`: computed to its end like a complete run, but it broke a bound that its scene cannot break.
 enum class RunStatus { running, complete, diverged, interrupted, implausible };
 inline constexpr std::array<std::string_view, 5> run_status_names = {"running", "complete", "diverged",
                                                                      "interrupted", "implausible"};
 std::string to_string(RunStatus status);
 
-/// Whether the run went to its end: complete or implausible.
+/// Whether the run was computed to its end: complete or implausible.
 inline bool is_whole(RunStatus status) {
   return status == RunStatus::complete || status == RunStatus::implausible;
 }
-/// Whether the same run again would end as it did: it is whole, or diverged.
+/// Whether the same run would end like this again: it is whole, or diverged.
 inline bool is_over(RunStatus status) {
   return is_whole(status) || status == RunStatus::diverged;
 }
@@ -60,8 +61,7 @@ struct ConstraintRecord {
   std::vector<int> vertices;        ///< #C by vertices_per_constraint, row by row; empty unless recorded
   std::vector<double> rest;         ///< #C by rest_per_constraint, row by row; empty unless recorded
   int rest_per_constraint = 1;      ///< columns of `rest`
-  std::vector<double>
-      softness;  ///< #C, times the scene's compliance; empty unless recorded, or where it is 1
+  std::vector<double> softness;     ///< #C, times the scene's compliance; empty unless recorded, or if 1
 };
 
 /// What is known before the first step.
@@ -90,7 +90,7 @@ struct PassTime {
   std::string name;
   double seconds = 0;
   std::uint64_t calls = 0;
-  std::uint64_t acted = 0;  ///< what its calls changed, in all (vertices, pairs …); of effects only
+  std::uint64_t acted = 0;  ///< number of changes by its calls (vertices, pairs …); effects only
 };
 
 struct RunFooter {
@@ -102,9 +102,9 @@ struct RunFooter {
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
-/// Writes `<path>.part`, renamed to `path` by finish(). A crash leaves the .part file with every frame whose
-/// write() returned. Writers in several threads take turns frame by frame. The folder has to exist. Throws
-/// RunFileError when the disk refuses, std::invalid_argument when sizes don't match the header.
+/// Writes `<path>.part`, which finish() renames to `path`. A crash leaves the .part file with every frame
+/// whose write() returned. Writers in several threads take turns frame by frame. The folder has to exist.
+/// Throws RunFileError if the disk fails, std::invalid_argument if sizes don't match the header.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header);
@@ -121,7 +121,7 @@ class RunFileWriter {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A run, finished or not (a .part file), as read back, without its frames.
+/// A run as read from its file, finished or not (a .part file), without its frames.
 struct RunRecord {
   std::filesystem::path file;
   std::string id, name;
@@ -152,10 +152,9 @@ std::vector<double> read_metric(const std::filesystem::path& file, const std::st
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
 
-/// Makes an interrupted .part file whole: copies its committed frames, with `Steps`, to the name without
-/// .part (status `interrupted`), writes the sidecar and removes the .part file, so that every committed frame
-/// opens in ParaView. Returns the number of frames kept. Throws RunFileError, also while a writer holds the
-/// file.
+/// Repairs an interrupted .part file, so that every committed frame opens in ParaView: copies the committed
+/// frames, with `Steps`, to the name without .part (status `interrupted`), writes the sidecar and removes the
+/// .part file. Returns the number of frames kept. Throws RunFileError, also while a writer has the file open.
 std::uint64_t repair_run(const std::filesystem::path& part_file);
 
 }  // namespace bendlab

@@ -38,7 +38,7 @@ RunRecord read_run(const fs::path& path) {
     run.passes = read_passes(timing);
     run.wall_s = hdf5::read_number_attribute(timing, "wall_s");
     run.cpu_s = hdf5::read_number_attribute(timing, "cpu_s");
-    run.step_cpu_s = hdf5::read_number_attributes(timing)["step_cpu_s"];  // 0 in files that are older than it
+    run.step_cpu_s = hdf5::read_number_attributes(timing)["step_cpu_s"];  // 0 in older files
     run.summary = hdf5::read_number_attributes(hdf5::open_group(file, "summary"));
     return run;
   });
@@ -73,7 +73,8 @@ std::vector<double> read_positions(const fs::path& path, std::int64_t frame) {
     const auto frames = static_cast<std::int64_t>(shape.times.size());
     const std::int64_t index = frame < 0 ? frames + frame : frame;
     if (index < 0 || index >= frames)
-      throw hdf5::Failure(fmt::format("it has no frame {}; it holds {} frames", frame, frames));
+      throw hdf5::Failure(
+          fmt::format("it has no frame {}; it has {} {}", frame, frames, frames == 1 ? "frame" : "frames"));
     const Handle points = hdf5::open_dataset(file, "/VTKHDF/Points");
     return hdf5::read_rows<double>(points, static_cast<std::uint64_t>(index) * shape.vertices,
                                    shape.vertices);

@@ -1,5 +1,5 @@
-// An interrupted run is copied, not mended: only committed frames are touched, and the .part file stays until
-// the copy is on the disk.
+// An interrupted run is not repaired in place: its committed frames are copied, and the .part file stays
+// until the copy is on the disk.
 #include "bendlab/io/run_series.hpp"
 
 namespace bendlab {
@@ -53,7 +53,7 @@ void copy_metrics(hid_t from, hid_t to, std::size_t frames) {
 void copy_run(hid_t from, hid_t to, const ParaViewShape& shape) {
   for (const char* name : {"id", "name"})
     hdf5::write_attribute(to, name, hdf5::read_text_attribute(from, name));
-  // A run that was stopped between its footer and the rename has a status, and keeps it.
+  // A run that was stopped between its footer and the rename keeps its status.
   const RunStatus status = read_status(from);
   hdf5::write_attribute(to, "status",
                         to_string(status == RunStatus::running ? RunStatus::interrupted : status));

@@ -11,7 +11,7 @@ namespace {
 using hdf5::Handle;
 using hdf5::Series;
 
-// What a dataset's index may grow by with a frame, generously: 1000 entries of 16 bytes, as after 100 000
+// A generous bound on the growth of a dataset's index per frame: 1000 entries of 16 bytes, as after 100 000
 // frames.
 constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
@@ -100,7 +100,7 @@ void require_consistent(const RunHeader& header) {
 }  // namespace
 
 struct RunFileWriter::Impl {
-  /// What is open while the run goes on; closed from the last member to the first.
+  /// What is open during the run; closed from the last member to the first.
   struct Open {
     Handle file;
     Series points, time;
@@ -119,7 +119,8 @@ struct RunFileWriter::Impl {
   void close(const RunFooter& footer);
   void require_matching(const Frame& frame) const;
 
-  /// Does what touches the file, one at a time in the process. After a failure the file is left as it is.
+  /// Calls an action on the file, one at a time in the process. After a failure the file is not touched
+  /// again.
   template <class Action>
   void guarded(const std::string& what, const Action& action) {
     if (failed || !open) throw file_error(part, what, failed ? "an earlier write failed" : "it is closed", 0);
@@ -165,8 +166,7 @@ void RunFileWriter::Impl::append(const Frame& frame) {
     points.append(narrow);
   for (std::size_t i = 0; i < cell_fields.size(); ++i) cell_fields[i].append(frame.cell_fields[i]);
   for (std::size_t i = 0; i < metrics.size(); ++i) metrics[i].append(std::span(&frame.metrics[i], 1));
-  // The frame counts once its time is there, and its time is there once everything else has left for the
-  // file.
+  // A frame counts once its time is written, and its time is written after everything else is flushed.
   hdf5::flush(file);
   time.append(std::span(&frame.time, 1));
   hdf5::flush(file);

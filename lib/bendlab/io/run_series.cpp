@@ -86,8 +86,7 @@ ParaViewShape read_shape(hid_t file) {
   const std::uint64_t frames = rows(metrics, "time");
   shape.times = hdf5::read_rows<double>(hdf5::open_dataset(metrics, "time"), 0, frames);
   if (read_status(file) != RunStatus::running) return shape;
-  // Times are written last, so nothing should be cut here; a disk that lost pages at a power cut may still
-  // surprise.
+  // Times are written last, so no frame should be lost here; but a power cut may have lost pages of the disk.
   while (!shape.times.empty() && !is_readable(file, shape, shape.times.size() - 1)) shape.times.pop_back();
   return shape;
 }

@@ -1,5 +1,5 @@
-// The datasets of a run that grow with its frames, and a run file opened for reading. Only sources of this
-// folder include this header.
+// The datasets of a run that grow with its frames, and how a run file is opened for reading. Only sources of
+// this folder include this header.
 #pragma once
 
 #include <filesystem>
@@ -15,7 +15,7 @@ hdf5::Series create_points(hid_t vtk, const ParaViewShape& shape);
 hdf5::Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape);
 hdf5::Series create_metric(hid_t metrics, const Column& metric);
 
-/// Opens a run file for reading; throws hdf5::Failure where it is something else.
+/// Opens a run file for reading. Throws hdf5::Failure if it is something else.
 hdf5::Handle open_run(const std::filesystem::path& path);
 
 RunStatus read_status(hid_t file);
@@ -23,7 +23,7 @@ RunStatus read_status(hid_t file);
 /// V, T, the names of the cell fields and the times of the committed frames.
 ParaViewShape read_shape(hid_t file);
 
-/// `action(hid_t file)` under the lock; what goes wrong becomes a RunFileError that names the file.
+/// Calls `action(hid_t file)` under the lock. Turns a failure into a RunFileError that names the file.
 template <class Action>
 auto with_run(const std::filesystem::path& path, const Action& action) {
   require_readable(path);

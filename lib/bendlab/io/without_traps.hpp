@@ -5,7 +5,7 @@
 
 namespace bendlab {
 
-/// While it lives, this thread may compute infinities and NaNs: around libraries that do so on purpose (HDF5
+/// While it lives, this thread may compute infinities and NaNs. For libraries that do so on purpose (HDF5
 /// converts a NaN as a fill value).
 class WithoutTraps {
  public:

@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-// What the policy does about a problem, for its note.
+// For a note: what the policy does about a problem.
 std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
   const bool mends = policy == BadTriangles::repair;
   switch (kind) {
@@ -29,7 +29,7 @@ std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
     case MeshProblemKind::zero_area:
       return mends ? "collapsed, or split along the vertex on its longest edge"
              : policy == BadTriangles::membrane_off
-                 ? "without a strain constraint, or given a rest height where a "
+                 ? "without a strain constraint, or given a rest height if a "
                    "vertex would have none, and without bending"
                  : "given a rest height that can be simulated, and no bending";
     case MeshProblemKind::non_manifold_edge:
@@ -37,7 +37,7 @@ std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
     case MeshProblemKind::non_manifold_vertex:
       return mends ? "cut, the vertex doubled" : "kept as one vertex";
     case MeshProblemKind::inconsistent_orientation:
-      return mends ? "turned alike" : "kept: nothing that is simulated looks at it";
+      return mends ? "turned alike" : "kept: nothing that is simulated depends on it";
   }
   return {};
 }
@@ -46,7 +46,7 @@ bool finite(const std::array<double, 3>& p) {
   return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
 }
 
-// The soup without triangles that nothing can be made of, and without copies.
+// The soup without copies of triangles, and without triangles that cannot be used.
 PolygonSoup without_unusable(const PolygonSoup& soup) {
   PolygonSoup usable{.points = soup.points, .triangles = {}, .texture_coordinates = {}};
   std::set<std::array<std::int64_t, 3>> seen;
@@ -63,7 +63,7 @@ PolygonSoup without_unusable(const PolygonSoup& soup) {
     for (std::size_t c = 3 * t; c < 3 * t + 3 && !soup.texture_coordinates.empty(); ++c)
       usable.texture_coordinates.push_back(soup.texture_coordinates[c]);
   }
-  // Points of no triangle may be anything; to_mesh() leaves them out.
+  // Points that no triangle uses may be anything; to_mesh() leaves them out.
   return usable;
 }
 
@@ -82,8 +82,7 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy) {
   if (!refusal.empty() && (policy == BadTriangles::refuse || soup.triangles.empty()))
     throw std::invalid_argument(
         "can't be simulated until it is repaired, in a mesh editor for instance or by /mesh/bad_triangles: "
-        "repair, "
-        "regularise or membrane_off (indices count from 0):" +
+        "repair, regularise or membrane_off (indices count from 0):" +
         refusal);
   AcceptedMesh accepted;
   for (const MeshProblem& problem : problems)

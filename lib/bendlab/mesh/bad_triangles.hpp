@@ -1,21 +1,22 @@
-// What is done about a mesh that diagnose() finds wrong: refuse it, simulate it as it is, or mend it.
+// What is done about a mesh in which diagnose() finds problems: refuse it, simulate it as it is, or repair
+// it.
 //
-//   problem                     regularise            membrane_off             repair
-//   --------------------------  --------------------  -----------------------  --------------------------------
-//   vertex not finite, index    the triangle is left out (it has no place, or no three corners to have one)
+//   problem                    regularise            membrane_off             repair
+//   -------------------------  --------------------  -----------------------  -------------------------------
+//   vertex not finite, index   the triangle is left out (it does not have three corners in space)
 //   out of range, repeated
-//   duplicate triangle          the first is kept
-//   isolated vertex             left out
-//   zero area                   a rest height that    no strain constraint;    short edges become one vertex, a
-//                               can be simulated      as regularise where a    vertex on an edge splits the
-//                                                     vertex would have none   triangles beyond it
-//   edge of > 2 triangles       kept, no bending across it                     cut: the vertices are doubled
-//   bow tie                     kept: one shared vertex                        cut
-//   mixed orientation           kept: neither strain nor bending looks at it   turned alike, cut where that is
-//                                                                              impossible (a Möbius band)
-//   equal points                kept: pieces that happen to touch              one vertex
+//   duplicate triangle         the first is kept
+//   isolated vertex            left out
+//   zero area                  a rest height that    no strain constraint;    short edges become one vertex,
+//                              can be simulated      as regularise if a       a vertex on an edge splits the
+//                                                    vertex would have none   triangles beyond it
+//   edge of > 2 triangles      kept, no bending across it                     cut: the vertices are doubled
+//   bow tie                    kept: one shared vertex                        cut
+//   mixed orientation          kept: strain and bending do not depend on it   turned alike, or cut if that is
+//                                                                             impossible (a Möbius band)
+//   equal points               kept: pieces that happen to touch              one vertex
 //
-// A mesh without triangles, and one all of whose triangles are left out, is refused by every policy.
+// Every policy refuses a mesh without triangles, and one whose triangles are all left out.
 #pragma once
 
 #include <array>
@@ -36,24 +37,24 @@ inline constexpr std::array<std::string_view, 4> bad_triangles_names = {"refuse"
 
 struct AcceptedMesh {
   TriangleMesh mesh;
-  std::vector<std::string> notes;  ///< what was done to how many, a line each; empty: nothing
+  std::vector<std::string> notes;  ///< what was done, and how often: a line each; empty: nothing
   bool renumbered = false;         ///< vertices have other indices than in the soup
 };
 
-/// The soup as a mesh that can be simulated. Throws std::invalid_argument with every problem and its first
-/// offenders where the policy refuses it.
+/// The soup as a mesh that can be simulated. If the policy refuses it, throws std::invalid_argument with
+/// every problem and its first offenders.
 AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy);
 
-/// #T: triangles with zero area as diagnose() has it (see zero_area_thickness). None in a mesh that was
-/// accepted by `refuse` or `repair`.
+/// #T: whether diagnose() says that a triangle has zero area (see zero_area_thickness). No triangle has in a
+/// mesh that was accepted by `refuse` or `repair`.
 std::vector<char> triangles_without_area(const TriangleMesh& mesh);
 
-/// The height that a degenerate triangle's rest shape is given: 1/1000 of its longest edge, at least 10⁻⁵ of
-/// the mesh's size. Large against a float's rounding of positions (3·10⁻⁸ of the size: 0.3 % of this height),
-/// small against the triangles around, which it disturbs by no more than itself.
+/// The height that a degenerate triangle's rest shape gets: 1/1000 of its longest edge, at least 10⁻⁵ of the
+/// mesh's size. That is large against a float's rounding of positions (3·10⁻⁸ of the size: 0.3 % of this
+/// height) and small against the triangles around it.
 inline constexpr double regular_height_of_edge = 1e-3, regular_height_of_size = 1e-5;
 
-/// The soup with one vertex per place, no zero areas, manifold and oriented alike (see the table above).
+/// The soup with one vertex per point, no zero areas, manifold and oriented alike (see the table above).
 /// Triangles keep their texture coordinates. Indices have to be in range and points finite.
 PolygonSoup repaired(const PolygonSoup& soup);
 

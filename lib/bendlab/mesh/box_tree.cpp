@@ -6,7 +6,7 @@
 namespace bendlab {
 namespace {
 
-// The first half of a full branch's leaves goes left, across the longest side of the centres' box.
+// Halves along the longest side of the centres' box; the left branch is filled before the right one.
 void halve(std::span<int> elements, std::size_t leaves, const Positions& centres) {
   const std::size_t half = leaves / 2;
   if (half == 0) return;

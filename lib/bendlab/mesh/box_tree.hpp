@@ -1,5 +1,5 @@
-// Which of many boxes overlap, and what is nearest to a point: a binary tree of boxes, built once, its boxes
-// renewed as the elements move.
+// A binary tree of boxes that finds which boxes overlap and which is nearest to a point. It is built once;
+// its boxes are renewed as the elements move.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,7 +13,7 @@
 
 namespace bendlab {
 
-/// An axis-parallel box; empty as it is made. The fourth number is for the processor's lanes.
+/// An axis-parallel box, at first empty. The fourth number only fills the processor's lanes.
 struct Box {
   using Corner = Eigen::Array4f;
   Corner low = Corner::Constant(std::numeric_limits<float>::infinity()), high = -low;
@@ -21,16 +21,16 @@ struct Box {
   void include(const Box& other) { low = low.min(other.low), high = high.max(other.high); }
   bool empty() const { return !(low(0) <= high(0)); }
   bool overlaps(const Box& other) const { return (low - other.high).max(other.low - high).maxCoeff() <= 0; }
-  /// To the nearest point of the box; infinite to an empty one.
+  /// The squared distance to the nearest point of the box; infinite if it is empty.
   double squared_distance(const Vector3& point) const {
     const Eigen::Array3d p = point.array();
     return (low.head<3>().cast<double>() - p).max(p - high.head<3>().cast<double>()).max(0).square().sum();
   }
 };
 
-/// Elements whose centres are near stand in the same branch; that they were near once is enough, as elements
-/// of a cloth move with their neighbours. Building costs n log n, renewing n. Elements are halved by the
-/// median, so the tree depends on nothing but the centres.
+/// Elements whose centres are near each other are in the same branch. It is enough that they are near when
+/// the tree is built, because elements of a cloth move with their neighbours. Building costs n log n,
+/// renewing n. Elements are halved at the median, so the tree depends on the centres alone.
 class BoxTree {
  public:
   explicit BoxTree(const Positions& centres);  ///< #n by 3
@@ -44,8 +44,8 @@ class BoxTree {
     if (leaves_ > 0) inside(1, action);
   }
 
-  /// The least squared_distance(i) of the elements i from `point`; only those are looked at whose box is
-  /// nearer than the nearest so far. Infinite without elements.
+  /// The least squared_distance(i) of the elements i from `point`. Evaluates it only if the element's box is
+  /// nearer than the least so far. Infinite without elements.
   template <class SquaredDistance>
   double least_squared_distance(const Vector3& point, const SquaredDistance& squared_distance) const {
     double least = std::numeric_limits<double>::infinity();
@@ -54,7 +54,7 @@ class BoxTree {
   }
 
  private:
-  // The nearer branch first: it makes the other one needless most of the time.
+  // The nearer branch first: after it the other one is mostly not needed.
   template <class SquaredDistance>
   void look_into(std::size_t node, const Vector3& point, const SquaredDistance& squared_distance,
                  double& least) const {
@@ -90,7 +90,7 @@ class BoxTree {
   }
 
   std::size_t leaves_ = 0;    // a power of two, or 0
-  std::vector<int> element_;  // #n, of each leaf; the last leaves are empty
+  std::vector<int> element_;  // #n, the element of each leaf; the last leaves are empty
   std::vector<Box> boxes_;    // node i has the children 2i and 2i + 1; the root is 1, leaves from leaves_ on
 };
 

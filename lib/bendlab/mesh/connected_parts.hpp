@@ -1,4 +1,4 @@
-// The parts of a mesh that no edge joins.
+// The parts of a mesh that no edge connects.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// The vertices of each part, breadth first from its lowest one; parts in the order of these.
+/// The vertices of each part, breadth first from its lowest vertex. Parts are ordered by that vertex.
 std::vector<std::vector<int>> connected_parts(const Adjacency& one_ring);
 
 }  // namespace bendlab

@@ -26,8 +26,7 @@ Triangles delaunay_triangles(std::span<const Vector2> points) {
     indexed.emplace_back(Kernel::Point_2(p.x(), p.y()), static_cast<int>(indexed.size()));
   const Triangulation triangulation(indexed.begin(), indexed.end());
 
-  std::vector<std::array<int, 3>>
-      faces;  // CGAL's order of faces is not documented: ours does not depend on it
+  std::vector<std::array<int, 3>> faces;  // sorted: CGAL does not document its order of faces
   for (const auto& face : triangulation.finite_face_handles()) {
     std::array<int, 3> corners = {face->vertex(0)->info(), face->vertex(1)->info(), face->vertex(2)->info()};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());

@@ -1,4 +1,4 @@
-// Delaunay triangulation of points in the plane; CGAL is behind it.
+// Delaunay triangulation of points in the plane, by CGAL.
 #pragma once
 
 #include <span>
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// Counter-clockwise triangles over the points' indices, each from its lowest index, sorted.
+/// Counter-clockwise triangles of point indices, each starting at its lowest index, sorted.
 /// The points have to be finite and distinct.
 Triangles delaunay_triangles(std::span<const Vector2> points);
 

@@ -12,7 +12,7 @@
 
 namespace bendlab {
 
-/// A mesh file can't be used; the text says which file, why, and what to do.
+/// A mesh file can't be used. The text says which file, why, and what to do.
 class MeshFileError : public std::runtime_error {
  public:
   enum class Kind {
@@ -26,9 +26,9 @@ class MeshFileError : public std::runtime_error {
   Kind kind_;
 };
 
-/// Reads a file by its extension (.obj, .ply, .off, .stl; upper or lower case), in text or binary form where
-/// the format has one. Polygons with more than three corners become fans around their first corner (right for
-/// convex ones). OBJ: with texture coordinates if every corner has one. STL has no indices: exactly equal
+/// Reads a file by its extension (.obj, .ply, .off, .stl; upper or lower case), in text or binary form as far
+/// as the format has them. Polygons with more than three corners become fans around their first corner (right
+/// for convex ones). OBJ: with texture coordinates if every corner has one. STL has no indices: exactly equal
 /// points become one vertex. Vertices and indices are not checked. Throws MeshFileError.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
@@ -36,8 +36,8 @@ PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 /// that the policy refuses.
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy);
 
-/// Only one that diagnose() finds nothing wrong with, without isolated vertices. `notes`, if given, receives
-/// what was left out.
+/// Refuses a mesh in which diagnose() finds problems, but leaves out isolated vertices. `notes`, if given,
+/// receives what was left out.
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes .obj (with texture coordinates), .ply or .off as text that reads back to the same numbers. Throws

@@ -31,7 +31,7 @@ constexpr std::array<std::string_view, 12> flaws = {"none",
                                                     "mixed_orientation",
                                                     "hole"};
 
-constexpr int every = 20;  // one in so many is hit
+constexpr int every = 20;  // one in so many gets the flaw
 
 void refuse_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() > 0)
@@ -60,18 +60,19 @@ void add_vertices(TriangleMesh& mesh, const std::vector<Vector3>& points) {
 
 // Without the vertices that no triangle has.
 TriangleMesh compacted(const TriangleMesh& mesh) {
-  std::vector<int> place(static_cast<std::size_t>(mesh.vertex_count()), -1);
+  std::vector<int> new_index(static_cast<std::size_t>(mesh.vertex_count()), -1);
   for (const auto& row : mesh.triangles.rowwise())
-    for (const int v : row) place[static_cast<std::size_t>(v)] = 0;
+    for (const int v : row) new_index[static_cast<std::size_t>(v)] = 0;
   int kept = 0;
-  for (int& at : place)
+  for (int& at : new_index)
     if (at == 0) at = kept++;
   TriangleMesh result{
       .positions = Positions(kept, 3), .triangles = mesh.triangles, .texture_coordinates = {}};
-  for (std::size_t v = 0; v < place.size(); ++v)
-    if (place[v] >= 0) result.positions.row(place[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
+  for (std::size_t v = 0; v < new_index.size(); ++v)
+    if (new_index[v] >= 0)
+      result.positions.row(new_index[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
   for (Eigen::Index i = 0; i < result.triangles.size(); ++i)
-    result.triangles.data()[i] = place[static_cast<std::size_t>(result.triangles.data()[i])];
+    result.triangles.data()[i] = new_index[static_cast<std::size_t>(result.triangles.data()[i])];
   return result;
 }
 
@@ -105,15 +106,15 @@ std::vector<Star> scattered_stars(const TriangleMesh& mesh) {
   return stars;
 }
 
-// Moves the vertex of every star to where `place` puts it: place(vertex, the two others of one of its
-// triangles).
-template <class Place>
-TriangleMesh with_moved(TriangleMesh mesh, Place place) {
+// Moves the vertex of every star to target(p, a, b): p is its position, a and b are those of the other two
+// corners of one of its triangles.
+template <class Target>
+TriangleMesh with_moved(TriangleMesh mesh, Target target) {
   for (const Star& star : scattered_stars(mesh)) {
     const Eigen::RowVector3i& corners = star.triangles.front();
     const Vector3 p = mesh.positions.row(corners(0)), a = mesh.positions.row(corners(1)),
                   b = mesh.positions.row(corners(2));
-    mesh.positions.row(star.vertex) = place(p, a, b).transpose();
+    mesh.positions.row(star.vertex) = target(p, a, b).transpose();
   }
   return mesh;
 }
@@ -263,15 +264,15 @@ TriangleMesh with_flaw(TriangleMesh mesh, std::string_view flaw) {
 TriangleMesh shuffled(const TriangleMesh& mesh, std::uint64_t seed) {
   refuse_texture(mesh);
   std::mt19937_64 random(seed);
-  const std::vector<int> place = permutation(mesh.vertex_count(), random),
+  const std::vector<int> new_index = permutation(mesh.vertex_count(), random),
                          order = permutation(mesh.triangle_count(), random);
   TriangleMesh result = mesh;
-  for (std::size_t v = 0; v < place.size(); ++v)
-    result.positions.row(place[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
+  for (std::size_t v = 0; v < new_index.size(); ++v)
+    result.positions.row(new_index[v]) = mesh.positions.row(static_cast<Eigen::Index>(v));
   for (std::size_t t = 0; t < order.size(); ++t)
     for (int c = 0; c < 3; ++c)
       result.triangles(order[t], c) =
-          place[static_cast<std::size_t>(mesh.triangles(static_cast<Eigen::Index>(t), c))];
+          new_index[static_cast<std::size_t>(mesh.triangles(static_cast<Eigen::Index>(t), c))];
   return result;
 }
 

@@ -16,14 +16,14 @@
 namespace bendlab {
 namespace {
 
-constexpr int max_count = 16384;  // squared and times 4 it is still an int
+constexpr int max_count = 16384;  // 4 times its square is still an int
 
 double checked_size(std::string_view name, double metres) {
   if (std::isfinite(metres) && metres > 0) return metres;
   throw std::invalid_argument(fmt::format("mesh {} is {} m; it has to be finite and above 0", name, metres));
 }
 
-// `count` as a double, because some counts are quotients of lengths.
+// `count` is a double, because some counts are quotients of lengths.
 int checked_count(std::string_view name, double count, int minimum = 1) {
   if (count >= minimum && count <= max_count) return static_cast<int>(count);
   throw std::invalid_argument(
@@ -66,9 +66,9 @@ double uniform(std::mt19937_64& random) {
   return static_cast<double>(random() >> 11) * 0x1p-53;
 }
 
-// Points in a rectangle that keep a distance from each other, found through a background grid whose cells are
-// so small that each holds at most one point. (In a strip thinner than a cell the two sides' points share
-// one; no point has room there anyway.)
+// Points in a rectangle that keep a distance from each other. The cells of a background grid are so small
+// that each holds at most one point. (In a strip thinner than a cell, points of both sides share one; no
+// interior point has room there anyway.)
 class DiscSampler {
  public:
   DiscSampler(double width, double height, double distance)
@@ -203,10 +203,10 @@ TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed
   const int rows = checked_count("number of rows", std::max(1.0, std::round(height / spacing)));
 
   constexpr int darts_per_point = 30;  // as many as Bridson, "Fast Poisson disk sampling", 2007
-  constexpr double relative_distance =
-      0.79;  // so many darts place 0.62 points per distance²: one per spacing²
+  // These darts find room for 0.62 points per distance²: one per spacing².
+  constexpr double relative_distance = 0.79;
   DiscSampler sampler(width, height, relative_distance * spacing);
-  // The corners exactly: one that is off its sides' lines makes slivers along them.
+  // Corners are exact: a corner off the lines of its sides would make slivers along them.
   for (const double x : {-width / 2, width / 2})
     for (const double y : {-height / 2, height / 2}) sampler.add({x, y});
   for (int i = 1; i < cells; ++i)

@@ -1,5 +1,5 @@
-// Rest meshes, centred at the origin. Flat ones lie in the plane z = 0, every triangle counter-clockwise.
-// Lengths in m. All throw std::invalid_argument for a size or count that is not allowed.
+// Rest meshes, centred at the origin; lengths in m. Flat ones lie in the plane z = 0, every triangle
+// counter-clockwise. All throw std::invalid_argument for a size or count that is not allowed.
 #pragma once
 
 #include <array>
@@ -17,31 +17,30 @@ inline constexpr std::array<std::string_view, 6> generator_names = {"grid", "equ
 /// Which diagonal splits a cell.
 ///      same          alternating        both
 ///    +---+---+       +---+---+       +---+---+
-///    | / | / |       | \ | / |       | X | X |      both: the diagonals cross at a vertex in the cell's
-///    centre
+///    | / | / |       | \ | / |       | X | X |       both: the diagonals cross at a vertex
 ///    +---+---+       +---+---+       +---+---+
 ///    | / | / |       | / | \ |       | X | X |
 ///    +---+---+       +---+---+       +---+---+
 enum class Diagonal { same, alternating, both };
 inline constexpr std::array<std::string_view, 3> diagonal_names = {"same", "alternating", "both"};
 
-/// Cells along x and y. Corners are numbered row by row from the lower left (x inner, y outer); with `both`
-/// each row of cell centres follows the row of corners below it.
+/// Cells along x and y. Vertices are numbered row by row from the lower left (x inner, y outer); with `both`
+/// each row of cell centres follows the row of vertices below it.
 TriangleMesh grid(double width, double height, int cells_x, int cells_y, Diagonal diagonal = Diagonal::same);
 
-/// Direction of an equilateral lattice's rows of edges against the long side (x if width >= height).
+/// Direction of an equilateral lattice's rows of edges relative to the long side (x if width >= height).
 enum class Rows { parallel, perpendicular };
 inline constexpr std::array<std::string_view, 2> rows_names = {"parallel", "perpendicular"};
 
 /// Equilateral triangles of edge a = long side / cells_along (at least 2), numbered row by row. Every second
-/// row is set in by a/2 at both ends, so two sides of the outline zigzag. Exactly equilateral triangles can't
-/// fill every rectangle: along the rows the size is the nearest whole number of edges (`parallel`: the long
-/// side itself), across them the nearest whole number of strips of height a √3/2.
+/// row is shorter by a/2 at both ends, so two sides of the outline zigzag. Exactly equilateral triangles
+/// can't fill every rectangle: along the rows the size is the nearest whole number of edges (`parallel`: the
+/// long side itself), across them the nearest whole number of strips of height a √3/2.
 TriangleMesh equilateral(double width, double height, int cells_along, Rows rows = Rows::parallel);
 
-/// Irregular: the boundary's points evenly spaced by s ≈ width / cells, the interior's at random but no two
-/// closer than 0.79 s (Poisson-disc darts, about one point per s²), Delaunay triangulated. Equal seeds give
-/// equal points on every platform. Numbered in rows of height s, left to right.
+/// An irregular sheet by Delaunay triangulation. Points on the boundary are evenly spaced by s ≈ width /
+/// cells; interior ones are random, but no two are closer than 0.79 s (Poisson-disc darts, about one point
+/// per s²). Equal seeds give equal points on every platform. Numbered in rows of height s, left to right.
 TriangleMesh delaunay(double width, double height, int cells, std::uint64_t seed);
 
 /// Concentric rings around a centre vertex, ring r with 6 r vertices at radius r / rings · radius; numbered
@@ -52,15 +51,15 @@ TriangleMesh disc(double radius, int rings);
 /// normals outward. Rows of `cells` (at least 3) vertices on circles, every second row turned by half a cell:
 ///
 ///     +---+---+---+       radius_top at z = height / 2
-///    / \ / \ / \ /        Radii go from row to row by one factor, and as many rows as bring the triangles
-///   +---+---+---+         nearest to equilateral: all triangles of a frustum are similar.
+///    / \ / \ / \ /        Each row's radius is the same multiple of the last: all triangles are similar. The
+///   +---+---+---+         number of rows brings them nearest to equilateral.
 ///
 /// Numbered row by row from the bottom, each from angle 0 or half a cell. A triangle's first edge lies along
 /// its circle.
 TriangleMesh tube(double radius, double radius_top, double height, int cells);
 
-/// A closed ball: an octahedron with its edges split into `cells` and its vertices brought to `radius`,
-/// normals outward. 4 cells² + 2 vertices, 8 cells² triangles.
+/// A closed ball with normals outward: an octahedron whose edges are split into `cells` and whose vertices
+/// are moved to `radius`. 4 cells² + 2 vertices, 8 cells² triangles.
 TriangleMesh sphere(double radius, int cells);
 
 }  // namespace bendlab

@@ -12,9 +12,9 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// Distance of c, with the triangle laid on the plane: a at the origin, b at (base, 0), c above the base and
-// the source below it, at the distances `to_a` and `to_b`. Infinite where the straight way misses the base:
-// it then leads around a or b.
+// Distance of c from the source with the triangle unfolded into a plane: a at the origin, b at (base, 0), c
+// above the base, and the source below it at the distances `to_a` and `to_b`. Infinite if the straight path
+// misses the base: the path then leads around a or b.
 double unfolded(double to_a, double to_b, double base, double a_to_c, double b_to_c) {
   const double x = (to_a * to_a - to_b * to_b + base * base) / (2 * base), depth = to_a * to_a - x * x;
   const double cx = (a_to_c * a_to_c - b_to_c * b_to_c + base * base) / (2 * base),
@@ -32,8 +32,8 @@ class Front {
     for (const int v : sources) reach(v, 0, v);
   }
 
-  // Dijkstra's order, but a vertex that turns out nearer passes that on again: beyond an obtuse corner the
-  // way may come back.
+  // Dijkstra's order. But a vertex that turns out to be nearer passes its distance on again: beyond an obtuse
+  // corner the path may come back.
   void spread() {
     while (!front_.empty()) {
       const auto [distance, v] = front_.top();
@@ -57,7 +57,7 @@ class Front {
   double apart(int v, int w) const { return (rest_.position(v) - rest_.position(w)).norm(); }
 
   void reach(int v, double distance, int source) {
-    constexpr double rounding = 1e-14;  // relative: what is nearer by less is not passed on
+    constexpr double rounding = 1e-14;  // relative: a smaller gain is not passed on
     if (!(distance < distance_of(v) * (1 - rounding) || (distance < infinity && source_of(v) < 0))) return;
     distance_of(v) = distance, source_of(v) = source;
     front_.push({distance, v});

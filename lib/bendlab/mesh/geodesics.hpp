@@ -9,14 +9,15 @@
 namespace bendlab {
 
 struct GeodesicDistances {
-  std::vector<double> distance;  ///< #V, m, to the nearest source; infinite where none can be reached
-  std::vector<int> source;       ///< #V, that source; -1 where none can be reached
+  std::vector<double> distance;  ///< #V, m, to the nearest source; infinite if no source can be reached
+  std::vector<int> source;       ///< #V, that source; -1 if none can be reached
 };
 
-/// Lengths of the shortest ways over the triangles of any mesh: from two corners of a triangle to the third
-/// by unfolding the plane of the way so far (Novotni & Klein 2002). Exact where the straight way meets no
-/// hole and no inner corner on a flat or developable piece; else too long, first order in the edge length on
-/// curved surfaces, by a few per cent behind a corner, but never longer than the shortest way along edges.
+/// Lengths of the shortest paths over the triangles of any mesh. A path goes from two corners of a triangle
+/// to the third by unfolding the triangles so far into a plane (Novotni & Klein 2002). Exact on a flat or
+/// developable piece if the straight path meets no hole and no inner corner. Otherwise too long: by a few per
+/// cent behind a corner, and to first order in the edge length on curved surfaces. Never longer than the
+/// shortest path along edges.
 GeodesicDistances geodesic_distances(const RestMesh& rest, std::span<const int> sources);
 
 }  // namespace bendlab

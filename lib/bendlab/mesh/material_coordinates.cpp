@@ -15,7 +15,7 @@ namespace {
 struct RestTriangle {
   Vector3 e1, e2, normal;
 
-  // `least_height` is above 0 for a triangle that has no area.
+  // `least_height` is above 0 for a triangle without area.
   RestTriangle(const TriangleMesh& mesh, Eigen::Index t, double least_height)
       : e1((mesh.positions.row(mesh.triangles(t, 1)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
         e2((mesh.positions.row(mesh.triangles(t, 2)) - mesh.positions.row(mesh.triangles(t, 0))).transpose()),
@@ -23,9 +23,9 @@ struct RestTriangle {
     if (least_height > 0) regularise(least_height);
   }
 
-  // Draws the three points to their line and moves the one between the others off it by the height; points at
-  // one place first become a line of that length. Which way is as good as any other: the first axis that is
-  // not the line's.
+  // Gives the triangle a height: moves the corner between the two others off their line. Three equal points
+  // first become a line of that length. The direction is arbitrary: towards the axis farthest from the
+  // line's.
   void regularise(double height) {
     std::array<Vector3, 3> corner = {Vector3::Zero(), e1, e2};
     std::size_t apex = 0;  // opposite the longest edge
@@ -47,8 +47,7 @@ struct RestTriangle {
 
   // Q⁻¹ for the warp axis nearest to `warp` in the triangle's plane.
   InverseRest inverse_along(const Vector3& warp) const {
-    constexpr double perpendicular =
-        1e-6;  // of |warp|: below it the projection has no direction worth the name
+    constexpr double perpendicular = 1e-6;  // of |warp|: a shorter projection has no useful direction
     Vector3 axis = warp - warp.dot(normal) * normal;
     if (axis.norm() <= perpendicular * warp.norm()) axis = e1;
     const Vector3 u = axis.normalized(), v = normal.cross(u);
@@ -59,9 +58,9 @@ struct RestTriangle {
     return {inverse(0, 0), inverse(0, 1), inverse(1, 0), inverse(1, 1)};
   }
 
-  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). Across the
-  // opposite edge a corner's part is zero, and has to be exactly: where that edge is pinned, a projection
-  // divides by it.
+  // A column of Q⁻¹ is the gradient of a stretch at the corners b and c; at a it is -(b + c). A corner's part
+  // is zero if its opposite edge lies along the axis. It has to be exactly zero: if that edge is pinned, a
+  // projection divides by it.
   static void snap(double& b, double& c) {
     constexpr double rounding = 1e-9;  // of the column's largest entry
     const double limit = rounding * std::max(std::abs(b), std::abs(c));
@@ -97,14 +96,13 @@ std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() != 3 * mesh.triangle_count())
     throw std::invalid_argument(
         "the mesh has no texture coordinates: use an OBJ with vt entries, or material coordinates from the "
-        "warp "
-        "direction");
+        "warp direction");
   std::vector<InverseRest> inverses;
   inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
   const std::vector<double> heights = least_heights(mesh);
   for (Eigen::Index t = 0; t < mesh.triangle_count(); ++t) {
     const RestTriangle triangle(mesh, t, heights[static_cast<std::size_t>(t)]);
-    if (heights[static_cast<std::size_t>(t)] > 0) {  // its texture is as degenerate as itself
+    if (heights[static_cast<std::size_t>(t)] > 0) {  // its texture is degenerate, too
       inverses.push_back(triangle.inverse_along(triangle.e1));
       continue;
     }
@@ -117,7 +115,7 @@ std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
     if (!(std::abs(texture.determinant()) > degenerate * longest))
       throw std::invalid_argument(fmt::format(
           "triangle {} has degenerate texture coordinates: mend the texture or use the warp direction", t));
-    // [t_u, t_v] = [e1, e2] texture⁻¹: t_u is where u grows.
+    // [t_u, t_v] = [e1, e2] texture⁻¹: u grows along t_u.
     const Eigen::Vector2d first = texture.inverse().col(0);
     inverses.push_back(triangle.inverse_along(first(0) * triangle.e1 + first(1) * triangle.e2));
   }

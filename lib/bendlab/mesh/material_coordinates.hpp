@@ -17,12 +17,12 @@ inline constexpr std::array<std::string_view, 2> material_coordinates_names = {"
 /// Q⁻¹ row by row: {(0,0), (0,1), (1,0), (1,1)}, 1/m.
 using InverseRest = std::array<double, 4>;
 
-/// One per triangle, the warp axis being `warp_direction` projected into the triangle's rest plane (where it
-/// is perpendicular to the plane, the triangle's first edge). A degenerate triangle has the Q⁻¹ of one that
-/// was given a height (see bad_triangles.hpp), across an arbitrary side of its line.
+/// One per triangle. The warp axis is `warp_direction` projected into the triangle's rest plane, or the
+/// triangle's first edge if it is perpendicular to the plane. A degenerate triangle gets a height first (see
+/// bad_triangles.hpp), to an arbitrary side of its line.
 std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const Vector3& warp_direction);
 
-/// One per triangle, the warp axis being the texture's u direction in the rest plane; stretched textures are
+/// One per triangle. The warp axis is the texture's u direction in the rest plane; stretched textures are
 /// allowed, because only the direction is used (SBD 2014, appendix). Throws std::invalid_argument if the mesh
 /// has no texture coordinates or a triangle's are degenerate.
 std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh);

@@ -35,7 +35,7 @@ Point point_of(const Vector3& x) {
   return {x.x(), x.y(), x.z()};
 }
 
-// An edge bent by less than this (radians) counts as flat: what touches it touches a face.
+// Radians: an edge bent by less counts as flat. What touches it touches a face.
 constexpr double flat = 0.01;
 
 constexpr int next(int corner) {
@@ -90,7 +90,7 @@ struct MeshSurface::Tree {
 };
 
 MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-  double volume = 0;  // six times; a closed mesh with a negative one has its normals inwards
+  double volume = 0;  // six times; negative if the normals of a closed mesh point inwards
   for (const auto& t : mesh_.triangles.rowwise())
     volume += (corner(t(0)) - corner(0)).dot((corner(t(1)) - corner(0)).cross(corner(t(2)) - corner(0)));
   std::map<std::pair<int, int>, int> uses;
@@ -129,7 +129,7 @@ void MeshSurface::find_normals() {
   }
 }
 
-// Edges bent outwards; of an open mesh, which has no outwards, all that are bent and those on its rim.
+// Ridges are edges bent outwards. An open mesh has no outside: there all bent edges and the rim are ridges.
 void MeshSurface::find_ridges() {
   struct Side {
     int triangle, edge;
@@ -186,7 +186,7 @@ std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& 
   for (const int t : tree_->intersected(Kernel::Segment_3(point_of(from), point_of(to)))) {
     const Vector3& normal = face_normals_[static_cast<std::size_t>(t)];
     const double height = normal.dot(from - corner(mesh_.triangles(t, 0))), fall = normal.dot(from - to);
-    if (fall == 0) continue;  // along the triangle: others are crossed
+    if (fall == 0) continue;  // parallel to the triangle: the segment crosses others
     if (const double s = std::clamp(height / fall, 0.0, 1.0); s < earliest) {
       earliest = s;
       first = Crossing{from + s * (to - from), fall > 0 ? normal : Vector3(-normal), fall > 0};

@@ -1,5 +1,5 @@
-// A triangle mesh as a surface to keep away from: nearest points with their side, crossings, what lies in a
-// box. Queries go through CGAL's AABB tree; the same object may be asked by one thread at a time.
+// A triangle mesh as an obstacle's surface: nearest points and their side, crossings, triangles in a box.
+// Queries use CGAL's AABB tree; only one thread at a time may use an object.
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@
 
 namespace bendlab {
 
-/// Weights, each in [0, 1] with sum 1, of the point of the triangle a, b, c that is nearest to x; exactly 0
-/// where it lies on an edge or a corner. (Ericson 2005, §5.1.5.)
+/// Weights of the point of the triangle a, b, c that is nearest to x: each in [0, 1], with sum 1, and exactly
+/// 0 if the point is on the opposite edge (Ericson 2005, §5.1.5).
 Vector3 nearest_weights(const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
 
 class MeshSurface {
@@ -26,25 +26,24 @@ class MeshSurface {
 
   struct Crossing {
     Vector3 point;    ///< m
-    Vector3 normal;   ///< unit, of the triangle, to the side that the segment comes from
-    bool from_front;  ///< that side is the one the triangle's normal points to
+    Vector3 normal;   ///< unit, of the triangle, towards the side that the segment comes from
+    bool from_front;  ///< the triangle's own normal points to that side
   };
 
-  /// An edge that is bent by more than a trifle, so that something may touch it and no face.
+  /// An edge that is bent enough for cloth to touch it without touching a face.
   struct Ridge {
     std::array<int, 2> corners;
-    Vector3 normal;  ///< unit, mean of its triangles'
+    Vector3 normal;  ///< unit, mean of its triangles' normals
   };
 
-  /// A mesh that was diagnosed (see files.hpp).
+  /// Expects a mesh that was diagnosed (see files.hpp). Turns a closed mesh whose normals point inwards.
   explicit MeshSurface(TriangleMesh mesh);
   ~MeshSurface();
   MeshSurface(const MeshSurface&) = delete;
   MeshSurface& operator=(const MeshSurface&) = delete;
 
   const TriangleMesh& mesh() const { return mesh_; }
-  /// Every edge has two triangles: the mesh has an inside (if its normals point out of it; a mesh inside out
-  /// is turned, see the constructor's source).
+  /// Whether every edge has two triangles, so that the mesh has an inside.
   bool closed() const { return closed_; }
 
   Nearest nearest(const Vector3& x) const;
@@ -56,11 +55,11 @@ class MeshSurface {
   Vector3 corner(int vertex) const { return mesh_.positions.row(vertex).transpose(); }
   const Vector3& corner_normal(int vertex) const { return corner_normals_[static_cast<std::size_t>(vertex)]; }
   const std::vector<Ridge>& ridges() const { return ridges_; }
-  /// Of each triangle's edges (0 to 1, 1 to 2, 2 to 0), the index into ridges(), or -1: none, or concave.
+  /// For each edge of a triangle (0 to 1, 1 to 2, 2 to 0) its index in ridges(), or -1 if it is none.
   const std::array<int, 3>& ridges_of(int triangle) const {
     return ridges_of_[static_cast<std::size_t>(triangle)];
   }
-  /// Whether any ridge ends there: something may touch the corner alone.
+  /// Whether any ridge ends there, so that cloth may touch the corner alone.
   bool is_pointed(int vertex) const { return pointed_[static_cast<std::size_t>(vertex)] != 0; }
 
  private:

@@ -8,11 +8,11 @@ namespace bendlab {
 
 double mean_edge_span(const Edges& edges, const std::vector<int>& permutation) {
   if (edges.rows() == 0) return 0;
-  const auto placed = [&](int vertex) {
+  const auto number = [&](int vertex) {
     return permutation.empty() ? vertex : permutation[static_cast<std::size_t>(vertex)];
   };
   double span = 0;
-  for (Eigen::Index e = 0; e < edges.rows(); ++e) span += std::abs(placed(edges(e, 0)) - placed(edges(e, 1)));
+  for (Eigen::Index e = 0; e < edges.rows(); ++e) span += std::abs(number(edges(e, 0)) - number(edges(e, 1)));
   return span / static_cast<double>(edges.rows());
 }
 

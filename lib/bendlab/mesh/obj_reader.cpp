@@ -11,8 +11,8 @@
 namespace bendlab {
 namespace {
 
-// tinyobjloader reads faces and their indices. Coordinates are read here, because it rounds them to float and
-// takes what is no number for 0.
+// tinyobjloader reads faces and their indices. Coordinates are read here, because tinyobjloader rounds them
+// to float and reads 0 if a word is not a number.
 void read_coordinates(std::string_view bytes, PolygonSoup& soup,
                       std::vector<std::array<double, 2>>& texture) {
   TextLines lines(bytes, '#');

@@ -41,8 +41,7 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
   return rim;
 }
 
-// The border of what lies around the vertex nearest to the centre: vertices within the radius that have a
-// neighbour outside.
+// Vertices within the radius around the vertex nearest to the centre that have a neighbour outside.
 std::vector<int> circle_vertices(const RestMesh& rest) {
   const Vector2 extent = (rest.box_max() - rest.box_min()).head<2>();
   const double radius = 0.25 * extent.minCoeff() + relative_tolerance * rest.size();
@@ -54,7 +53,7 @@ std::vector<int> circle_vertices(const RestMesh& rest) {
   return circle;
 }
 
-// Not quarters: on a grid many vertices would be as near to these.
+// Not at quarters: on a grid several vertices would be equally near to these.
 std::vector<int> interior_vertices(const RestMesh& rest) {
   const Vector2 low = rest.box_min().head<2>(), extent = rest.box_max().head<2>() - low;
   std::vector<int> interior;
@@ -72,7 +71,7 @@ double squared_distance(const Vector3& point, const Vector3& a, const Vector3& b
   return (point - a - share * along).squaredNorm();
 }
 
-// Marks the vertices within `distance` of a seed, or of an edge between two.
+// Marks the vertices within `distance` of a seed or of an edge between two seeds.
 void pin_within(const RestMesh& rest, const std::vector<int>& seeds, double distance,
                 std::vector<char>& is_pinned) {
   std::vector<std::array<int, 2>> segments;

@@ -1,4 +1,4 @@
-// Which vertices are held: the ones the scene names, and the rings around them.
+// Which vertices are pinned: those that the scene names, and the rings around them.
 #pragma once
 
 #include <span>
@@ -10,25 +10,28 @@
 namespace bendlab {
 
 struct Pins {
-  std::vector<int> seeds;       ///< the vertices the scene names, ascending
+  std::vector<int> seeds;       ///< the vertices that the scene names, ascending
   std::vector<int> all;         ///< seeds and the rings pinned with them, ascending
   std::vector<char> is_pinned;  ///< #V
 
   bool pinned(int vertex) const { return is_pinned[static_cast<std::size_t>(vertex)] != 0; }
 };
 
-/// Pins `seeds`, their first `rings` rings (0: the seeds alone; the paper pins 1) and what lies within
-/// `distance` (m, straight through the rest shape) of a seed or of an edge between two. Throws
+/// Pins `seeds`, their first `rings` rings (0: the seeds alone; the paper pins 1) and the vertices within
+/// `distance` (m, straight through the rest shape) of a seed or of an edge between two seeds. Throws
 /// std::out_of_range for a seed that is not a vertex.
 Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
 
-/// Vertices by name: `upper_right`, `upper_left`, `lower_right`, `lower_left` (the vertex nearest to that
-/// corner of the rest box's x-y face), `top`, `bottom`, `left`, `right` (all vertices within 10⁻⁶ of the size
-/// of that side), `centre` (nearest to the centre of the box), `top_rim`, `bottom_rim` (all vertices at the
-/// largest or smallest z, the ends of a tube), `circle` (the outermost vertices within a quarter of the box's
-/// smaller x-y extent of the `centre`), `interior` (four, nearest to 0.3 and 0.7 of the box's width and
-/// height). Throws std::invalid_argument for another name, and for a rim of a flat mesh, because that is
-/// every vertex.
+/// Vertices by name, on the x-y face of the rest box:
+///
+/// * `upper_right`, `upper_left`, `lower_right`, `lower_left`: the vertex nearest to that corner;
+/// * `top`, `bottom`, `left`, `right`: all vertices within 10⁻⁶ sizes of that side;
+/// * `centre`: the vertex nearest to the centre;
+/// * `top_rim`, `bottom_rim`: all vertices at the largest or smallest z, the ends of a tube;
+/// * `circle`: the outermost vertices within a quarter of the box's smaller x-y extent of the `centre`;
+/// * `interior`: four, nearest to 0.3 and 0.7 of the box's width and height.
+///
+/// Throws std::invalid_argument for another name, and for a rim of a flat mesh, because that is every vertex.
 std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
 
 /// The names that select_vertices() knows.

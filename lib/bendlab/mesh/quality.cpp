@@ -55,8 +55,8 @@ double cotangent(double degrees) {
   return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : infinity;
 }
 
-// What percentiles are taken of, in the order of `measures`: monotone in the measure and cheaper. The edge
-// ratio is squared; an angle is its negative cotangent.
+// Percentiles are taken of keys, in the order of `measures`: each is monotone in its measure and cheaper. The
+// key of the edge ratio is its square; that of an angle is its negative cotangent.
 using Keys = std::array<double, 7>;
 
 Keys keys_of(const ScaledTriangle& t) {
@@ -69,8 +69,7 @@ Keys keys_of(const ScaledTriangle& t) {
   const double perimeter = shortest + middle + longest;
   const double equilateral = 2 * std::numbers::sqrt3 * t.twice_area;  // 4√3 A
   const double per_area = 1 / t.twice_area, per_equilateral = 1 / equilateral;
-  // √((a + b + c)² - 48 A²), the difference written as squares: it loses no digits near the equilateral
-  // triangle.
+  // √((a + b + c)² - 48 A²), written as a sum of squares: it loses no digits near the equilateral triangle.
   const double distortion = std::sqrt(2 * ((a - b) * (a - b) + (b - c) * (b - c) + (c - a) * (c - a)));
   return {edge_ratio,
           longest * perimeter * per_equilateral,
@@ -97,7 +96,8 @@ double measure_from_key(std::size_t measure, double key) {
 // leading bits, the second collects only the buckets in which a wanted rank lies.
 class RankFinder {
  public:
-  /// The keys of these ranks, which ascend (0 is the smallest key's) below keys.size(). No key is NaN.
+  /// The keys with these ranks. Rank 0 is the smallest key's; ranks ascend and are below keys.size(). No key
+  /// is NaN.
   template <std::size_t N>
   std::array<double, N> find(const std::vector<double>& keys, const std::array<std::size_t, N>& ranks) {
     std::fill(counts_.begin(), counts_.end(), 0);
@@ -168,8 +168,8 @@ MeshQuality measure_quality(const Positions& positions, const Triangles& triangl
   MeshQuality quality;
   if (triangles.rows() == 0) return quality;
 
-  // Rounding moves the scaled area of collinear points by a few 10⁻¹⁶; only below this the exact predicate is
-  // asked.
+  // Rounding changes the scaled area of collinear points by a few 10⁻¹⁶. The exact predicate is called only
+  // below this.
   constexpr double surely_not_collinear = 1e-14;
   const double cap_key = -cotangent(thresholds.cap_angle), small_key = -cotangent(thresholds.small_angle);
   std::array<std::vector<double>, 7> keys;

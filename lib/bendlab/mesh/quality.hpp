@@ -9,7 +9,7 @@
 
 namespace bendlab {
 
-/// From where on a triangle counts as bad.
+/// Limits from which on a triangle counts as bad.
 struct QualityThresholds {
   double needle_ratio = 4;  ///< longest to shortest edge, at least 1
   double cap_angle = 160;   ///< degrees, 90 to 180
@@ -28,12 +28,12 @@ struct QualityMeasure {
 ///   shape          4√3 A / (a² + b² + c²), 0 to 1
 ///   minimum_angle, maximum_angle in degrees
 ///   condition      κ₂ of Q weighted by the equilateral triangle: x + √(x² - 1) with x = 1 / shape
-/// All are 1 for an equilateral triangle, but for the angles.
+/// All but the angles are 1 for an equilateral triangle.
 std::span<const QualityMeasure> quality_measures();
 
 /// Over all triangles. A percentile is the value of the nearest rank, without interpolation: infinity stays
 /// infinity. A triangle without area has the worst value of every measure but the edge ratio (infinity, shape
-/// 0, angles 0 and 180), one with a position that is not finite also of the edge ratio.
+/// 0, angles 0 and 180). With a position that is not finite the edge ratio is infinite, too.
 struct MeasureSummary {
   double minimum, percentile_1, median, percentile_99, maximum;
 };
@@ -48,7 +48,7 @@ struct MeshQuality {
   int degenerate_triangles = 0;  ///< needle, cap, collinear or not finite; each triangle counts once
 };
 
-/// `triangles` index into `positions`. Nothing is thrown; positions may be anything.
+/// `triangles` index into `positions`. Throws nothing: positions may be non-finite.
 MeshQuality measure_quality(const Positions& positions, const Triangles& triangles,
                             const QualityThresholds& thresholds = {});
 

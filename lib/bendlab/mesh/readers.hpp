@@ -1,8 +1,8 @@
-// The mesh file formats, from a file's bytes to a soup. All throw std::invalid_argument, with the line where
-// there are lines, if the bytes do not follow the format; indices and coordinates are not checked.
+// The mesh file formats, from a file's bytes to a soup. All throw std::invalid_argument if the bytes do not
+// follow the format, for text with the line. Indices and coordinates are not checked.
 //
-// OFF, PLY and STL are read here and not by CGAL: its readers answer bad indices and coordinates with a bare
-// "false", and, compiled without assertions, crash on a PLY file with whole-number coordinates.
+// OFF, PLY and STL are not read by CGAL: its readers return a bare "false" for bad indices and coordinates
+// and, compiled without assertions, crash on a PLY file with whole-number coordinates.
 #pragma once
 
 #include <string>

@@ -26,9 +26,9 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
   return {std::min(a, b), std::max(a, b)};
 }
 
-// CGAL's repair of a soup renumbers what it leaves alone and knows no texture, and a NaN in a point that
-// nothing uses merges points that differ; its remove_degenerate_faces() sees no area only where it is exactly
-// zero.
+// Why not CGAL's repair of a soup: it renumbers vertices that need no repair, it has no texture, and a NaN in
+// an unused point makes it merge different points. Its remove_degenerate_faces() only sees areas that are
+// exactly zero.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
@@ -45,7 +45,7 @@ class Mender {
   PolygonSoup run() {
     unite_equal_points();
     find_thickness();
-    constexpr int rounds = 100;  // a thin triangle beside another waits for the next round
+    constexpr int rounds = 100;  // of two thin neighbours one waits for the next round
     for (int round = 0; round < rounds && mend_thin_ones(); ++round) unite();
     std::erase_if(triangles_, [&](const Triangle& t) { return thin(t); });
     return oriented();
@@ -76,7 +76,7 @@ class Mender {
     return vertex;
   }
 
-  // Gives united vertices one index; triangles that have lost a corner by that, and copies, go.
+  // Gives united vertices one index. Removes triangles that lose a corner by it, and copies.
   void unite() {
     std::set<std::array<std::size_t, 3>> seen;
     std::erase_if(triangles_, [&](Triangle& t) {
@@ -94,8 +94,8 @@ class Mender {
     thickness_ = box.isEmpty() ? 0 : zero_area_thickness * box.diagonal().norm();
   }
 
-  // A thin triangle with a short edge: its ends are united. Else a vertex m lies on the longest edge: the
-  // triangles beyond that edge are split at m, and the thin one, which they now cover, goes.
+  // If a thin triangle has a short edge, the ends of that edge are united. Otherwise a vertex m lies on its
+  // longest edge: the triangles beyond that edge are split at m, and the thin one is removed.
   //
   //      a --- m --- b          a --- m --- b
   //        \       /     ->       \   |   /
@@ -143,8 +143,8 @@ class Mender {
     triangles_.push_back(second);
   }
 
-  // CGAL doubles vertices where the surface branches, touches itself in a point or cannot be oriented, and
-  // reverses triangles; their order stays.
+  // CGAL doubles vertices where the surface branches, touches itself in a point or cannot be oriented. It
+  // also reverses triangles, but keeps their order.
   PolygonSoup oriented() const {
     using Point = CGAL::Simple_cartesian<double>::Point_3;
     std::vector<Point> points;
@@ -166,16 +166,16 @@ class Mender {
     return soup;
   }
 
-  // A doubled vertex has another index, but its place is no other corner's.
-  std::array<double, 2> texture_at(const Triangle& t, const std::array<double, 3>& place) const {
-    return std::ranges::find_if(t, [&](const Corner& corner) { return points_[corner.vertex] == place; })
+  // By position: a doubled vertex has another index, but no other corner of the triangle is at its position.
+  std::array<double, 2> texture_at(const Triangle& t, const std::array<double, 3>& position) const {
+    return std::ranges::find_if(t, [&](const Corner& corner) { return points_[corner.vertex] == position; })
         ->texture;
   }
 
   std::vector<std::array<double, 3>> points_;
   std::vector<Triangle> triangles_;
   bool textured_;
-  std::vector<std::size_t> same_as_;  // of each point, itself or one it was united with
+  std::vector<std::size_t> same_as_;  // for each point itself, or one that it was united with
   double thickness_ = 0;              // m
 };
 

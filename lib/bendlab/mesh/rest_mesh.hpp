@@ -1,4 +1,5 @@
-// The rest state of a cloth: the mesh and what follows from it once (edges, one-rings, hinges, areas, size).
+// The rest state of a cloth: the mesh and what is computed from it once (edges, one-rings, hinges, areas,
+// size).
 #pragma once
 
 #include <array>
@@ -19,8 +20,8 @@ struct Hinge {
   std::array<int, 2> opposite;
 };
 
-/// Vertices adjacent to a vertex as compressed rows: neighbours of v are `targets[offsets[v] ..
-/// offsets[v+1])`, ascending.
+/// The neighbours of each vertex as compressed rows: those of v are `targets[offsets[v] .. offsets[v+1])`,
+/// ascending.
 struct Adjacency {
   std::vector<int> offsets;  ///< #V + 1
   std::vector<int> targets;

@@ -8,8 +8,8 @@
 
 namespace bendlab {
 
-/// Walks rings outward from one vertex at a time; holds #V marks, so one object serves many vertices without
-/// clearing. Not thread-safe: one object per thread.
+/// Walks rings outward from one vertex at a time. Its #V marks need no clearing between walks. Not
+/// thread-safe: use one object per thread.
 class RingWalker {
  public:
   explicit RingWalker(const Adjacency& one_ring);
@@ -21,7 +21,7 @@ class RingWalker {
 
  private:
   const Adjacency& one_ring_;
-  std::vector<int> mark_;            // walk number that last saw the vertex
+  std::vector<int> mark_;            // number of the last walk that visited the vertex
   std::vector<int> queue_;           // vertices in breadth-first order
   std::vector<std::size_t> starts_;  // starts_[r] .. starts_[r + 1]: ring r in queue_
   int walk_number_ = 0;

@@ -66,7 +66,7 @@ struct HalfEdge {
   bool ascending;
 };
 
-// Sets of elements that grow together; the representative of each is its lowest element.
+// Disjoint sets that can be united; the representative of a set is its lowest element.
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
@@ -177,8 +177,8 @@ class Diagnosis {
     std::erase_if(sound_, [&](std::size_t t) { return std::binary_search(copies.begin(), copies.end(), t); });
   }
 
-  // Edges, and the fans of triangles around vertices: corners of one vertex that an edge connects belong
-  // together.
+  // Edges, and the fans of triangles around vertices: two corners at a vertex are in one fan if an edge
+  // connects their triangles.
   void check_edges() {
     std::vector<HalfEdge> half_edges;
     for (const std::size_t t : sound_)

@@ -1,4 +1,4 @@
-// A mesh as a file gives it, nothing checked, and what is wrong with it. All indices count from 0.
+// A mesh as read from a file, unchecked, and the problems in it. All indices count from 0.
 #pragma once
 
 #include <array>
@@ -18,8 +18,8 @@ struct PolygonSoup {
   std::vector<std::array<double, 2>> texture_coordinates;
 };
 
-/// Adds the fan of triangles around the polygon's first corner. Throws std::invalid_argument below three
-/// corners.
+/// Adds a fan of triangles around the polygon's first corner. Throws std::invalid_argument for fewer than
+/// three corners.
 void add_polygon(PolygonSoup& soup, std::span<const std::int64_t> corners);
 
 enum class MeshProblemKind {
@@ -44,19 +44,17 @@ struct MeshProblem {
 };
 
 /// A triangle has zero area if its smallest height is at most this times the diagonal of the mesh's box.
-/// Single precision rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size: below that, whether by a float file or
-/// by a float run, the vertices can't be told from collinear ones and Q⁻¹ is noise. Relative, so that units
-/// don't matter; a height and not an area, because that is what Q⁻¹ divides by. Thin triangles above it are
-/// counted by measure_quality().
+/// Single precision, of a file or of a run, rounds coordinates by 2⁻²⁴ = 6·10⁻⁸ of the size. Below that the
+/// vertices cannot be distinguished from collinear ones, and Q⁻¹ is noise. It is relative, so that units
+/// don't matter, and a height, because Q⁻¹ divides by it. measure_quality() counts thin triangles above it.
 inline constexpr double zero_area_thickness = 1e-7;
 
-/// Everything that is wrong, a problem per kind, in the order of the kinds; empty if the mesh can be
-/// simulated. Triangles with a bad index or a repeated vertex, and duplicates, are left out of the checks
-/// that follow.
+/// All problems, one per kind and in the order of the kinds; empty if the mesh can be simulated. Duplicates
+/// and triangles with a bad index or a repeated vertex are left out of later checks.
 std::vector<MeshProblem> diagnose(const PolygonSoup& soup);
 std::vector<MeshProblem> diagnose(const TriangleMesh& mesh);
 
-/// "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)": a line, without line break.
+/// For example "2 triangles with zero area: triangle 4 (1, 2, 5), triangle 9 (7, 8, 9)"; without line break.
 std::string describe(const MeshProblem& problem);
 
 /// A mesh's points and triangles, unchecked; without texture coordinates.

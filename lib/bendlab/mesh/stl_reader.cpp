@@ -13,7 +13,7 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "binary STL is copied as it is");
 
-// Points by their bits: exactly equal ones are one vertex.
+// Finds points by their bits: exactly equal points are one vertex.
 class PointMerger {
  public:
   explicit PointMerger(PolygonSoup& soup) : soup_(soup) {}
@@ -74,7 +74,7 @@ PolygonSoup parse_text(std::string_view bytes) {
 }  // namespace
 
 PolygonSoup parse_stl(std::string_view bytes) {
-  // By its size first: the header of a binary file may start with "solid" too.
+  // Checks the size first: the header of a binary file may start with "solid", too.
   const std::size_t triangles = binary_triangles(bytes);
   if (bytes.size() == header_size + triangle_size * triangles) return parse_binary(bytes);
   if (bytes.starts_with("solid")) return parse_text(bytes);

@@ -8,11 +8,11 @@
 
 namespace bendlab {
 
-/// The lines of a text that hold words; the text has to outlive it. Everything that does not fit throws
-/// std::invalid_argument naming the line.
+/// The lines of a text that hold words. The text has to outlive the object. Throws std::invalid_argument with
+/// the line if something does not fit.
 class TextLines {
  public:
-  /// From `comment` on (if it is not 0) the rest of a line is ignored.
+  /// Ignores the rest of a line from the character `comment` on, if it is not 0.
   explicit TextLines(std::string_view text, char comment = '\0') : rest_(text), comment_(comment) {}
 
   /// Goes to the next line with at least one word; false at the end of the text.
@@ -26,8 +26,7 @@ class TextLines {
   std::int64_t integer(std::size_t i) const;
   std::size_t count(std::size_t i) const;  ///< an integer that is not negative
 
-  /// The word for an error text: in quotes, cut where it is long, without control and other strange
-  /// characters.
+  /// The word for an error text: in quotes, cut if it is long, without control and other unusual characters.
   std::string quoted(std::size_t i) const;
 
   std::string_view rest() const { return rest_; }  ///< what follows the current line

@@ -1,4 +1,4 @@
-// Positions and triangles, nothing else: what files, generators, metrics and figures exchange.
+// Positions and triangles alone: what files, generators, metrics and figures exchange.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,7 +14,7 @@ using Triangles = Eigen::Matrix<int, Eigen::Dynamic, 3, Eigen::RowMajor>;     //
 using Edges = Eigen::Matrix<int, Eigen::Dynamic, 2, Eigen::RowMajor>;         ///< #E by 2, first < second
 using TextureCoordinates = Eigen::Matrix<double, Eigen::Dynamic, 2, Eigen::RowMajor>;  ///< 3#T by 2, or empty
 
-/// Numbers as rows of three: a view, which lives as long as they do.
+/// A view of numbers as rows of three. The numbers have to outlive it.
 inline Eigen::Map<const Positions> as_rows(const std::vector<double>& numbers) {
   return {numbers.data(), static_cast<Eigen::Index>(numbers.size() / 3), 3};
 }
@@ -25,7 +25,7 @@ inline Eigen::Map<const Triangles> as_rows(const std::vector<int>& numbers) {
 struct TriangleMesh {
   Positions positions;
   Triangles triangles;
-  /// One row per triangle corner (row 3t + c), because a seam gives one vertex several; empty if there are
+  /// One row per triangle corner (row 3t + c), because a vertex on a seam has several; empty if there are
   /// none.
   TextureCoordinates texture_coordinates;
 

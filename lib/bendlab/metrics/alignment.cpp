@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-// Which triangles hang together by edges: for each the lowest one of its part.
+// For each triangle the lowest one that edges connect it with: its part.
 std::vector<int> parts_of(const Triangles& triangles) {
   std::vector<int> parent(static_cast<std::size_t>(triangles.rows()));
   std::iota(parent.begin(), parent.end(), 0);
@@ -62,8 +62,8 @@ RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span
   return {rotation, to_mean - rotation * from_mean};
 }
 
-// Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b) of the parts across the axis: the largest where φ is
-// its angle.
+// Maximises Σ w b·(R a) = cos φ Σ w a·b + sin φ Σ w axis·(a × b), with the components across the axis: φ is
+// the angle of the two sums.
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis) {
   double cosine = 0, sine = 0;

@@ -1,5 +1,5 @@
-// Poses brought over each other: the rigid motion or the turn that brings one nearest to another, and how far
-// a cloth is from its rest shape, wherever it has gone and however it has turned.
+// Aligns poses: finds the rigid motion or the rotation that brings one nearest to another, and the distance
+// of a cloth from its rest shape without its rigid motion.
 #pragma once
 
 #include <span>
@@ -19,22 +19,22 @@ struct RigidMotion {
   }
 };
 
-/// The rigid motion (no reflection) with the least Σ weight |moved from - to|² (Kabsch 1976); `from` and `to`
-/// #V by 3 in m, `weight` #V, not negative.
+/// The rigid motion (no reflection) with the least Σ weight |moved from - to|² (Kabsch 1976). `from` and `to`
+/// are #V by 3 in m, `weight` is #V and not negative.
 RigidMotion nearest_motion(const Positions& from, const Positions& to, std::span<const double> weight);
 
-/// The same among the turns about the line through `centre` along `axis` (unit length).
+/// The same among the rotations about the line through `centre` along `axis` (unit length).
 RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<const double> weight,
                          const Vector3& centre, const Vector3& axis);
 
 /// Compares poses with a rest shape after the rotation and translation that bring them nearest (Kabsch 1976;
-/// without reflections: a mirrored shape stays away). Parts that no common edge joins move freely of each
-/// other and are aligned each by itself; vertices in no triangle do not count.
+/// without reflections: a mirrored shape keeps a distance). Parts that share no edge move independently, so
+/// each is aligned by itself. Vertices in no triangle do not count.
 class Alignment {
  public:
   explicit Alignment(const RestMesh& rest);
 
-  /// Root mean square over the vertices of the distance that is left, m; NaN where a position is not finite.
+  /// Root mean square over the vertices of the distance that is left, m; NaN if a position is not finite.
   double distance(const Positions& positions) const;
 
  private:

@@ -36,8 +36,7 @@ Areas areas_of(const RestMesh& rest, const Pins& pins) {
   return areas;
 }
 
-// Where a segment from `a` to `b`, as seen from the origin, crosses the directions: farther ones replace
-// nearer.
+// Extends the reach in each direction from the origin that the segment from `a` to `b` crosses.
 void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
   const double per_direction = 2 * pi / directions, start = std::atan2(a.y(), a.x());
   const double turn = std::atan2(a.x() * b.y() - a.y() * b.x(), a.dot(b));
@@ -45,7 +44,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   for (double k = std::ceil(low / per_direction); k * per_direction <= high; ++k) {
     const Eigen::Vector2d direction(std::cos(k * per_direction), std::sin(k * per_direction)), along = b - a;
     const double across = along.x() * direction.y() - along.y() * direction.x();
-    // A segment that points at the origin crosses nowhere, or by rounding anywhere.
+    // A segment that points at the origin crosses no direction; by rounding it may cross any.
     const double crossing = (a.y() * direction.x() - a.x() * direction.y()) / across;
     const double share = across == 0 ? 0 : std::clamp(crossing, 0.0, 1.0);
     const double distance = (a + share * along).dot(direction);
@@ -54,7 +53,7 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
   }
 }
 
-// Maxima that rise and fall by more than `depth` to either side.
+// The number of maxima that are higher than the minima beside them by more than `depth`.
 int maxima(const std::vector<double>& reach, double depth) {
   const auto lowest = static_cast<std::size_t>(std::min_element(reach.begin(), reach.end()) - reach.begin());
   int count = 0;

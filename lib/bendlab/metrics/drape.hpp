@@ -1,6 +1,6 @@
-// The drape coefficient: how far a round specimen that hangs over the edge of a round table reaches (Cusick
-// 1965; ISO 9073-9): the share of what hangs over that its shadow still covers, 1 for a stiff board, 0 for
-// what falls straight down.
+// The drape coefficient (Cusick 1965; ISO 9073-9) of a round specimen that hangs over the edge of a round
+// table: the shadow of the overhanging part over its area. 1 for a stiff board, 0 for cloth that falls
+// straight down.
 #pragma once
 
 #include <vector>
@@ -16,9 +16,9 @@ struct Drape {
   std::vector<double> reach;  ///< m, of the shadow from the table's centre, at equal angles around it
 };
 
-/// Of a cloth at `positions` (#V by 3, m) whose pinned triangles are the table and whose shadow falls along
-/// `down` (unit length). The shadow's outline is taken from its centre, so nothing may hang back under the
-/// table. Throws std::invalid_argument where no triangle is pinned or nothing hangs over.
+/// The drape of a cloth at `positions` (#V by 3, m). Its pinned triangles are the table, and its shadow falls
+/// along `down` (unit length). The outline of the shadow is found from the table's centre, so no cloth may
+/// hang back under the table. Throws std::invalid_argument if no triangle is pinned or nothing hangs over.
 Drape drape_of(const RestMesh& rest, const Pins& pins, const Positions& positions, const Vector3& down);
 
 }  // namespace bendlab

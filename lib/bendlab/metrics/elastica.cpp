@@ -12,10 +12,10 @@
 //
 //   φ' = κ(m),   m' = t sin φ,   m(0) = 0,   until φ = π/2, the clamp, at t = L;   Γ = L^(p+2)
 //
-// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve, without
-// shooting, and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. A soft strip of the cubic law hangs
-// exactly straight up to some t₀, φ = 0, because a curvature costs nothing to first order; then t₀ takes the
-// place of the angle.
+// in units where ρ g / C = 1. So each angle φ(0) at the free end gives a point of the curve without shooting,
+// and a nearly vertical end (φ(0) = 10⁻³⁰) keeps its digits. With the cubic law the end of a soft strip hangs
+// exactly straight (φ = 0) up to some t₀, because a small curvature costs no energy to first order. Then t₀
+// replaces the angle as the variable.
 
 namespace bendlab {
 namespace {
@@ -35,8 +35,8 @@ State derivative(BendingLaw law, const State& y, double length_rate) {
           std::sin(y[angle]) * length_rate, std::cos(y[angle]) * length_rate};
 }
 
-// One step of the classical Runge-Kutta method over `step` of a variable of which `length_rate(variable,
-// state)` is dt / d variable.
+// One step of the classical Runge-Kutta method over `step` of a variable. `length_rate(variable, state)` is
+// dt / d variable.
 template <class LengthRate>
 State runge_kutta(BendingLaw law, const State& y, double variable, double step, LengthRate length_rate) {
   const auto slope = [&](double part, const State& from) {
@@ -50,8 +50,8 @@ State runge_kutta(BendingLaw law, const State& y, double variable, double step, 
   return next;
 }
 
-// The free end: its angle to the vertical, or the length that hangs straight. One number: a smaller one, a
-// softer strip.
+// The free end: its angle to the vertical, or the length that hangs straight. Both follow from one number x;
+// the smaller it is, the softer the strip.
 struct FreeEnd {
   double angle = 0, straight = 0;
 };
@@ -63,8 +63,8 @@ double largest_x(BendingLaw law) {
   return law == BendingLaw::linear ? std::log(quarter_turn) : quarter_turn;
 }
 
-// Where the integration starts. Beyond a straight length t₀ the cubic law gives, by series in τ = t - t₀,
-// φ = √(t₀/24) τ² (1 + τ / 5t₀).
+// The state where the integration starts. Beyond a straight length t₀ the cubic law has the series
+// φ = √(t₀/24) τ² (1 + τ / 5t₀) in τ = t - t₀.
 State start(const FreeEnd& end) {
   if (end.straight == 0) return {0, end.angle, 0, 0, 0};
   const double tau = 1e-3 * std::min(1.0, end.straight), next = tau / end.straight;
@@ -74,13 +74,13 @@ State start(const FreeEnd& end) {
           end.straight + tau};
 }
 
-// A strip of small deflection θ at its free end is that long.
+// The length of a strip whose free end has the small deflection θ.
 double short_length(BendingLaw law, double theta) {
   return law == BendingLaw::linear ? std::cbrt(6 * theta) : std::pow(std::cbrt(2.0) * 5 / 3 * theta, 3.0 / 5);
 }
 
 HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
-  // In u = ∛τ the cubic law's solution is smooth, which in t goes as τ^(5/3).
+  // The cubic law's solution is smooth in u = ∛τ; in t it goes as τ^(5/3).
   const int power = law == BendingLaw::linear ? 1 : 3;
   const double about = std::min(1.0, short_length(law, quarter_turn - end.angle));
   constexpr double fineness = 0.01;  // error in Γ 10⁻⁹ (linear) and 10⁻⁷ (cubic), of fourth order
@@ -95,7 +95,7 @@ HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
     y = next;
     u += step;
   }
-  // The last step ends at the clamp: over φ, which is known there (Hénon 1982).
+  // The last step goes over φ, which is known at the clamp, and so ends there exactly (Hénon 1982).
   const auto rate_of_angle = [&](double, const State& at) { return 1 / curvature(law, at[moment]); };
   y = runge_kutta(law, y, y[angle], quarter_turn - y[angle], rate_of_angle);
   const double l = y[length];

@@ -1,12 +1,12 @@
-// A strip that is clamped horizontally and hangs under its own weight: the curves that tell how stiff it is.
+// The shape of a strip that is clamped horizontally and hangs under its own weight, by its stiffness.
 //
 //   clamp ___________ s                    m' = -ρ g (L - s) cos θ,   m = C κ^p,   κ = θ',
 //          θ(0) = 0  ‾‾‾-._                θ downward, m the moment per width;  θ(0) = 0,  m(L) = 0
 //                    ↓ g    `\  free end
 //
-// p = 1 is the heavy elastica, C its flexural rigidity B (Romero et al. 2021 call Γ(H/W) the cantilever's
-// master curve). p = 3 is what springs between vertices of an inextensible sheet give: bending to curvature κ
-// shortens them by ∝ κ², so that their energy is quartic.
+// p = 1 is the heavy elastica, with C its flexural rigidity B (Romero et al. 2021 call Γ(H/W) the
+// cantilever's master curve). p = 3 is the law of springs between vertices of an inextensible sheet: bending
+// to the curvature κ shortens them by ∝ κ², so their energy is quartic.
 #pragma once
 
 namespace bendlab {
@@ -23,12 +23,12 @@ struct HangingStrip {
   double reach = 0;  ///< W / L of the free end
 };
 
-/// The strip whose free end is `height_over_width` = H/W below and before the clamp, to 10⁻⁷ in Γ. Throws
-/// std::invalid_argument outside [10⁻⁶, 500]: a straighter strip shows rounding, a limper one has no width
-/// left.
+/// The strip with `height_over_width` = H/W: its free end is H below and W before the clamp. Error in Γ 10⁻⁷.
+/// Throws std::invalid_argument outside [10⁻⁶, 500]: a stiffer strip shows rounding, a softer one has almost
+/// no W.
 HangingStrip hanging_strip(BendingLaw law, double height_over_width);
 
-/// d ln Γ / d ln(H/W) there: by how much a relative error of H/W is larger in the stiffness. Throws as above.
+/// d ln Γ / d ln(H/W): the factor by which a relative error of H/W grows in the stiffness. Throws as above.
 double amplification(BendingLaw law, double height_over_width);
 
 }  // namespace bendlab

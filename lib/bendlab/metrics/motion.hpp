@@ -1,4 +1,4 @@
-// What moves: energy and momenta of a cloth as a set of point masses.
+// Energy and momenta of a cloth as a set of point masses.
 #pragma once
 
 #include <span>

@@ -14,7 +14,7 @@
 namespace bendlab {
 namespace {
 
-// A mesh's triangles, to be asked for the one nearest to a point.
+// A mesh's triangles in a tree, for the distance of the one nearest to a point.
 class Surface {
  public:
   explicit Surface(const TriangleMesh& mesh) : mesh_(mesh), tree_(centres(mesh)) {
@@ -45,7 +45,7 @@ class Surface {
 
   Vector3 vertex(int v) const { return mesh_.positions.row(v).transpose(); }
 
-  // Boxes are of single precision: rounded outward they hold the vertex.
+  // Boxes have single precision: they are rounded outward, so that they hold the vertex.
   Box box_of(int v) const {
     constexpr float infinity = std::numeric_limits<float>::infinity();
     Box box;

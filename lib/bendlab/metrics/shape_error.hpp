@@ -1,5 +1,5 @@
-// How far a pose of a cloth is from a reference pose of the same points. Bring the reference over the pose
-// first where a rigid motion is no error (alignment.hpp).
+// How far a pose of a cloth is from a reference pose of the same points. If a rigid motion is no error, align
+// the two first (alignment.hpp).
 #pragma once
 
 #include <span>
@@ -8,27 +8,27 @@
 
 namespace bendlab {
 
-/// Of a pose's points from the same points of the reference, m.
+/// Distances of a pose's points from the same points of the reference, m.
 struct ShapeError {
   double rms = 0;      ///< root mean square over the cloth: √(Σ weight |x - x'|² / Σ weight)
   double largest = 0;  ///< of the points with a weight
 };
 
-/// Both #V by 3 in m; `weight` #V, each point's share of the cloth (its lumped area, for example), not
-/// negative.
+/// Both poses are #V by 3 in m; `weight` (#V, not negative) is each point's share of the cloth, for example
+/// its lumped area.
 ShapeError shape_error(const Positions& pose, const Positions& reference, std::span<const double> weight);
 
-/// Hausdorff distance of two surfaces, which need not have the same points, m: the farthest that a vertex of
-/// one is from the other's nearest triangle, both ways. Vertices in no triangle don't count. Throws
-/// std::invalid_argument where one has no triangle.
+/// Hausdorff distance of two surfaces, which need not have the same points, m: the largest distance of a
+/// vertex of one from the other's nearest triangle, both ways. Vertices in no triangle don't count. Throws
+/// std::invalid_argument if one has no triangle.
 double hausdorff_distance(const TriangleMesh& one, const TriangleMesh& other);
 
-/// Root mean square over the cloth's area of |E - E'|: E the Green strain (FᵀF - 1)/2 of a triangle of the
-/// pose against the rest shape, E' that of the reference, |·| Frobenius'. What the membrane does differently.
-/// A rest triangle without area has no strain.
+/// How the membrane differs: the root mean square of |E - E'| (Frobenius) over the cloth's area. E is the
+/// Green strain (FᵀF - 1)/2 of a triangle of the pose against the rest shape, E' that of the reference. A
+/// rest triangle without area has no strain.
 double strain_error(const RestMesh& rest, const Positions& pose, const Positions& reference);
 
-/// The same against E' = 0: how far the pose is from a cloth that cannot be stretched or sheared.
+/// The same with E' = 0, as for a cloth that cannot be stretched or sheared.
 double strain_error(const RestMesh& rest, const Positions& pose);
 
 }  // namespace bendlab

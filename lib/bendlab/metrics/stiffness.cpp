@@ -15,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-constexpr double same_place = 1e-5;  // sizes; coordinates in single precision are good to 10⁻⁷ sizes
+constexpr double same_place = 1e-5;  // sizes; single precision rounds coordinates by 10⁻⁷ sizes
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 [[noreturn]] void no_strip(const std::string& what) {
@@ -26,8 +26,7 @@ Vector3 row(const Positions& positions, int vertex) {
   return positions.row(vertex).transpose();
 }
 
-// The edge of a triangle whose ends are pinned while its third vertex is free, so that the free part lies
-// left of it.
+// The edge of a triangle whose ends are pinned and whose third vertex is free. The free part lies left of it.
 struct ClampEdge {
   int from, to;
 };
@@ -49,8 +48,8 @@ std::vector<ClampEdge> clamp_edges(const RestMesh& rest, std::span<const char> i
   return edges;
 }
 
-// The direction near `guess` in which a rectangle's sides run: its box is the smallest. (Of a clamp's edge
-// that zigzags the ends can be at different s, which turns the guess.)
+// The direction of a rectangle's sides near `guess`: the one with the smallest box. (If a clamp's edge
+// zigzags, its ends can be at different s, so that the guess is turned.)
 Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3& down) {
   const Vector3 sideways = down.cross(guess);
   const auto turned = [&](double angle) -> Vector3 {
@@ -69,8 +68,8 @@ Vector3 aligned(const Positions& positions, const Vector3& guess, const Vector3&
   return turned(0.5 * (low + high));
 }
 
-// Where the free end is, on average over the width: it may zigzag by less than an edge. The triangles' edges
-// there, each triangle's taken around in the same sense, cancel but for the outline's.
+// The mean s of the free end over the width: it may zigzag by less than an edge. Sums over the edges of the
+// triangles there, taken around each triangle in the same sense: inner edges cancel, and the outline is left.
 double mean_end(const std::vector<double>& s, const RestMesh& rest, const Vector3& across) {
   const double from = *std::ranges::max_element(s) - 0.75 * rest.mean_edge_length();
   double width = 0, sum = 0;
@@ -97,9 +96,9 @@ std::vector<double> distinct(std::vector<double> s, double apart) {
   return kept;
 }
 
-// Where the slices go: on the rows of vertices between clamp and free end, if there are rows, about an edge
-// apart, else evenly. Every second row is left out where rows are closer than that, so that all slices cut
-// the triangles alike.
+// The s of the slices: on the rows of vertices between clamp and free end if the mesh has rows, else evenly
+// spaced; about an edge apart. If rows are closer, some are left out evenly, so that all slices cut the
+// triangles alike.
 std::vector<double> stations(const std::vector<double>& s, double length, double edge) {
   std::vector<double> rows;
   for (const double each : s)
@@ -139,8 +138,8 @@ Integral beyond(const std::array<double, 3>& s, const std::array<double, 3>& f, 
   return count == 1 ? tip : Integral{whole.area - tip.area, whole.of_f - tip.of_f};
 }
 
-// Of three slices in a row, a mean with the weights 1/4, 1/2, 1/4 of the logarithms: it takes out what goes
-// up and down from row to row, and leaves every power law as it is.
+// Smooths the logarithms of three consecutive slices with the weights 1/4, 1/2, 1/4. That removes what
+// alternates from row to row and keeps every power law.
 MomentCurvatureFit fit(const std::vector<ProfileRow>& profile) {
   MomentCurvatureFit result;
   std::vector<double> log_k, log_m;
@@ -196,7 +195,7 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
   const std::vector<ClampEdge> edges = clamp_edges(rest, is_pinned, down_);
   if (edges.empty()) no_strip("its pins hold no side with free cloth beside it; pin one whole side");
 
-  // The sum of the edges' normals is the clamp's width times the direction of the strip, however they zigzag.
+  // The sum of the edges' normals is the clamp's width times the direction of the strip, even if they zigzag.
   Vector3 across = Vector3::Zero();
   double edge_length = 0;
   for (const ClampEdge& edge : edges) {
@@ -250,8 +249,8 @@ void StiffnessMeter::find_slices(const RestMesh& rest) {
     no_strip(
         fmt::format("its pins hold {:.3g} m of its width, which is {:.3g} m on average; pin one whole side",
                     slices_[0].width, width_));
-  for (std::size_t i = 0; i + 1 < slices_.size(); ++i)       // the free end may zigzag
-    if (std::abs(slices_[i].width - width_) > 0.4 * width_)  // rows of a lattice two edges wide: a third
+  for (std::size_t i = 0; i + 1 < slices_.size(); ++i)       // not the free end: it may zigzag
+    if (std::abs(slices_[i].width - width_) > 0.4 * width_)  // a lattice two edges wide differs by a third
       no_strip(
           fmt::format("at s = {:.3g} m it is {:.3g} m wide, {:.3g} m on average; a strip is equally wide",
                       slices_[i].s, slices_[i].width, width_));
@@ -267,16 +266,15 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Through the triangles, at a hair's breadth from s so that no vertex lies on it; what lies between `low` and
-// `high`.
+// Cuts the triangles slightly beside s, so that no vertex lies on the line, between `low` and `high`.
 StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
   const double line = s + hair * (length_ - 2 * s);
   constexpr double all = std::numeric_limits<double>::infinity();
   Slice result{.s = s, .low = all, .high = -all};
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t) {
-    std::array<std::array<std::pair<int, double>, 2>, 2>
-        ends;  // each between two vertices, with their weights
+    // Each end lies between two vertices: these, and their weights.
+    std::array<std::array<std::pair<int, double>, 2>, 2> ends;
     std::size_t crossed = 0;
     for (int c = 0; c < 3; ++c) {
       const int a = triangles_(t, c), b = triangles_(t, (c + 1) % 3);
@@ -387,7 +385,7 @@ std::vector<ProfileRow> StiffnessMeter::profile(const Positions& positions, cons
                     .moment = moment(positions, slices_[i].s, line[i].dot(along_))});
     largest = std::max(largest, curvature);
   }
-  // Below a hundredth of the largest curvature, and where rounding makes a twentieth of it, κ says nothing.
+  // κ is not fitted below a hundredth of the largest curvature, nor if rounding could be a twentieth of it.
   for (std::size_t i = 0; i < rows.size(); ++i) {
     ProfileRow& each = rows[i];
     const double step = 0.5 * (slices_[i + 2].s - slices_[i].s);

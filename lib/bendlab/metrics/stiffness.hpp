@@ -1,18 +1,20 @@
-// How stiff a cantilever strip is, read off its shape: a flat strip, clamped horizontally along one side,
-// that hangs under its own weight.
+// The stiffness of a cantilever strip, measured from its shape: a flat strip, clamped horizontally along one
+// side, that hangs under its own weight.
 //
 //     pinned   s = 0                         s = L        s along the strip at rest, θ downward
 //   |////////|-----------------------------------|
 //            ^ clamp's edge                  free end
 //
-// Two ways that need each other's control. The free end alone: H/W on the curve of a strip with m = B κ or m
-// = C κ³ (elastica.hpp). And the whole shape: its weight gives the moment m(s) at every s by statics,
-// whatever resists it, so that m against the curvature κ(s) says what law that is.
+// Two ways of measuring check each other:
 //
-// The middle line is the mean over the width on slices s = const through the triangles, about one per edge
-// and on the rows of vertices where the mesh has rows. All slices take the same band of the width: rows of a
-// lattice take turns at being an edge wider, and a sheet that is bent one way bends a little the other way
-// too, most at its sides.
+// * The free end alone: H/W on the curve of a strip with m = B κ or m = C κ³ (elastica.hpp).
+// * The whole shape: by statics the weight gives the moment m(s) at every s, whatever resists it. So m over
+//   the curvature κ(s) shows the bending law.
+//
+// The middle line is the mean over the width of slices s = const through the triangles. There is about one
+// slice per edge, on the rows of vertices if the mesh has rows. All slices use the same band of the width,
+// because every second row of a lattice is an edge wider, and because a sheet that is bent one way also bends
+// a little the other way, most at its sides.
 #pragma once
 
 #include <limits>
@@ -30,11 +32,12 @@ struct StripLoad {
 };
 
 struct StripOptions {
-  /// How far behind the clamp's edge the strip begins to bend, m. A bending constraint that spans the edge
-  /// gives way on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
+  /// How far behind the clamp's edge the strip begins to bend, m, because a bending constraint across the
+  /// edge bends on both sides of it: h/2 for hinges on rows h apart, t h/4 for springs over t rows.
   double clamp_offset = 0;
-  double exclude = 0;  ///< m from clamp and free end where m(κ) is not fitted: as far as a constraint reaches
-  double rounding = 0;  ///< m, error of a coordinate; curvatures that it could make are not fitted
+  /// m: m(κ) is not fitted nearer to clamp and free end than this, the reach of a constraint.
+  double exclude = 0;
+  double rounding = 0;  ///< m, error of a coordinate; curvatures that it could cause are not fitted
 };
 
 /// A slice of the settled strip.
@@ -42,24 +45,24 @@ struct ProfileRow {
   double s = 0;          ///< m from the clamp's edge, at rest
   double angle = 0;      ///< θ, rad below horizontal
   double curvature = 0;  ///< κ = dθ/ds, 1/m
-  double moment = 0;     ///< m = ρ g ∫ (x(σ) - x(s)) dA / width over what lies beyond s, N
+  double moment = 0;     ///< m = ρ g ∫ (x(σ) - x(s)) dA / width over the part beyond s, N
   bool fitted = false;   ///< whether κ and m enter the fit
 };
 
-/// ln m = ln c + p ln κ by least squares over the fitted rows, each the mean of the logarithms of three
-/// neighbours with weights 1/4, 1/2, 1/4: a lattice's rows take turns at being stiffer. NaN where they are
-/// fewer than three.
+/// ln m = ln c + p ln κ by least squares over the fitted rows. Each sample is the mean of the logarithms of
+/// three neighbours with weights 1/4, 1/2, 1/4, because every second row of a lattice is stiffer. NaN with
+/// fewer than three samples.
 struct MomentCurvatureFit {
   double exponent = std::numeric_limits<double>::quiet_NaN();     ///< p: 1 linear, 3 springs
   double coefficient = std::numeric_limits<double>::quiet_NaN();  ///< c, N m^p
   double residual = std::numeric_limits<double>::quiet_NaN();     ///< root mean square, of ln m
   double rigidity = std::numeric_limits<double>::quiet_NaN();     ///< B, N m: geometric mean of m / κ
   double quartic = std::numeric_limits<double>::quiet_NaN();      ///< C, N m³: geometric mean of m / κ³
-  int samples = 0;                                                ///< triples of neighbours
+  int samples = 0;                                                ///< number of such triples
 };
 
-/// Numbers from H/W are NaN where the strip has not dropped, or hangs straight down (H/W outside 10⁻⁶ to
-/// 500).
+/// Numbers from H/W are NaN if H/W is outside of 10⁻⁶ to 500: the strip has not dropped, or hangs straight
+/// down.
 struct StripStiffness {
   double length = 0;             ///< L, m, of the free part at rest
   double width = 0;              ///< m, mean of the free part
@@ -83,25 +86,25 @@ struct StripStiffness {
 
 class StiffnessMeter {
  public:
-  /// `is_pinned` #V. Throws std::invalid_argument, with what is missing, where this is no clamped strip: it
-  /// has to lie flat across gravity, its pins to hold one whole side, and nothing else.
+  /// `is_pinned` #V. The strip has to lie flat across gravity, and its pins have to hold one whole side and
+  /// nothing else. Otherwise throws std::invalid_argument with what is missing.
   StiffnessMeter(const RestMesh& rest, std::span<const char> is_pinned, const StripLoad& load);
 
   /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
   std::span<const double> along() const { return s_; }
 
-  /// Of the strip at `positions` (#V by 3, m). Throws std::invalid_argument where they are not finite or the
-  /// clamp is not where it is at rest.
+  /// Measures the strip at `positions` (#V by 3, m). Throws std::invalid_argument if they are not finite or
+  /// the clamp has moved.
   StripStiffness measure(const Positions& positions, const StripOptions& options = {}) const;
 
-  /// H/W alone, of a strip that may still move. Throws as measure().
+  /// H/W alone; the strip may still move. Throws as measure().
   double height_over_width(const Positions& positions, double clamp_offset) const;
 
  private:
   struct Slice {
     double s = 0;                                 // m from the clamp's edge
-    double width = 0;                             // m, of what counts
-    double low = 0, high = 0;                     // y across the strip from where to where it goes, m
+    double width = 0;                             // m, of the part in the common band
+    double low = 0, high = 0;                     // m, range of y across the strip
     std::vector<std::pair<int, double>> weights;  // of vertices: their mean is the middle of the slice
     Vector3 middle(const Positions& positions) const;
   };

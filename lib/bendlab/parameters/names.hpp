@@ -1,5 +1,4 @@
-// An enumeration's table of names stands beside it, in its order; text and enumerator become each other by
-// that table.
+// Converts between texts and enumerators. Each enumeration has its table of names beside it, in its order.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +12,7 @@ namespace detail {
 [[noreturn]] void throw_unknown_name(std::string_view name, std::span<const std::string_view> names);
 }
 
-/// The enumerator of that name. Throws std::invalid_argument, which lists the names there are.
+/// The enumerator of that name. Throws std::invalid_argument with the known names.
 template <class Enum>
 requires std::is_enum_v<Enum> Enum named(std::string_view name, std::span<const std::string_view> names) {
   const auto found = std::ranges::find(names, name);

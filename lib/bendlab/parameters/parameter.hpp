@@ -1,5 +1,5 @@
 // One row per setting: name, type, unit, default, range, meaning. The same rows parse a config, fill in its
-// defaults, print `bendlab schema` and `bendlab models`; there is no second list.
+// defaults and print `bendlab schema` and `bendlab models`; there is no second list.
 #pragma once
 
 #include <array>
@@ -14,7 +14,7 @@
 
 namespace bendlab {
 
-/// A setting's value after parsing. `std::monostate` stands for "not set" of an optional setting.
+/// A setting's value after parsing. `std::monostate`: an optional setting that is not set.
 using Value = std::variant<std::monostate, bool, std::int64_t, double, std::string, std::vector<double>,
                            std::vector<std::string>>;
 
@@ -22,12 +22,12 @@ enum class ParameterType {
   boolean,
   integer,
   number,   ///< finite; lower and upper bound inclusive unless `above` is set
-  text,     ///< free text (a path, a name); one of `choices` where there are any
-  numbers,  ///< list of finite numbers, of length `length` where that is not 0
-  texts,    ///< list of texts, each one of `choices` where there are any
+  text,     ///< free text (a path, a name), or one of `choices` if there are any
+  numbers,  ///< list of finite numbers, of length `length` if that is not 0
+  texts,    ///< list of texts, each one of `choices` if there are any
 };
 
-/// A setting's default, as a literal type so that tables of parameters are constant data.
+/// A setting's default. It is a literal type, so that tables of parameters are constant data.
 struct Default {
   enum class Kind { none, boolean, integer, number, text, numbers, texts } kind = Kind::none;
   bool boolean = false;
@@ -50,13 +50,13 @@ struct Default {
 struct Parameter {
   std::string_view name = {};
   ParameterType type = ParameterType::number;
-  std::string_view unit = {};  ///< SI, "1" for a pure number, empty where a unit has no meaning
+  std::string_view unit = {};  ///< SI, "1" for a pure number, empty if a unit has no meaning
   Default default_value = {};
   std::string_view meaning = {};
   double minimum = -std::numeric_limits<double>::infinity();
   double maximum = std::numeric_limits<double>::infinity();
   bool above = false;     ///< the minimum itself is not allowed
-  bool required = false;  ///< must be given (only where there is no default)
+  bool required = false;  ///< must be given; has no default
   std::span<const std::string_view> choices = {};
   std::size_t length = 0;
 };
@@ -73,7 +73,7 @@ constexpr auto joined(const std::array<Parameter, sizes>&... tables) {
   return all;
 }
 
-/// The default of a parameter as a value (`std::monostate` where it has none).
+/// The default of a parameter as a value (`std::monostate` if it has none).
 Value default_of(const Parameter& parameter);
 
 /// Values of a table of parameters, by name. Reading a name that is not there, or as another type, is a
@@ -89,7 +89,7 @@ class ParameterValues {
 
   bool boolean(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
-  double number(std::string_view name) const;  ///< also of an integer
+  double number(std::string_view name) const;  ///< reads an integer, too
   const std::string& text(std::string_view name) const;
   const std::vector<double>& numbers(std::string_view name) const;
   const std::vector<std::string>& texts(std::string_view name) const;

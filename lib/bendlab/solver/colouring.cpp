@@ -10,15 +10,15 @@
 namespace bendlab {
 namespace {
 
-// Which colours a vertex has used, as bits; all vertices have room for the same number of colours.
+// The colours that each vertex has used, as bits. All vertices have room for the same number of colours.
 class UsedColours {
  public:
   UsedColours(int vertex_count, int colours)
       : words_(static_cast<std::size_t>(colours / 64 + 1)),
         bits_(static_cast<std::size_t>(vertex_count) * words_, 0) {}
 
-  // The first colour that none of the vertices has used, which all of them use from now on; -1: no room for
-  // it.
+  // The first colour that none of the vertices has used; from now on all of them use it. -1: there is no room
+  // for it.
   int take_first_free(std::span<const int> vertices) {
     for (std::size_t word = 0; word < words_; ++word) {
       std::uint64_t used = 0;
@@ -31,7 +31,7 @@ class UsedColours {
     return -1;
   }
 
-  // Twice as many colours.
+  // Makes room for twice as many colours.
   void make_room() {
     std::vector<std::uint64_t> wider(2 * bits_.size(), 0);
     for (std::size_t row = 0; row * words_ < bits_.size(); ++row)
@@ -58,20 +58,20 @@ int largest_degree(const std::vector<std::array<int, arity>>& vertices, int vert
 
 constexpr auto width = static_cast<std::size_t>(max_lanes);
 
-// Springs that follow one another at one centre. Long stars would save more traffic (a fifth of the time at
-// 30), but a centre that is moved thirty times in a row leaves its neighbours behind: at m = 4 the sheet's
-// mean strain after as many iterations is 3 to 4 times larger. Four cost no convergence against springs one
-// by one.
+// Springs that follow one another at one centre. Longer stars save more memory traffic (a fifth of the time
+// at 30) but converge worse, because a centre that moves thirty times in a row leaves its neighbours behind:
+// at m = 4 the sheet's mean strain after as many iterations is 3 to 4 times larger. With four, convergence is
+// as good as with single springs.
 constexpr std::size_t star_length = 4;
 
 std::size_t padded(std::size_t count) {
   return (count + width - 1) / width * width;
 }
 
-// Colours with a group a run: lanes [0, 16), [16, 32), …
-void give_each_group_a_run(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
+// Colours with one group per stack: lanes [0, 16), [16, 32), …
+void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
   for (std::size_t lane = 0; lane <= order.constraint_of_lane.size(); lane += width)
-    order.runs.push_back(lane);
+    order.stacks.push_back(lane);
   for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / width);
 }
 
@@ -128,10 +128,10 @@ std::vector<std::vector<Star>> coloured(const Stars& all, const std::vector<std:
   return colours;
 }
 
-// Stars of one length share a run without padding, but only those of one neighbourhood do: a run that spans
+// Stars of one length share a stack without padding, but only within a neighbourhood: a stack that spans
 // the mesh could not be tiled.
 void sort_by_length_where_they_are(std::vector<Star>& stars) {
-  constexpr std::size_t neighbourhood = 64 * width;  // of whose lanes a partly filled run wastes 1 in 128
+  constexpr std::size_t neighbourhood = 64 * width;  // a partly filled stack wastes 1 in 128 of its lanes
   std::sort(stars.begin(), stars.end(), [](const Star& l, const Star& r) {
     return std::tuple(l.centre, l.begin) < std::tuple(r.centre, r.begin);
   });
@@ -146,7 +146,8 @@ void sort_by_length_where_they_are(std::vector<Star>& stars) {
 
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
-  // A constraint's corners have together used at most arity · (degree - 1) colours when its own is chosen.
+  // When a constraint's colour is chosen, its corners together have used at most arity · (degree - 1)
+  // colours.
   UsedColours used(vertex_count, static_cast<int>(arity) * largest_degree(vertices, vertex_count));
   std::vector<int> colour(vertices.size());
   std::vector<std::size_t> sizes;
@@ -160,7 +161,7 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
   for (const std::size_t size : sizes) first_lane.push_back(first_lane.back() + padded(size));
   BatchOrder order;
   order.constraint_of_lane.assign(first_lane.back(), -1);
-  give_each_group_a_run(order, first_lane);
+  give_each_group_a_stack(order, first_lane);
   for (std::size_t c = 0; c < vertices.size(); ++c)
     order.constraint_of_lane[first_lane[static_cast<std::size_t>(colour[c])]++] = static_cast<int>(c);
   return order;
@@ -172,10 +173,10 @@ BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_c
   order.constraint_of_lane.reserve(pairs.size() + pairs.size() / 16);
   for (std::vector<Star>& stars : coloured(all, pairs, vertex_count)) {
     sort_by_length_where_they_are(stars);
-    order.colours.push_back(order.runs.size());
+    order.colours.push_back(order.stacks.size());
     for (std::size_t first = 0; first < stars.size(); first += width) {
       const std::size_t begin = order.constraint_of_lane.size();
-      order.runs.push_back(begin);
+      order.stacks.push_back(begin);
       order.constraint_of_lane.resize(begin + stars[first].length() * width, -1);
       for (std::size_t lane = 0; lane < width && first + lane < stars.size(); ++lane)
         for (std::size_t step = 0; step < stars[first + lane].length(); ++step)
@@ -183,8 +184,8 @@ BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_c
               all.members[stars[first + lane].begin + step];
     }
   }
-  order.colours.push_back(order.runs.size());
-  order.runs.push_back(order.constraint_of_lane.size());
+  order.colours.push_back(order.stacks.size());
+  order.stacks.push_back(order.constraint_of_lane.size());
   return order;
 }
 
@@ -193,7 +194,7 @@ BatchOrder list_order(std::size_t constraint_count) {
   order.constraint_of_lane.resize(constraint_count);
   std::iota(order.constraint_of_lane.begin(), order.constraint_of_lane.end(), 0);
   order.constraint_of_lane.resize(padded(constraint_count), -1);
-  give_each_group_a_run(order, {0, order.constraint_of_lane.size()});
+  give_each_group_a_stack(order, {0, order.constraint_of_lane.size()});
   order.conflict_free = false;
   return order;
 }

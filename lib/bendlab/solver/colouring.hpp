@@ -8,21 +8,21 @@
 
 namespace bendlab {
 
-/// Greedy first-fit colouring in list order: no two constraints of a colour share a vertex, so a colour's
-/// constraints may be projected side by side with the same result whatever the lane width or the number of
-/// threads. Constraints keep their list order within a colour (neighbours stay neighbours in memory); every
-/// colour is padded to max_lanes.
+/// Greedy first-fit colouring in list order. No two constraints of a colour share a vertex: they may be
+/// projected side by side with the same result for any lane width and number of threads. Constraints keep
+/// their list order within a colour (neighbours stay neighbours in memory). Every colour is padded to
+/// max_lanes.
 template <std::size_t arity>
 BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count);
 
 /// Pairs as stars: up to four pairs with the same first vertex follow one another in one lane, so that a
 /// kernel keeps that vertex in registers. Stars are coloured first-fit (no two of a colour share any vertex),
-/// sorted by length within a colour and laid side by side. The last pairs of every vertex go first: models
-/// list a vertex's partners from near to far, and the near ones, which hold the strain, so have the last
-/// word.
+/// sorted by length within a colour and laid side by side. The last pairs of every vertex are projected
+/// first: models list a vertex's partners from near to far, and the near ones, which hold the strain, should
+/// come last.
 BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count);
 
-/// List order, one after another (for project_reference()).
+/// The order of the list, one constraint after another (for project_by_oracle()).
 BatchOrder list_order(std::size_t constraint_count);
 
 }  // namespace bendlab

@@ -5,7 +5,7 @@
 #include <stdexcept>
 
 #include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/memory.hpp"
 
 namespace bendlab {
@@ -14,7 +14,7 @@ namespace {
 template <std::size_t N>
 using Corners = std::array<Vector3, N>;
 
-/// ψ and its derivatives at C.
+// ψ and its derivatives at C.
 struct Potential {
   double value, slope, curvature;
 };
@@ -23,7 +23,7 @@ Potential quadratic(double c, double alpha) {
   return {0.5 * c * c / alpha, c / alpha, 1 / alpha};
 }
 
-// Of a one-sided kind, over α: its own energy where C < 0, and beyond that a force that falls to 0.
+// For a one-sided kind: its own energy over α where C < 0, and beyond that a force that falls to 0.
 template <class Kind>
 Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest, typename Kind::Law law,
                     double alpha) {
@@ -32,7 +32,7 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
   const auto slope = [&](double at) {
     return (Kind::energy(at + step, rest, law) - Kind::energy(at - step, rest, law)) / (2 * step);
   };
-  if (c > -2 * step) {  // the force of the straight segment, falling
+  if (c > -2 * step) {  // the falling force of the straight segment
     const double straight = slope(-2 * step), left = std::max(0.0, 1 - (c + 2 * step) / width);
     const double start = Kind::energy(-2 * step, rest, law), whole = 0.5 * straight * width;
     return {(start + whole * (1 - left * left)) / alpha, straight * left / alpha,
@@ -42,8 +42,8 @@ Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest,
           (slope(c + step / 2) - slope(c - step / 2)) / step / alpha};
 }
 
-// ∇²C, 3N by 3N, by central differences of ∇C; what is not symmetric in it is rounding. C of two points is
-// their distance less a constant.
+// ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points C is their distance minus a
+// constant.
 template <std::size_t N, class Evaluate>
 Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evaluate& evaluate) {
   if constexpr (N == 2) {
@@ -72,8 +72,8 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
   return 0.5 * (result + result.transpose());
 }
 
-// ½ |Kx|² of a flat rest shape is the sum of the squares of three linear functions. |Kx| itself has no second
-// derivative where it is zero, which is where flat parts of a sheet are.
+// With a flat rest shape ½ |Kx|² is a sum of the squares of three linear functions. They are used because
+// |Kx| has no second derivative at zero, that is in flat parts of a sheet.
 bool is_sum_of_squares(const ElementList<QuadraticBend>& list, std::size_t c) {
   return list.law == QuadraticBend::Law::norm && list.rest[c][4] <= 1e-9 * list.rest[c][5];
 }
@@ -107,7 +107,8 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
   find_pattern();
 }
 
-// Calls visit(term, vertices, evaluate(corners) → C and ∇C, potential(C) → ψ, ψ', ψ'') for every energy term.
+// Calls visit(term, vertices, evaluate, potential) for every energy term: evaluate(corners) returns C and ∇C,
+// potential(C) returns ψ, ψ' and ψ''.
 template <class Visit>
 void ElasticSystem::for_terms(const Visit& visit) const {
   const StrainStiffness& s = strain_stiffness_;
@@ -287,7 +288,7 @@ const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& posit
   return hessian_;
 }
 
-// Of a column's first block, on the diagonal, the lower triangle; of the others all.
+// The first block of a column is on the diagonal: only its lower triangle is stored.
 void ElasticSystem::add_block(int row, int column, const Eigen::Matrix3d& block) {
   const std::vector<int>& rows = blocks_[static_cast<std::size_t>(column)];
   const auto rank = std::lower_bound(rows.begin(), rows.end(), row) - rows.begin();

@@ -1,3 +1,9 @@
+// What lies in a lane: a vertex i and, one after another, the springs of its row (spring_rows.hpp):
+//
+//   lane       0     1     2   …      step<Real> lanes of a slice at a time
+//   vertex i   v0    v1    v2         own = offset_of() each
+//   spring 0   s0    s1    s0         other = offset_of() the far end j, rest_length, stiffness
+//   spring 1   s3    s4    s2
 #include "bendlab/solver/kang_cho_kernel.hpp"
 
 #include <array>
@@ -48,8 +54,9 @@ struct SpringPack {
   }
 };
 
-// W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity. So is every pivot: what
-// rounding takes below that (a stiff spring's entries drown the mass) is put back, which keeps W positive.
+// W = L D Lᵀ of a symmetric 3 × 3 matrix that is at least m times the identity. So every pivot is at least m.
+// If rounding makes one smaller (m is lost beside a stiff spring's entries), it is set to m: W stays
+// positive.
 template <class Real>
 struct Factors {
   Pack<Real> l10, l20, l21, inverse0, inverse1, inverse2;
@@ -89,7 +96,7 @@ struct SymmetricPack {
   }
 };
 
-// What assemble() leaves to solve(), of a pack of vertices.
+// What assemble() keeps for solve(), for a pack of vertices.
 template <class Real>
 struct Row {
   PackVector<Real> p;

@@ -1,5 +1,5 @@
-// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, all lanes of a
-// pack at once.
+// The hot loops of the step of Kang & Cho (methods/kang_cho.cpp): every vertex sums its own springs, all
+// lanes of a pack at once.
 #pragma once
 
 #include "bendlab/constraints/state.hpp"
@@ -7,7 +7,7 @@
 
 namespace bendlab {
 
-/// The part of a spring's tangent across it, k max(least, slope (1 - L / |d|)); along it the tangent is k.
+/// The tangent of a spring across its direction is k max(least, slope (1 - L / |d|)); along it, it is k.
 template <class Real>
 struct AcrossTangent {
   Real least, slope;
@@ -23,8 +23,8 @@ struct ImplicitSystem {
   ImplicitSystem(std::size_t slice_count, std::size_t point_count);
 };
 
-/// Fills the system of the vertices of slices [first, last). `external`: the velocities that the scene's
-/// forces would give in this step, or null. `substep` is h in s.
+/// Fills the system for the vertices of slices [first, last). `external`: the changes of velocity by the
+/// scene's forces in this substep, or null. `substep` is h in s.
 template <class Real>
 void assemble(ImplicitSystem<Real>& system, const State<Real>& state, const Point<Real>* external,
               const SpringRows<Real>& springs, AcrossTangent<Real> across, Real substep, std::size_t first,

@@ -1,4 +1,4 @@
-// The constraints of a scene in the order of their lists, for methods that do not group them.
+// The orders of a scene's constraints for methods that keep their lists.
 #pragma once
 
 #include <array>
@@ -15,8 +15,8 @@ struct ListOrders {
 
   explicit ListOrders(const SimulationInput& input);
 
-  /// Throws as kind_place() does.
-  const BatchOrder& of_elements(std::string_view kind) const { return elements[kind_place(kind)]; }
+  /// Throws as index_of_kind() does.
+  const BatchOrder& of_elements(std::string_view kind) const { return elements[index_of_kind(kind)]; }
 };
 
 }  // namespace bendlab

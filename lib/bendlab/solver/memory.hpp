@@ -1,4 +1,4 @@
-// How many bytes the solver's arrays hold.
+// The number of bytes in the solver's arrays.
 #pragma once
 
 #include <Eigen/SparseCore>
@@ -30,7 +30,7 @@ inline std::size_t bytes_of(const Eigen::SparseMatrix<double>& matrix) {
 }
 
 inline std::size_t bytes_of(const BatchOrder& order) {
-  return bytes_of(order.constraint_of_lane) + bytes_of(order.runs) + bytes_of(order.colours);
+  return bytes_of(order.constraint_of_lane) + bytes_of(order.stacks) + bytes_of(order.colours);
 }
 
 template <class Real>

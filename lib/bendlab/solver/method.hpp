@@ -1,6 +1,6 @@
 // The interface of a solver method: what one step does to a cloth. A new method is one file in methods/, one
-// line in methods.def, one test and one config; what it can and cannot take is said here, for the config's
-// rules and for scenes.
+// line in methods.def, one test and one config. It declares here what it can simulate; the config's rules and
+// scenes follow that.
 #pragma once
 
 #include <memory>
@@ -20,7 +20,7 @@ enum class Membrane {
   edges,      ///< SimulationInput::edges, a spring along each
 };
 
-/// A pass that a method brings to the plan, and why it is there.
+/// A pass that a method adds to the plan, and why.
 struct MethodPass {
   std::string_view name, why;
 };
@@ -37,21 +37,20 @@ struct Method {
   std::span<const std::string_view> shared = {};  ///< shared settings that it reads besides dt and threads
   std::span<const MethodPass> passes = {};        ///< besides "bending" and those of effects
   Membrane membrane = Membrane::triangles;
-  bool springs_only = false;  ///< takes bending models that are made of springs alone
-  /// Why every stiffness has to be a compliance above 0; empty: it may be k as well.
+  bool springs_only = false;  ///< only takes bending models that are made of springs
+  /// Why every stiffness has to be a compliance above 0; empty: it may also be k.
   std::string_view needs_compliance = {};
-  /// Constraints are projected one after another: effects may act among them, and springs may push only as
-  /// hard as the projections of a substep can hold.
+  /// Constraints are projected one after another. So effects may act between them, and springs may only push
+  /// as hard as the projections of a substep can hold.
   bool projects = false;
-  bool has_motion = true;       ///< a step goes on in time; else it is one towards an equilibrium
-  bool keeps_momentum = false;  ///< Σ m v changes by forces alone, but for rounding
-  /// Single precision keeps what a substep changes apart from where the cloth is; else it rounds whole
-  /// positions.
+  bool has_motion = true;       ///< a step goes on in time; else it goes towards an equilibrium
+  bool keeps_momentum = false;  ///< only forces change Σ m v, except for rounding
+  /// Single precision keeps the moves of a substep apart from the positions; else it rounds whole positions.
   bool keeps_moves_apart = false;
   MakeSimulation<float> make_float = nullptr;  ///< null: not in single precision
   MakeSimulation<double> make_double = nullptr;
 
-  /// Null where the method does not come in that precision.
+  /// Null if the method does not come in that precision.
   template <class Real>
   MakeSimulation<Real> make() const {
     if constexpr (std::is_same_v<Real, float>)
@@ -70,8 +69,8 @@ std::span<const Method* const> methods();
 /// The method of that name, or nullptr.
 const Method* find_method(std::string_view name);
 
-/// The settings of the method's own table: those of settings.own, and defaults for the others. Throws
-/// std::invalid_argument for a setting that is not the method's.
+/// The settings of the method's own table: those in settings.own, and defaults for the others. Throws
+/// std::invalid_argument for a setting that the method does not have.
 ParameterValues own_settings(const SimulationInput& input);
 
 }  // namespace bendlab

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-// #V: edges to the nearest pinned vertex.
+// #V: number of edges to the nearest pinned vertex.
 std::vector<int> hops_from_pins(const std::vector<char>& is_pinned, const Adjacency& one_ring) {
   std::vector<int> hops(is_pinned.size(), std::numeric_limits<int>::max()), reached;
   for (std::size_t v = 0; v < is_pinned.size(); ++v)
@@ -38,7 +38,7 @@ std::vector<std::size_t> nearest_first(const Corners& vertices, const std::vecto
   return order;
 }
 
-// Optional arrays (one value each, or none) stay empty.
+// An optional array that is empty stays empty.
 template <class Entry>
 void reorder(std::vector<Entry>& values, const std::vector<std::size_t>& order) {
   if (values.empty()) return;

@@ -1,5 +1,5 @@
-// Constraints nearest to the pins first: what holds the cloth is right before what hangs from it is
-// corrected.
+// Orders constraints by their distance from the pins, so that those that hold the cloth are met before those
+// that hang from them.
 #pragma once
 
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -7,8 +7,8 @@
 
 namespace bendlab {
 
-/// Sorts the lists by how many edges a constraint's nearest vertex is from the nearest pinned one, keeping
-/// their order at the same distance; without pins nothing changes.
+/// Sorts the lists by the number of edges between a constraint's nearest vertex and the nearest pin. At equal
+/// distance the order stays; without pins nothing changes.
 void order_from_pins(SimulationInput& input, const RestMesh& rest);
 
 }  // namespace bendlab

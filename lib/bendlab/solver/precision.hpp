@@ -1,4 +1,4 @@
-// The floating-point numbers a simulation calculates with.
+// The floating-point numbers that a simulation uses.
 #pragma once
 
 #include <array>

@@ -1,5 +1,4 @@
-// A scene as a solver method sees it, and a simulation as its callers see it, whatever the method
-// (method.hpp).
+// What a solver method (method.hpp) gets from a scene, and what callers get from any method: a simulation.
 #pragma once
 
 #include <array>
@@ -23,21 +22,21 @@ const Method& default_method();  ///< the first of methods.def
 
 enum class Sweep {
   forward,    ///< one pass over the constraints per iteration
-  symmetric,  ///< forward, then backward: two projections per iteration, no energy pumped at small steps
+  symmetric,  ///< forward, then backward: two projections per iteration; gains no energy at small steps
 };
 inline constexpr std::array<std::string_view, 2> sweep_names = {"forward", "symmetric"};
 
 enum class ConstraintOrder {
-  colour,  ///< by colour, lanes and threads side by side
-  mesh,    ///< in the order of the lists, one after another, by the reference implementation
-  pins,    ///< as mesh, of lists that order_from_pins() has sorted
+  colour,  ///< by colour, with lanes and threads side by side
+  mesh,    ///< in the order of the lists, one after another, by the oracle
+  pins,    ///< like mesh, with lists that order_from_pins() has sorted
 };
 inline constexpr std::array<std::string_view, 3> constraint_order_names = {"colour", "mesh", "pins"};
 
 enum class FirstConstraint { strain, bending };
 inline constexpr std::array<std::string_view, 2> first_constraint_names = {"strain", "bending"};
 
-/// What several methods read; which of it one does, Method::shared says.
+/// Settings that several methods read. Method::shared says which ones a method does.
 struct SolverSettings {
   double dt = 1.0 / 60;  ///< s
   int substeps = 1;
@@ -46,12 +45,12 @@ struct SolverSettings {
   ConstraintOrder order = ConstraintOrder::colour;
   FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
-  ParameterValues own = {};  ///< of the method's own table; what is not there has its default
+  ParameterValues own = {};  ///< of the method's own table; a setting that is not there has its default
 
   int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
 
-/// Where the pose comes from that a simulation starts with.
+/// Where the first pose of a simulation comes from.
 enum class StartingFrom {
   scene,       ///< made by the scene: rest shape, folds, …
   other_mesh,  ///< the end of a run on another mesh of the same cloth
@@ -71,7 +70,7 @@ struct BendingStiffness {
   double compliance = 0;  ///< of a spring in m/N, of an element by its model's softness
 };
 
-/// A scene as the solver sees it.
+/// What a method gets from a scene.
 struct SimulationInput {
   Positions positions;   ///< #V by 3, m: where the cloth starts
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
@@ -91,9 +90,9 @@ struct SimulationInput {
   const Method* method = &default_method();
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
-  /// Single precision: a substep moves the cloth by little more than the last digit of its positions, so that
-  /// a method that can (Method::keeps_moves_apart) should keep moves apart from them, which takes up to a
-  /// fifth more time. See Places.
+  /// Single precision: whether a substep moves the cloth by little more than the last digit of its positions.
+  /// A method that can (Method::keeps_moves_apart) then keeps moves apart from positions, in up to a fifth
+  /// more time. See Places.
   bool moves_apart = true;
 };
 
@@ -101,7 +100,7 @@ struct PassStatistics {
   std::string name;
   double seconds = 0;
   std::uint64_t calls = 0;
-  std::uint64_t acted = 0;  ///< sum of what its calls say they changed (vertices, pairs …); of effects only
+  std::uint64_t acted = 0;  ///< number of changes by its calls (vertices, pairs …); effects only
 };
 
 /// What stopped a simulation: its worst vertex and triangle.
@@ -109,52 +108,51 @@ struct Divergence {
   double time = 0;   ///< s
   int vertex = 0;    ///< the first without a finite position, else the farthest
   Vector3 position;  ///< m, may be non-finite
-  std::array<int, 3> triangle = {-1, -1,
-                                 -1};  ///< vertices of the most stretched; -1 without strain constraints
-  double stretch = 1;                  ///< its larger principal stretch, may be non-finite
+  /// Vertices of the most stretched triangle; -1 without strain constraints.
+  std::array<int, 3> triangle = {-1, -1, -1};
+  double stretch = 1;  ///< its larger principal stretch, may be non-finite
 };
 
 class Simulation {
  public:
   virtual ~Simulation() = default;
 
-  /// One time step dt. Returns false when the cloth diverged (see divergence()); the state is then of no use.
+  /// One time step dt. Returns false if the cloth diverged (see divergence()); the state is then useless.
   virtual bool step() = 0;
 
-  /// Whether a further step would change nothing. A method that moves on in time never says so.
+  /// Whether further steps would change nothing. Always false for a method that moves on in time.
   virtual bool settled() const { return false; }
-  /// Of a method that looks for an equilibrium: forces that are left over, relative to the loads.
+  /// For a method that finds an equilibrium: the forces that are not balanced, relative to the loads.
   virtual std::optional<double> unbalanced() const { return std::nullopt; }
 
   virtual double time() const = 0;           ///< s
   virtual Positions positions() const = 0;   ///< #V by 3, m
   virtual Positions velocities() const = 0;  ///< #V by 3, m/s
   virtual const Divergence& divergence() const = 0;
-  virtual const std::vector<PassStatistics>& passes()
-      const = 0;  ///< the step plan, in the order of a substep
+  /// The step plan, in the order of a substep.
+  virtual const std::vector<PassStatistics>& passes() const = 0;
   /// Seconds that threads beside the calling one spent on passes so far.
   virtual double helper_seconds() const = 0;
   /// Constraint projections so far (a triangle's strain counts as one, a spring as one, an element as one).
-  /// Of a method that does not project, how often it looked at each.
+  /// For a method that does not project: evaluations of constraints.
   virtual std::uint64_t projections() const = 0;
-  /// Substeps so far, those that a method made of others among them.
+  /// Substeps so far, including those that a method added by cutting others.
   virtual std::uint64_t substeps() const = 0;
-  /// What the method holds so far, from the sizes of its arrays: points, ordered constraints with their
-  /// multipliers, and what else it solves with (a matrix, its factor at its largest). Without the effects'
-  /// and the scene's own lists.
+  /// Memory of the method's arrays so far: points, ordered constraints with their multipliers, and what else
+  /// it solves with (a matrix, its factor at its largest). Without the lists of effects and of the scene.
   virtual std::size_t memory_bytes() const = 0;
-  /// The order the constraints stand in: original index per lane, -1 for padding.
+  /// The order of the constraints: the index in the list for each lane, -1 for padding.
   virtual const BatchOrder& strain_order() const = 0;
   virtual const BatchOrder& distance_order() const = 0;
-  /// Of the kind with that Kind::name; throws as kind_place() does.
+  /// Of the kind with that Kind::name; throws as index_of_kind() does.
   virtual const BatchOrder& element_order(std::string_view kind) const = 0;
-  /// What the last substep made of the stiffness told, for the shares that effective_stiffness.hpp has, of a
-  /// method that knows. Takes up to about ten sweeps' time.
+  /// How much of the stated stiffness the last substep realised (effective_stiffness.hpp), if the method
+  /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 };
 
 /// A simulation by input.method in single (Real = float) or double precision, with the passes of the scene's
-/// effects. Throws std::invalid_argument for what the method cannot do.
+/// effects. Throws std::invalid_argument if the method cannot simulate the scene.
 template <class Real>
 std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
                                             std::vector<Pass<Real>> effect_passes);

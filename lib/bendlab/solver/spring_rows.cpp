@@ -9,7 +9,7 @@ namespace {
 
 constexpr auto width = static_cast<std::size_t>(max_lanes);
 
-// Calls action(place, other place, spring) for each end of each spring that needs it.
+// Calls action(vertex, other vertex, spring) for each end of each spring that needs it.
 template <class Action>
 void for_each_end(const std::vector<Spring>& springs, const std::vector<char>& needs_row,
                   const Action& action) {
@@ -26,7 +26,7 @@ template <class Real>
 SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std::vector<char>& needs_row) {
   const std::size_t slice_count = (needs_row.size() + width - 1) / width;
   std::vector<std::size_t> length(slice_count * width, 0);
-  for_each_end(springs, needs_row, [&](std::size_t place, std::size_t, const Spring&) { ++length[place]; });
+  for_each_end(springs, needs_row, [&](std::size_t vertex, std::size_t, const Spring&) { ++length[vertex]; });
 
   SpringRows<Real> rows;
   for (std::size_t slice = 0; slice < slice_count; ++slice) {
@@ -42,8 +42,8 @@ SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std:
   rows.stiffness.resize(rows.other.size(), 0);
 
   std::vector<std::size_t> filled(length.size(), 0);
-  for_each_end(springs, needs_row, [&](std::size_t place, std::size_t other, const Spring& spring) {
-    const std::size_t lane = rows.slices[place / width] + filled[place]++ * width + place % width;
+  for_each_end(springs, needs_row, [&](std::size_t vertex, std::size_t other, const Spring& spring) {
+    const std::size_t lane = rows.slices[vertex / width] + filled[vertex]++ * width + vertex % width;
     rows.other[lane] = offset_of(static_cast<int>(other));
     rows.rest_length[lane] = static_cast<Real>(spring.rest_length);
     rows.stiffness[lane] = static_cast<Real>(spring.stiffness);

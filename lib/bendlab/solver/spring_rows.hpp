@@ -1,14 +1,14 @@
-// Springs by vertex: each vertex has a row of the springs it hangs on, so that it can sum them by itself. A
-// spring stands in the rows of both its ends.
+// Springs by vertex: each vertex has a row of its own springs, so that it can sum them by itself. A spring is
+// in the rows of both its ends.
 //
-//   slice   max_lanes vertices one after another in memory, one per lane; as long as their longest row
+//   slice   the rows of max_lanes consecutive vertices, one per lane; as long as the longest of them
 //
 //   lane    0      1      2    …
 //           s0     s1     s0        a vertex's springs in the order of the list; shorter rows end in padded
 //           s3     s4     s2        lanes, whose spring leads from the vertex to itself and has no stiffness
 //           s7      ·     s5
 //
-// A vertex adds its springs up in the same order whoever does it: the sums' bits depend on the list alone.
+// A vertex always sums its springs in the same order, so the bits of the sums depend on the list alone.
 #pragma once
 
 #include <cstddef>
@@ -18,7 +18,7 @@
 
 namespace bendlab {
 
-/// Between the places a and b.
+/// Between the permuted vertices a and b.
 struct Spring {
   int a, b;
   double rest_length;  ///< m
@@ -35,7 +35,7 @@ struct SpringRows {
   std::size_t slice_count() const { return slices.size() - 1; }
 };
 
-/// Rows of as many places as `needs_row` has; a place that needs none has an empty one.
+/// Rows of as many vertices as `needs_row` has; a vertex that needs none has an empty one.
 template <class Real>
 SpringRows<Real> make_spring_rows(const std::vector<Spring>& springs, const std::vector<char>& needs_row);
 

@@ -11,15 +11,15 @@ struct Extent {
 };
 
 template <std::size_t arity>
-std::vector<Extent> extents_of_runs(const BatchOrder& order,
-                                    const std::vector<std::array<int, arity>>& corners) {
-  std::vector<Extent> extents(order.run_count());
-  for (std::size_t run = 0; run < extents.size(); ++run)
-    for (std::size_t lane = order.runs[run]; lane < order.runs[run + 1]; ++lane)
+std::vector<Extent> extents_of_stacks(const BatchOrder& order,
+                                      const std::vector<std::array<int, arity>>& corners) {
+  std::vector<Extent> extents(order.stack_count());
+  for (std::size_t stack = 0; stack < extents.size(); ++stack)
+    for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
       if (const int constraint = order.constraint_of_lane[lane]; constraint >= 0)
         for (const int vertex : corners[static_cast<std::size_t>(constraint)]) {
-          extents[run].lowest = std::min(extents[run].lowest, vertex);
-          extents[run].highest = std::max(extents[run].highest, vertex);
+          extents[stack].lowest = std::min(extents[stack].lowest, vertex);
+          extents[stack].highest = std::max(extents[stack].highest, vertex);
         }
   return extents;
 }
@@ -27,22 +27,22 @@ std::vector<Extent> extents_of_runs(const BatchOrder& order,
 }  // namespace
 
 template <std::size_t arity>
-std::vector<RunRange> tiled(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
-                            int vertex_count, int tile_vertices) {
-  const std::vector<Extent> extents = extents_of_runs(order, corners);
-  // The lowest vertex of a run and of all behind it in its colour: below it the colour has done its work once
-  // the runs before are done.
+std::vector<StackRange> tiled(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
+                              int vertex_count, int tile_vertices) {
+  const std::vector<Extent> extents = extents_of_stacks(order, corners);
+  // The lowest vertex of a stack and of all behind it in its colour. Once the stacks before are done, the
+  // colour has done its work below that vertex.
   std::vector<int> lowest_left(extents.size());
-  std::vector<std::size_t> next;  // per colour, the first run still to do
+  std::vector<std::size_t> next;  // per colour, the first stack still to do
   for (std::size_t colour = 0; colour + 1 < order.colours.size(); ++colour) {
     next.push_back(order.colours[colour]);
     int lowest = std::numeric_limits<int>::max();
-    for (std::size_t run = order.colours[colour + 1]; run-- > order.colours[colour];)
-      lowest_left[run] = lowest = std::min(lowest, extents[run].lowest);
+    for (std::size_t stack = order.colours[colour + 1]; stack-- > order.colours[colour];)
+      lowest_left[stack] = lowest = std::min(lowest, extents[stack].lowest);
   }
-  std::vector<RunRange> ranges;
+  std::vector<StackRange> ranges;
   for (int end = std::min(tile_vertices, vertex_count);; end = std::min(end + tile_vertices, vertex_count)) {
-    int settled = end;  // all colours before this one have done their work below it
+    int settled = end;  // below this vertex all colours before the current one are done
     for (std::size_t colour = 0; colour < next.size(); ++colour) {
       const std::size_t first = next[colour];
       while (next[colour] < order.colours[colour + 1] && extents[next[colour]].highest < settled)
@@ -54,8 +54,8 @@ std::vector<RunRange> tiled(const BatchOrder& order, const std::vector<std::arra
   }
 }
 
-template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 2>>&, int, int);
-template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 3>>&, int, int);
-template std::vector<RunRange> tiled(const BatchOrder&, const std::vector<std::array<int, 4>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 2>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 3>>&, int, int);
+template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 4>>&, int, int);
 
 }  // namespace bendlab

@@ -40,7 +40,7 @@ void TimeStep<Real>::fill_state(const SimulationInput& input) {
     if (free && input.velocities.rows() > 0)
       state_.velocity[at].set(input.velocities.row(row).transpose().template cast<Real>());
   }
-  // A padded lane's corners are 0 and the three unit vectors: it is never collapsed.
+  // The corners of a padded lane are 0 and the three unit vectors, so that it is never collapsed.
   for (int corner = 1; corner < dummy_corners; ++corner)
     for (int lane = 0; lane < max_lanes; ++lane)
       state_.position[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(

@@ -1,5 +1,5 @@
-// What every solver method's step shares: the cloth's state, the plan of passes and their times, the watch
-// for divergence. A method fills in how a substep goes.
+// What the steps of all solver methods share: the cloth's state, the plan of passes and their times, and the
+// test for divergence. A method adds the substep.
 #pragma once
 
 #include "bendlab/solver/simulation.hpp"
@@ -36,7 +36,7 @@ class TimeStep : public Simulation {
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
 
-  /// `permutation`: where each vertex stands in memory; empty: at its own index.
+  /// `permutation`: the index of each vertex in the arrays; empty: its own.
   TimeStep(const SimulationInput& input, std::vector<int> permutation);
 
   virtual void substep(PassContext<Real>& context) = 0;
@@ -46,30 +46,31 @@ class TimeStep : public Simulation {
     return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
   }
 
-  /// A new row of passes().
+  /// Adds a row to passes() and returns its index.
   std::size_t add_statistics(const std::string& name);
   /// Moves the effects' passes of one stage to the end of `passes`.
   void append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage);
   void run(const Passes& passes, PassContext<Real>& context);
 
-  /// One finiteness check per substep, for a method to call when positions are final.
+  /// Tests once whether all positions are finite and within bounds. A method calls it when positions are
+  /// final.
   void find_divergence();
 
   /// Calls task(first, last) on parts of [0, #V), side by side.
   template <class Task>
   void for_vertices(const Task& task) {
-    // About 10 µs of one thread's work: less is not worth waking a second thread for.
+    // About 10 µs of one thread's work: for less, a second thread is not worthwhile.
     constexpr std::size_t worthwhile_vertices = 16384;
     const auto count = static_cast<std::size_t>(state_.vertex_count);
     workers_.for_range(0, count, count >= worthwhile_vertices, task);
   }
 
   SolverSettings settings_;
-  std::vector<int> permutation_;  ///< of each vertex; empty: its own
+  std::vector<int> permutation_;  ///< #V, the index of each vertex in the arrays; empty: its own
   Workers workers_;
   State<Real> state_;
   Constraints<Real> constraints_;
-  std::uint64_t cut_substeps_ = 0;  ///< beyond those of the settings
+  std::uint64_t cut_substeps_ = 0;  ///< substeps beyond those of the settings
 
   /// The rest shape in the order of state_.position, or null.
   const Point<Real>* rest_points() const { return rest_.empty() ? nullptr : rest_.data(); }

@@ -1,5 +1,5 @@
-// A fixed number of threads over a range. One thread: a plain call. The result may not depend on how the
-// range is cut.
+// Splits a range over a fixed number of threads; with one thread it is a plain call. A task's result may not
+// depend on how the range is cut.
 #pragma once
 
 #include <cstddef>
@@ -14,8 +14,8 @@ class Workers {
   Workers(const Workers&) = delete;
   Workers& operator=(const Workers&) = delete;
 
-  /// Calls task(first, last) on as many equal parts of [first, last) as there are threads, side by side, or
-  /// on the whole where that is not worthwhile.
+  /// Calls task(first, last) on equal parts of [first, last), one per thread, side by side; on the whole
+  /// range if that is not `worthwhile`.
   template <class Task>
   void for_range(std::size_t first, std::size_t last, bool worthwhile, const Task& task) {
     if (threads_ == 1 || !worthwhile)

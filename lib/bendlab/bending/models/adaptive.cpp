@@ -22,6 +22,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel adaptive{
     .name = "adaptive",
+    .label = "adaptive",
     .summary =
         "springs to rings 1 … m of free and 1 … n of pinned vertices, levels from the mesh's resolution",
     .source = "Kim, eqs. 6-8 and Fig. 3",

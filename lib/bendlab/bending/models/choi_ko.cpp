@@ -1,5 +1,5 @@
-// Choi and Ko's answer to what cloth does when it is pushed together: it does not shorten, it buckles. Their
-// flexion springs join vertices two apart and push as a buckled arc does.
+// Choi and Ko's model: cloth that is pushed together does not shorten, it buckles. Their flexion springs join
+// vertices two edges apart and push like the ends of a buckled arc.
 #include "bendlab/bending/ring_springs.hpp"
 #include "bendlab/parameters/names.hpp"
 
@@ -36,9 +36,9 @@ BendingConstraints build(const BendingInput& input) {
     list.rest.push_back({pairs.rest_length[pair]});
     list.softness.push_back(1);
   }
-  // One segment to every width b would have the flexural rigidity k_b / b, if its chord were an arc's. But
-  // edges of a mesh stay straight: t of length a, bent to curvature κ, shorten by (1 - 1/t²) of the L³ κ²/24
-  // of an arc of length L = t a, and U = 12 k_b (1 - r/L)/L falls by as much.
+  // Segments a width b apart would have the flexural rigidity k_b / b if the sheet between their ends were an
+  // arc. But edges of a mesh stay straight: t edges of length a, bent to curvature κ, shorten by (1 - 1/t²)
+  // times L³ κ²/24, that of an arc of length L = t a; U = 12 k_b (1 - r/L)/L falls by the same factor.
   constraints.facts = {{"ring", static_cast<double>(ring), "edges between the vertices that a spring joins"},
                        {"rigidity_factor", 1 - 1.0 / (ring * ring),
                         "of the flexural rigidity k_b / width that an arc would have"}};
@@ -50,6 +50,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel choi_ko{
     .name = "choi_ko",
+    .label = "Choi-Ko",
     .summary =
         "post-buckling springs: vertices two apart push like the ends of a buckled arc, and never pull",
     .source = "Choi and Ko 2002, §4.2; solved with the jump at r = L, as XPBD",

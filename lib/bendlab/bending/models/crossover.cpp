@@ -35,8 +35,8 @@ std::vector<std::array<int, 2>> opposite_pairs(const RestMesh& rest) {
   return pairs;
 }
 
-// Two edges can lie between the same two vertices (where both diagonals cross, for example): one spring,
-// because a second would only double k. The first of each pair stays in its place.
+// Two interior edges can have the same two opposite vertices (those of crossed diagonals, for example). They
+// get one spring, because a second would only double k: the first of the list.
 std::vector<std::array<int, 2>> without_repeats(std::vector<std::array<int, 2>> pairs) {
   std::set<std::array<int, 2>> seen;
   std::erase_if(pairs, [&](const std::array<int, 2>& pair) { return !seen.insert(pair).second; });
@@ -84,6 +84,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel crossover{
     .name = "crossover",
+    .label = "crossover",
     .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
     .source = "Kim, Fig. 2; Choi and Ko 2002; Bridson et al. 2003; Kang and Cho 2002",
     .limits =

@@ -31,14 +31,14 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel dihedral{
     .name = "dihedral",
+    .label = "dihedral",
     .summary = "the angle between two triangles, signed, over every interior edge",
     .source = "Müller et al. 2007, §3.3; Müller et al. 2014, §3.8; the sign by atan2",
     .limits =
         "with k its stiffness depends on resolution, iterations and time step, and from k = 0.7 on hinges "
         "that share vertices overshoot and throw the sheet about; a fold of more than 180 degrees is seen as "
-        "one to the other side; physical: bent a little "
-        "it has 0.75 of the told rigidity on alternating diagonals and 0.93 on irregular meshes, see "
-        "/bending/deflection",
+        "one to the other side; physical: bent a little it has 0.75 of the stated rigidity on alternating "
+        "diagonals and 0.93 on irregular meshes, see /bending/deflection",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .parameters = parameters,
     .build = build,

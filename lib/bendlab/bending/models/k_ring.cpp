@@ -29,6 +29,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel k_ring{
     .name = "k_ring",
+    .label = "k-ring",
     .summary = "springs from every vertex to its rings 1 … k, or to ring k alone",
     .source = "Kim, Fig. 3, with one fixed level",
     .limits =

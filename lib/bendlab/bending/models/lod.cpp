@@ -39,12 +39,12 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel lod{
     .name = "lod",
+    .label = "LOD",
     .summary = "springs only to the vertices exactly t rings away",
     .source = "Kim, §II.4 and Fig. 4",
     .limits =
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; wrinkles shorter "
-        "than t "
-        "edges can escape the long springs",
+        "than t edges can escape the long springs",
     .compliance = "1 / k of every spring, k in N/m",
     .parameters = parameters,
     .springs_only = true,

@@ -5,6 +5,7 @@ namespace bendlab::models {
 
 extern constinit const BendingModel none{
     .name = "none",
+    .label = "no bending",
     .summary = "no bending constraints; the control beside every other model",
     .source = "control",
     .limits = "resists no bending, but for what the membrane resists by itself on some meshes",

@@ -1,10 +1,10 @@
 // Springs that push already in the flat sheet: distance springs with a linear bending stiffness.
 //
 // A spring of rest length L (1 + e) between points L apart has the energy ½ (e L + δ)² / α once bending has
-// shortened it by δ = κ² L³ / 24. Its first part in δ, e L δ / α, is quadratic in κ: a moment B κ, where a
+// shortened it by δ = κ² L³ / 24. Its part that is linear in δ, e L δ / α, is quadratic in κ: a moment B κ. A
 // spring at rest has only ½ δ² / α and the moment C κ³. The two are equal at κ L = sqrt(48 e). The membrane
-// holds the sheet against the push; what it gives way, the sheet grows: by about the share e where strain is
-// projected with k.
+// holds the sheet against the push. As far as it gives way, the sheet grows: by about the share e if strain
+// is projected with k.
 #include "bendlab/bending/thinned_rings.hpp"
 
 namespace bendlab {
@@ -36,16 +36,14 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel prestressed{
     .name = "prestressed",
+    .label = "prestressed",
     .summary =
         "the springs of sparse_lod, longer at rest than their pairs are apart: they push in the flat sheet",
     .source = "bendlab's own",
     .limits =
-        "the sheet grows by what the membrane gives way (with k by about the excess); does not know the "
-        "fold's "
-        "direction; "
-        "wrinkles shorter than t edges can escape the long springs; physical: an excess that the solver "
-        "cannot hold "
-        "is lowered, see excess_taken",
+        "the sheet grows as far as the membrane gives way (with k by about the excess); does not know the "
+        "fold's direction; wrinkles shorter than t edges can escape the long springs; physical: an excess "
+        "that the solver cannot hold is lowered, see excess_taken",
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
     .parameters = parameters,

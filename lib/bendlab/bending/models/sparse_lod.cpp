@@ -4,8 +4,8 @@
 namespace bendlab {
 namespace {
 
-// Bent to the curvature κ a span of length l shortens by l³ κ² / 24: all springs with the same ½ (l³ κ² /
-// 24)² / α make a sheet that is equally stiff in all directions.
+// Bent to the curvature κ, a span of length l shortens by δ = l³ κ² / 24. If all springs have the same energy
+// ½ δ² / α, the sheet is equally stiff in all directions.
 BendingConstraints build(const BendingInput& input) {
   return thinned_rings(input, 6);
 }
@@ -15,6 +15,7 @@ BendingConstraints build(const BendingInput& input) {
 namespace models {
 extern constinit const BendingModel sparse_lod{
     .name = "sparse_lod",
+    .label = "sparse LOD",
     .summary =
         "a fixed number of springs per vertex to the vertices t rings away, evenly spread over the "
         "directions",

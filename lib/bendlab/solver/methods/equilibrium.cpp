@@ -4,28 +4,28 @@
 //
 //   (H + M / τ²) Δx = f - ∇E,   H = Σ ψ'' ∇C ∇Cᵀ + λ ∇²C
 //
-// λ estimates ψ'(C), the force in a constraint. In a membrane that hardly stretches ψ'(C) itself is a bad
-// estimate away from the solution: a step that turns a triangle by an angle stretches it by the angle
-// squared, and the force of that would hold the next step back. So λ is what the last step aimed at, ψ' + ψ''
-// ∇C·Δx, as if force and position were both unknowns (the mixed form of Newton's method; at the solution the
-// two agree). A step is as long as it stretches no triangle by more than `stretch_per_step` beyond what it
-// aimed at.
+// λ estimates ψ'(C), the force in a constraint. If the membrane hardly stretches, ψ'(C) itself is a bad
+// estimate away from the solution: a step that turns a triangle by an angle stretches it by the square of the
+// angle, and that force would hold the next step back. So λ is the value that the last step aimed at, ψ' +
+// ψ'' ∇C·Δx, as if force and position were both unknowns (the mixed form of Newton's method; at the solution
+// the two agree). A step is shortened until it stretches no triangle by more than `stretch_per_step` beyond
+// its aim.
 //
-// M / τ² is what an implicit Euler step of length τ from rest has: from afar (a flat sheet has no stiffness
-// across itself) the cloth creeps downhill, and as τ grows the steps become Newton's. Where the matrix is not
-// positive definite (a crumpled cloth; springs that are compressed before the membrane has taken their push)
-// λ counts only where a length pulls, and where that does not help τ shrinks. The last steps are with the
-// whole matrix and without M / τ²: what is found is a minimum, never a saddle.
+// M / τ² is the mass term of an implicit Euler step of length τ from rest. Far from the solution (a flat
+// sheet has no stiffness across itself) the cloth creeps downhill; as τ grows, the steps become Newton's. If
+// the matrix is not positive definite (a crumpled cloth; springs that are compressed before the membrane
+// carries their push), λ is first set to 0 except where a length pulls; if that does not help, τ shrinks. The
+// last steps use the whole matrix without M / τ²: what they find is a minimum, never a saddle.
 //
-// A stiff membrane starts softer, and grows stiff in steps of ten once the cloth has found its shape: found
-// at full stiffness from the start, a strip that bends by springs keeps creases that the first steps made.
+// A stiff membrane starts softer and becomes stiffer in steps of ten once the cloth has found its shape. With
+// full stiffness from the start, a strip that bends by springs would keep creases of the first steps.
 //
-// A step counts as dt of the scene's time; the scene is settled when the last step moved no vertex by more
-// than 1e-6 sizes and forces that are left over are at most `equilibrium_tolerance` of the loads, or what the
-// rounding of positions amounts to.
+// A step counts as dt of the scene's time. The scene is settled when the last step moved no vertex by more
+// than 1e-6 sizes and the unbalanced forces are at most `equilibrium_tolerance` of the loads, or at most what
+// the rounding of positions causes.
 //
-// In double precision. Loads are what the passes of stage `force` do to a cloth at rest; passes of stages
-// `damp` and `velocity` have nothing to do there.
+// In double precision. Loads are the changes of velocity by the passes of stage `force` on a cloth at rest.
+// Passes of the stages `damp` and `velocity` do nothing here.
 #include <dlfcn.h>
 #include <fmt/format.h>
 
@@ -49,20 +49,20 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr std::array own_passes = {
-    MethodPass{"gradient", "equilibrium: forces that are left over"},
+    MethodPass{"gradient", "equilibrium: the unbalanced forces"},
     MethodPass{"Hessian", "equilibrium: the stiffness matrix"},
     MethodPass{"factorise", "equilibrium: its Cholesky factors, and the step"},
-    MethodPass{"move", "equilibrium: as far as no triangle stretches"},
+    MethodPass{"move", "equilibrium: as far as triangles hardly stretch"},
 };
 
 constexpr double equilibrium_tolerance = 1e-7;  // 1, |f - ∇E| / |f| over all free vertices
 constexpr double stretch_per_step = 0.05;       // 1
 constexpr double longest_move = 0.2;            // of the cloth's size, per step
-constexpr double crept = 1e-4;  // of the cloth's size: a step that short leads away from no saddle
-constexpr double still = 1e-6;  // of the cloth's size: so little did the last step move a settled one
+constexpr double crept = 1e-4;  // of the cloth's size: steps this short do not lead away from a saddle
+constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
 
-// OpenBLAS, where that is what CHOLMOD found, starts threads of its own for every product; runs side by side
-// know better what to do with the cores. (Its build without threads is not safe to call from several.)
+// If CHOLMOD uses OpenBLAS, that starts threads of its own for every product. Runs side by side use the cores
+// better. (The build of OpenBLAS without threads may not be called from several threads.)
 void one_blas_thread() {
   using SetThreads = void (*)(int);
   static const auto set_threads =
@@ -88,7 +88,7 @@ class Equilibrium final : public TimeStep<double> {
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
     one_blas_thread();
-    factor_.cholmod().print = 0;  // "not positive definite" is an answer here
+    factor_.cholmod().print = 0;  // "not positive definite" is an expected result here
     constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
     compile_plan(std::move(effect_passes));
   }
@@ -144,8 +144,8 @@ class Equilibrium final : public TimeStep<double> {
       soften(std::max(softness_ / 10, 1.0));
   }
 
-  // Soft enough for the loads to stretch the membrane by about 1e-4; near its equilibrium the cloth would
-  // move away from it, and a softer one may not have the basin in which the cloth lies.
+  // Starts so soft that the loads stretch the membrane by about 1e-4, but not too soft for a cloth that
+  // starts near its equilibrium: it would move away, and a softer cloth may not have that equilibrium.
   void start() {
     inverse_tau_squared_ = 0;
     if (system_.unknowns() == 0) return;
@@ -176,20 +176,20 @@ class Equilibrium final : public TimeStep<double> {
     unbalanced_ = relative(residual_);
   }
 
-  // What positions that are off by a rounding do to the forces, against the loads.
+  // The change of the forces by the rounding of positions, relative to the loads.
   double rounding() const {
     constexpr double of_position = std::numeric_limits<double>::epsilon();
     return scale_ > 0 ? of_position * size_ * hessian_->diagonal().norm() / scale_ : 0;
   }
 
-  // Against the loads; without any, against what was there at first.
+  // Relative to the loads; without loads, to the first residual.
   double relative(const VectorXd& residual) {
     const double norm = residual.norm();
     if (!(scale_ > 0)) scale_ = loads_.norm() > 0 ? loads_.norm() : norm;
     return scale_ > 0 ? norm / scale_ : 0;
   }
 
-  // So that the first step moves the cloth by a twentieth of its size under its loads.
+  // Chooses τ so that the first step moves the cloth by a twentieth of its size under its loads.
   void start_creeping() {
     const VectorXd& forces = starting_from_ != StartingFrom::scene && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
@@ -203,11 +203,11 @@ class Equilibrium final : public TimeStep<double> {
     rounding_ = rounding();
   }
 
-  // Not positive definite: first without what makes it so, then with shorter τ. At a saddle at once with the
-  // longest τ that makes it definite: that leads away from it fastest.
+  // If the matrix is not positive definite, first removes what makes it so, then shortens τ. At a saddle it
+  // takes the longest τ that makes the matrix definite at once: that leads away fastest.
   void factorise(double) {
     if (settled()) return;
-    constexpr int attempts = 100;  // no τ helps where entries are not finite
+    constexpr int attempts = 100;  // no τ helps if entries are not finite
     for (int attempt = 0; !factorised(); ++attempt) {
       if (attempt == attempts) throw std::runtime_error("equilibrium: the stiffness matrix is not finite");
       if (convex_ || balanced() || last_move_ <= crept * size_)
@@ -224,11 +224,11 @@ class Equilibrium final : public TimeStep<double> {
     matrix.diagonal() += inverse_tau_squared_ * masses_;
     if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
     factor_.factorize(matrix);
-    factor_bytes_ = factor_.cholmod().memory_usage;  // the most that CHOLMOD had at a time
+    factor_bytes_ = factor_.cholmod().memory_usage;  // the most that CHOLMOD used at a time
     return factor_.info() == Eigen::Success;
   }
 
-  // Where M / τ² is lost in the rounding of the Hessian's diagonal.
+  // A smaller 1 / τ² is lost in the rounding of the Hessian's diagonal.
   double smallest() const {
     return 1e-14 * hessian_->diagonal().cwiseQuotient(masses_).cwiseAbs().maxCoeff();
   }
@@ -239,7 +239,7 @@ class Equilibrium final : public TimeStep<double> {
     double share = farthest > 0 ? std::min(1.0, longest_move * size_ / farthest) : 1;
     while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step) share *= 0.5;
     const VectorXd step = share * direction_;
-    // Of a shortened step the share of what the whole one aimed at.
+    // A shortened step takes its share of what the whole one aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction_);
     positions_ = system_.moved(positions_, step);
     if (share == 1)
@@ -255,15 +255,15 @@ class Equilibrium final : public TimeStep<double> {
   }
 
   ElasticSystem system_;
-  Positions positions_;  // #V by 3, m: without the rounding of coordinates about the origin
+  Positions positions_;  // #V by 3, m, in world coordinates
   VectorXd masses_, loads_, residual_, direction_, multipliers_;
   const Eigen::SparseMatrix<double>* hessian_ = nullptr;
   Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
   bool analysed_ = false;
   std::size_t factor_bytes_ = 0;
-  bool convex_ = false;  // the Hessian's kind
-  bool far_ = false;     // the convex one is likely to be needed again
-  bool whole_;           // the last step was Newton's: what it found is a minimum in every direction
+  bool convex_ = false;  // the Hessian has convex() multipliers
+  bool far_ = false;     // convex() is likely to be needed again
+  bool whole_;           // the last step was Newton's: it found a minimum in every direction
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   StartingFrom starting_from_;
@@ -282,15 +282,13 @@ extern constinit const Method equilibrium{
     .name = "equilibrium",
     .summary =
         "the static equilibrium of loads and elastic energies by Newton's method; a step of it takes dt, and "
-        "the run ends "
-        "when the forces balance",
+        "the run ends when the forces balance",
     .source =
         "Newton's method in its mixed form, force and position both unknown; CHOLMOD's supernodal Cholesky "
         "factors",
     .limits =
         "of energies only: every stiffness is a compliance above 0; in double precision; has no motion; "
-        "effects that act "
-        "among projections have no place in it; of several equilibria it finds one",
+        "takes no effects that act among projections; of several equilibria it finds one",
     .passes = own_passes,
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,

@@ -12,22 +12,22 @@
 //   p_i  = h f_i + h² Σ_j J_ij (v_j - v_i)
 //   Δv_i = W_i⁻¹ (p_i + h² Σ_j J_ij W_j⁻¹ p_j),   v += Δv,   x += h v
 //
-// f are the springs' forces and, as in the source, the scene's forces: the change of velocity that force
-// passes make is taken back and enters p as m_i times it. So a cloth in equilibrium stays there, whatever h.
-// Damp passes see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on its
-// neighbours.
+// f are the springs' forces and, as in the source, the scene's forces: the change of velocity by the force
+// passes is taken back and enters p times m_i. So a cloth in equilibrium stays there, whatever h. Damp passes
+// see the velocities before these forces. A pinned vertex has p = Δv = 0 and acts on its neighbours.
 //
-// What the approximation does (G = W⁻¹ h² × the off-diagonal blocks; its eigenvalues lie within (-1, 1)):
+// Properties of the approximation (G = W⁻¹ h² × the off-diagonal blocks; its eigenvalues are within (-1, 1)):
 //
-// * Δv solves backward Euler exactly for another mass, M' = (M + h² K) (1 - G²)⁻¹ - h² K ≥ M: with J fixed it is
-//   stable at any step. From the solution for M it differs by O(h⁵) per step;
-// * the mass gained grows with κ = h² k and acts where J does. Two masses on a spring fall along it slower than a
-//   stone, by the factor 1 - (κ / (m + κ))². M' knows no translations: Σ m v is kept for a single spring, not for
-//   a cloth (the share lost is O((κ / m)²)). It turns with the cloth, so energy is not kept either: with κ ≫ m a
-//   sheet that swings down climbs higher than it started;
-// * a taut spring's stiffness across it, k (1 - L / |d|), is not in the source's J and so is integrated explicitly:
-//   a mass on a taut string is stable while h² Σ k (1 - L / |d|) < 4 m. In a hanging sheet of 32 × 32 cells that is
-//   steps of 1.5 to 4 times explicit Euler's, h² k / m of 1 to 6. Tangent::taut adds it to J.
+// * Δv solves backward Euler exactly for another mass, M' = (M + h² K) (1 - G²)⁻¹ - h² K ≥ M. So with fixed J
+//   it is stable at any step. It differs from the solution for M by O(h⁵) per step.
+// * The added mass grows with κ = h² k and acts where J does. Two masses on a spring fall along it more
+//   slowly than a stone, by the factor 1 - (κ / (m + κ))². M' changes translations, too: Σ m v is kept for a
+//   single spring, but not for a cloth (the share lost is O((κ / m)²)). M' turns with the cloth, so energy is
+//   not kept either: with κ ≫ m a sheet that swings down climbs higher than it started.
+// * The stiffness of a taut spring across its direction, k (1 - L / |d|), is not in the source's J, and so is
+//   integrated explicitly: a mass on a taut string is stable while h² Σ k (1 - L / |d|) < 4 m. In a hanging
+//   sheet of 32 × 32 cells these are steps of 1.5 to 4 times explicit Euler's, h² k / m of 1 to 6.
+//   Tangent::taut adds it to J.
 //
 // The springs are input.edges, of stiffness 1 / strain_stiffness.compliance, and input.distance, of stiffness
 // 1 / bending_stiffness.compliance (N/m).
@@ -48,15 +48,15 @@
 namespace bendlab {
 namespace {
 
-// About 10 µs of springs: less is not worth waking a second thread for.
+// About 10 µs of springs: for less, a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 8192;
 
 constexpr std::array<std::string_view, 2> shared = {"substeps", "precision"};
 
-// What of a spring's tangent is implicit.
+// The part of a spring's tangent that is implicit.
 enum class Tangent {
   along,      // k along the spring, nothing across it: J = k d dᵀ / |d|², as in the source
-  taut,       // besides, k (1 - L / |d|) across a spring that is longer than L
+  taut,       // also k (1 - L / |d|) across a spring that is longer than L
   isotropic,  // k in every direction: J = k 1
 };
 constexpr std::array<std::string_view, 3> tangent_names = {"along", "taut", "isotropic"};
@@ -72,9 +72,9 @@ constexpr std::array own_passes = {
 // clang-format off
 constexpr std::array parameters = {
     Parameter{.name = "tangent", .type = ParameterType::text, .unit = "", .default_value = "along",
-              .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as in the "
-                         "source; taut: besides, k (1 - L/l) across a spring stretched from L to l; isotropic: k in "
-                         "every direction",
+              .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as "
+                         "in the source; taut: also k (1 - L/l) across a spring stretched from L to l; "
+                         "isotropic: k in every direction",
               .choices = tangent_names},
 };
 // clang-format on
@@ -123,7 +123,7 @@ class KangChoStep final : public TimeStep<Real> {
     for (const Pass<Real>& pass : effect_passes)
       if (pass.stage != Stage::force && pass.stage != Stage::damp && pass.stage != Stage::velocity)
         throw std::invalid_argument(
-            fmt::format("kang_cho: the pass {} runs at a stage that this step has not", pass.name));
+            fmt::format("kang_cho: the pass {} needs a stage that this step does not have", pass.name));
   }
 
   void fill_springs(const SimulationInput& input) {
@@ -232,10 +232,8 @@ extern constinit const Method kang_cho{
     .source = "Kang and Cho 2002; other tangents are ours",
     .limits =
         "springs alone, of known stiffness: takes bending models made of springs and no form, warp, weft, "
-        "shear or area of "
-        "strain; gains mass, so that long steps fall too slowly; keeps neither momentum nor energy; effects "
-        "that act among "
-        "projections have no place in it",
+        "shear or area of strain; gains mass, so that long steps fall too slowly; keeps neither momentum nor "
+        "energy; takes no effects that act among projections",
     .parameters = parameters,
     .shared = shared,
     .passes = own_passes,

@@ -1,34 +1,34 @@
-// The time step of position-based dynamics over a step plan that is compiled from what the scene lists.
+// The time step of position-based dynamics. Its plan of passes is compiled from what the scene lists.
 //
 //   per substep h:  force passes → damp passes → predict → predicted passes →
 //                   n × (strain, bending, project passes, contact passes) → update → velocity passes
 //
-// (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it has no branch and no
-// time.
+// (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it costs no branch and
+// no time.
 //
-// Why the constraints lie in memory as they do. A projection is a handful of arithmetic between reading two
-// or three points and writing them back; what it costs is moving them. So
+// Why the constraints lie in memory as they do: a projection is a little arithmetic between reading two or
+// three points and writing them back, so its cost is that of moving the points. Therefore
 //
-// * a vertex is four numbers, position and inverse mass, moved by one load or store and transposed in
-//   registers: one load where x, y, z and w apart would take four;
-// * constraints without a common vertex go side by side, one per lane. Colouring finds them: a greedy
-//   first-fit over the list, after the pins are known (a constraint between pinned vertices is not there to
-//   be coloured). It knows nothing of lane width or threads, so neither changes a bit of the result;
-// * springs are coloured as stars, up to four springs of one centre in one lane: the centre stays in a
-//   register (half the traffic) and the colours are few and large, which is what threads want: they meet once
-//   per colour. Longer stars are faster and converge worse;
+// * a vertex is four numbers, position and inverse mass: one load or store moves it, and it is transposed in
+//   registers. Separate arrays of x, y, z and w would take four loads;
+// * constraints without a common vertex are projected side by side, one per lane. Colouring finds them: a
+//   greedy first-fit over the list, after the pins are known (a constraint between pinned vertices is left
+//   out). It does not depend on lane width or threads, so neither changes a bit of the result;
+// * springs are coloured as stars, up to four springs of one centre in one lane. The centre stays in a
+//   register (half the traffic), and the colours are few and large, which suits threads: they meet once per
+//   colour. Longer stars are faster but converge worse;
 // * triangles are coloured one by one: they share too few vertices for stars to pay;
-// * a batch stores what the kernel needs in the order in which it needs it: offsets ready for an address,
-//   rest values, XPBD's multipliers; nothing is computed twice and nothing is branched on;
-// * vertices keep the mesh's numbering where that is local, else the reverse Cuthill-McKee order (a scanned
-//   or exported mesh may be numbered at random);
-// * one thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so that
-//   the points of a large mesh come from memory once per sweep, not once per colour. The bits are those of
-//   colour after colour, which is how several threads go.
+// * a batch stores what the kernel needs, in the order in which it is needed: offsets ready for an address,
+//   rest values, XPBD's multipliers. Nothing is computed twice, and there are no branches;
+// * vertices keep the mesh's numbering if that is local; else they get the reverse Cuthill-McKee order (a
+//   scanned or exported mesh may be numbered at random);
+// * a single thread takes all colours of one tile of vertices before it goes on to the next (tiling.hpp), so
+//   that the points of a large mesh come from memory once per projection sweep, not once per colour. The bits
+//   are the same as colour after colour, which is the order of several threads.
 //
-// What colouring costs is convergence: a colour sees its neighbours' corrections only after a whole colour,
-// where list order passes them on at once. `bendlab bench` measures by how much; `order: mesh` runs the list
-// order on the reference kernels.
+// Colouring costs convergence: a correction reaches its neighbours only with the next colour, while list
+// order passes it on at once. `bendlab bench` measures how much; `order: mesh` projects in list order by the
+// oracle.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,9 +38,9 @@
 #include <utility>
 
 #include "bendlab/constraints/kernels.hpp"
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/solver/colouring.hpp"
-#include "bendlab/solver/flight.hpp"
+#include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/tiling.hpp"
@@ -61,39 +61,41 @@ constexpr std::array own_passes = {
 // clang-format off
 constexpr std::array parameters = {
     Parameter{.name = "flight_limit", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
-              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, at pins for "
-                         "example, before anything is projected; a substep in which they do more is cut into equal parts, at "
-                         "most 1000. 0: none is cut. Of gravity at a pinned row of triangles of height a it is g h² / a: 0.17 "
-                         "for 64 cells a metre and 1/60 s",
+              .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, "
+                         "before anything is projected; where forces do more, at pins for example, the "
+                         "substep is cut into equal parts, at most 1000. 0: none is cut. Gravity changes it "
+                         "by g h² / a in a pinned row of triangles of height a: 0.17 for 64 cells a metre "
+                         "and 1/60 s",
               .minimum = 0},
 };
 // clang-format on
 
-// Ranges with less work than this are not worth waking a second thread for (about 10 µs of projections).
+// For ranges with less work than this (about 10 µs of projections) a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 2048;
 // A tile's points take a quarter of a second-level cache of 1 MB.
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
-// A list's constraints by place instead of vertex, in the order of their first place, and where each came
-// from.
+// A list's constraints with permuted vertices, sorted by the lowest of them, and the index of each in the
+// list.
 template <std::size_t arity>
-struct Placed {
+struct PermutedList {
   std::vector<std::array<int, arity>> vertices;
   std::vector<int> original;
 
-  Placed(const std::vector<std::array<int, arity>>& list, const std::vector<int>& place)
+  PermutedList(const std::vector<std::array<int, arity>>& list, const std::vector<int>& permutation)
       : original(list.size()) {
-    std::vector<std::array<int, arity>> placed(list.size());
+    std::vector<std::array<int, arity>> permuted(list.size());
     for (std::size_t c = 0; c < list.size(); ++c)
-      for (std::size_t i = 0; i < arity; ++i) placed[c][i] = place[static_cast<std::size_t>(list[c][i])];
+      for (std::size_t i = 0; i < arity; ++i)
+        permuted[c][i] = permutation[static_cast<std::size_t>(list[c][i])];
     const auto first = [&](int c) {
-      const auto& corners = placed[static_cast<std::size_t>(c)];
+      const auto& corners = permuted[static_cast<std::size_t>(c)];
       return *std::min_element(corners.begin(), corners.end());
     };
     std::iota(original.begin(), original.end(), 0);
     std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
-    for (const int c : original) vertices.push_back(placed[static_cast<std::size_t>(c)]);
+    for (const int c : original) vertices.push_back(permuted[static_cast<std::size_t>(c)]);
   }
 
   BatchOrder in_terms_of_the_list(BatchOrder order) const {
@@ -103,8 +105,8 @@ struct Placed {
   }
 };
 
-// Positions that a substep predicts, from `x`, and what their last digits do not hold. Arrays of x, y, z, w
-// in a row.
+// Predicts positions from `x`, and the remainders that their last digits do not hold. The arrays hold x, y,
+// z, w of each point in a row.
 template <class Real>
 void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, Real h,
                      Real* __restrict position, Real* __restrict predicted, Real* __restrict remainder,
@@ -116,7 +118,7 @@ void predict_numbers(const Real* __restrict x, const Real* __restrict velocity, 
   }
 }
 
-// What a substep predicts to add to positions.
+// Predicts what a substep adds to positions.
 template <class Real>
 void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __restrict velocity, Real h,
                               Real* __restrict moved, Real* __restrict predicted, std::size_t first,
@@ -124,8 +126,9 @@ void predict_moves_of_numbers(const Real* __restrict remainder, const Real* __re
   for (std::size_t i = first; i < last; ++i) moved[i] = predicted[i] = remainder[i] + h * velocity[i];
 }
 
-// Velocities at the end of a substep change by what projections changed, so that nothing is lost of them
-// where nothing projects; each with what its rounded number lacks. Arrays of x, y, z, w in a row.
+// Velocities at the end of a substep change by what projections moved: without projections no digit of them
+// is lost. Their remainders hold what the rounded numbers lack. The arrays hold x, y, z, w of each point in a
+// row.
 template <class Real>
 void update_velocities(const Real* __restrict moved, const Real* __restrict predicted, Real per_substep,
                        Real* __restrict velocity, Real* __restrict velocity_remainder, std::size_t first,
@@ -138,7 +141,7 @@ void update_velocities(const Real* __restrict moved, const Real* __restrict pred
   }
 }
 
-// The same, and positions, of what moved apart from where it was.
+// The same, and positions, if moves are kept apart from positions.
 template <class Real>
 void update_numbers(const Real* __restrict base, const Real* __restrict moved,
                     const Real* __restrict predicted, Real per_substep, Real* __restrict position,
@@ -157,7 +160,7 @@ void update_numbers(const Real* __restrict base, const Real* __restrict moved,
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  // Double precision has digits enough: at 4096 substeps a second it rounds velocities to 10⁻¹¹ m/s.
+  // Double precision has enough digits: at 4096 substeps a second it rounds velocities by 10⁻¹¹ m/s.
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
@@ -167,7 +170,7 @@ class PbdStep final : public TimeStep<Real> {
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.permutation),
-        flight_limit_(own_settings(input).number("flight_limit")),
+        force_step_limit_(own_settings(input).number("flight_limit")),
         on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
       predicted_.resize(state_.position.size());
@@ -191,7 +194,7 @@ class PbdStep final : public TimeStep<Real> {
     for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
       orders[kind_index<Kind>] = &batch.order;
     });
-    return *orders[kind_place(kind)];
+    return *orders[index_of_kind(kind)];
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -220,10 +223,10 @@ class PbdStep final : public TimeStep<Real> {
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
-    const int parts = flight_limit_ > 0 ? parts_of(context) : 1;
-    context.substep = whole / static_cast<Real>(parts);
+    const int steps = force_step_limit_ > 0 ? needed_force_steps(context) : 1;
+    context.substep = whole / static_cast<Real>(steps);
     last_substep_ = static_cast<double>(context.substep);
-    for (int part = 0; part < parts; ++part) {
+    for (int step = 0; step < steps; ++step) {
       run(forces_, context);
       run(before_, context);
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
@@ -233,30 +236,31 @@ class PbdStep final : public TimeStep<Real> {
       run(after_, context);
       context.time += static_cast<double>(context.substep);
     }
-    cut_substeps_ += static_cast<std::uint64_t>(parts - 1);
+    cut_substeps_ += static_cast<std::uint64_t>(steps - 1);
     context.substep = whole;
   }
 
-  // By what forces do in a whole substep. Not by velocities: a cloth that is slow to come together would be
-  // cut into ever shorter parts, and each turns the strain that a longer one left into speed.
-  int parts_of(PassContext<Real>& context) {
+  // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth
+  // that is still strained would cut it ever finer, and each cut turns more of that strain into speed.
+  int needed_force_steps(PassContext<Real>& context) {
     before_forces_ = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
     run(forces_, context);
-    const Real gained = largest_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
+    const Real gained =
+        largest_gained_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
     std::swap(state_.velocity, before_forces_);
     state_.velocity_remainder = remainder;
-    return parts_of_flight(gained * context.substep, flight_limit_);
+    return force_steps(gained * context.substep, force_step_limit_);
   }
 
   std::uint64_t projections_per_substep() const override {
     return static_cast<std::uint64_t>(settings_.projections_per_substep()) * constraint_count();
   }
 
-  // A batch of a list's constraints, of vertices where they stand, ordered by `colour`; and one thread's way
-  // through it. Several threads go colour by colour.
+  // A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
+  // one thread goes. Several threads go colour by colour.
   template <class List, class Colour, class Make>
-  auto batch_of(const List& list, Colour colour, Make make, std::vector<RunRange>& tiles) const {
+  auto batch_of(const List& list, Colour colour, Make make, std::vector<StackRange>& tiles) const {
     const auto ordered = [&](const auto& corners) {
       BatchOrder order = colour(corners, state_.vertex_count);
       if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
@@ -266,13 +270,13 @@ class PbdStep final : public TimeStep<Real> {
     if (permutation_.empty())
       return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
                   state_.vertex_count);
-    const Placed placed(list.vertices, permutation_);
-    List in_place = list;
+    const PermutedList sorted(list.vertices, permutation_);
+    List permuted_list = list;
     for (std::size_t c = 0; c < list.size(); ++c)
-      in_place.vertices[static_cast<std::size_t>(placed.original[c])] = placed.vertices[c];
+      permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
     return make(
-        in_place,
-        in_list_order ? list_order(list.size()) : placed.in_terms_of_the_list(ordered(placed.vertices)),
+        permuted_list,
+        in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
         state_.vertex_count);
   }
 
@@ -319,7 +323,7 @@ class PbdStep final : public TimeStep<Real> {
     const auto add_effects = [&](typename Base::Passes& passes, Stage stage) {
       append_effects(passes, effect_passes, stage);
     };
-    // Effects that move vertices know whole positions only.
+    // Effects that move vertices need whole positions.
     const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
       const std::size_t first = passes.size();
       for (const Stage stage : stages) add_effects(passes, stage);
@@ -352,9 +356,9 @@ class PbdStep final : public TimeStep<Real> {
     add_effects(after_, Stage::velocity);
   }
 
-  // A kind of constraint that the scene has none of gets no pass.
+  // A batch without constraints gets no pass.
   template <class Batch>
-  void add_projection(Batch& batch, const std::vector<RunRange>& tiles, const char* name) {
+  void add_projection(Batch& batch, const std::vector<StackRange>& tiles, const char* name) {
     if (batch.count == 0) return;
     const std::size_t row = add_statistics(name);
     forward_.push_back(
@@ -363,7 +367,8 @@ class PbdStep final : public TimeStep<Real> {
         {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, true); }, row});
   }
 
-  // Calls action(first, last) on parts of all vertices' numbers, x, y, z, w in a row, and waits for the last.
+  // Calls action(first, last) on parts of all vertices' numbers (x, y, z, w in a row) and waits for all
+  // parts.
   template <class Action>
   void for_numbers(const Action& action) {
     for_vertices([&](std::size_t first, std::size_t last) { action(4 * first, 4 * last); });
@@ -371,7 +376,7 @@ class PbdStep final : public TimeStep<Real> {
 
   static Real* numbers(Points<Real>& points) { return &points.front().x; }
 
-  // previous + moved, as effects see it.
+  // position = previous + moved, for effects.
   void sum_up_positions() {
     const Real *const base = numbers(state_.previous), *const moved = numbers(moved_);
     Real* const position = numbers(state_.position);
@@ -380,7 +385,7 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // What effects changed of that.
+  // moved = position - previous where effects changed position.
   void take_moves_over() {
     const Real *const base = numbers(state_.previous), *const position = numbers(state_.position);
     Real* const moved = numbers(moved_);
@@ -392,8 +397,8 @@ class PbdStep final : public TimeStep<Real> {
     are_put_ = true;
   }
 
-  // What a substep adds to a vertex is kept apart from where it was: see Places. The inverse mass, a vertex's
-  // fourth number, never moves.
+  // Keeps what the substep adds to a vertex apart from its position (see Places). The inverse mass, a
+  // vertex's fourth number, never changes.
   void predict_moves(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -402,7 +407,7 @@ class PbdStep final : public TimeStep<Real> {
     });
   }
 
-  // Whole positions: what their last digit does not hold waits in the remainder.
+  // Whole positions; the remainder keeps what their last digit does not hold.
   void predict_positions(Real h) {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
@@ -419,7 +424,7 @@ class PbdStep final : public TimeStep<Real> {
     for (const std::size_t v : pinned_) put_pin(v, state_.position[v], h);
   }
 
-  // To the last digit, which sums may round otherwise.
+  // Sets a pinned vertex exactly: a sum could round its last digit differently.
   void put_pin(std::size_t v, const Point<Real>& where, Real h) {
     const Vector3Of<Real> way = where.vector() - state_.previous[v].vector();
     state_.position[v] = where, state_.velocity[v].set(way / h);
@@ -456,23 +461,23 @@ class PbdStep final : public TimeStep<Real> {
   }
 
   template <class Batch>
-  void sweep(Batch& batch, const std::vector<RunRange>& tiles, Real h, bool backwards) {
+  void sweep(Batch& batch, const std::vector<StackRange>& tiles, Real h, bool backwards) {
     const Places<Real> places = this->places();
     if (!batch.order.conflict_free) {
-      project_reference(places, batch, h, backwards);
+      project_by_oracle(places, batch, h, backwards);
       return;
     }
     for (std::size_t step = 0; step < tiles.size(); ++step) {
-      const RunRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
+      const StackRange& range = tiles[backwards ? tiles.size() - 1 - step : step];
       project(places, batch, range.first, range.last, h, backwards);
     }
     if (!tiles.empty()) return;
-    const std::vector<std::size_t>&colours = batch.order.colours, &runs = batch.order.runs;
+    const std::vector<std::size_t>&colours = batch.order.colours, &stacks = batch.order.stacks;
     for (std::size_t step = 0; step + 1 < colours.size(); ++step) {
       const std::size_t colour = backwards ? colours.size() - 2 - step : step;
       const std::size_t first = colours[colour], last = colours[colour + 1];
       workers_.for_range(
-          first, last, runs[last] - runs[first] >= worthwhile_lanes,
+          first, last, stacks[last] - stacks[first] >= worthwhile_lanes,
           [&](std::size_t from, std::size_t to) { project(places, batch, from, to, h, backwards); });
     }
   }
@@ -491,23 +496,23 @@ class PbdStep final : public TimeStep<Real> {
     find_divergence();
   }
 
-  double
-      // 1: forces change a deformation gradient by no more per substep, see flight.hpp; 0: they may
-      flight_limit_;
-  // Single precision: whether projections change what a substep adds to a vertex, kept apart from where it
-  // was (see Places); else whole positions.
+  // 1, the setting flight_limit: the forces of a substep may change a deformation gradient by no more, see
+  // force_steps.hpp. 0: no limit.
+  double force_step_limit_;
+  // Single precision: whether projections change moves that are kept apart from positions (see Places), or
+  // whole positions.
   bool on_moves_;
-  std::vector<RunRange> strain_tiles_, distance_tiles_;
-  std::array<std::vector<RunRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
+  std::vector<StackRange> strain_tiles_, distance_tiles_;
+  std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
-  std::vector<std::size_t> pinned_;  // places; single precision
-  Points<Real> put_;                 // where effects put these in this substep
+  std::vector<std::size_t> pinned_;  // permuted vertices; single precision
+  Points<Real> put_;                 // positions that effects gave them in this substep
   bool are_put_ = false;
-  // In single precision what projections change, as the substep predicts it, and m since its start if they
-  // act on moves.
+  // Single precision: the predicted positions or moves, whichever projections change; and the moves in m
+  // since the start of the substep, if they are changed.
   Points<Real> predicted_, moved_;
-  double last_substep_ = 0;  // s, a part of a substep where flight_limit cut it; 0: there was none yet
+  double last_substep_ = 0;  // s, of a part if flight_limit cut the substep; 0: there was none yet
 };
 
 template <class Real>
@@ -521,13 +526,12 @@ namespace method {
 extern constinit const Method pbd{
     .name = "pbd",
     .summary =
-        "position-based dynamics: predict, project every constraint some times over, velocities from what "
+        "position-based dynamics: predict, project every constraint several times, velocities from what "
         "moved",
     .source = "Müller et al. 2007, §3; XPBD: Macklin et al. 2016; strain: Müller et al. 2014",
     .limits =
         "stiffness given as k depends on substeps and iterations, and a compliance is met only as far as the "
-        "iterations "
-        "converge; energy is not kept; forward sweeps gain some at short substeps",
+        "iterations converge; energy is not kept; forward sweeps gain some at short substeps",
     .parameters = parameters,
     .shared = shared,
     .passes = own_passes,

@@ -1,6 +1,6 @@
-// How far a substep may fly freely: velocity gradients and numbers of parts by closed forms, and what it is
-// for.
-#include "bendlab/solver/flight.hpp"
+// How much forces may deform the cloth in one substep: gradients and numbers of steps by closed forms, and
+// what the limit is for.
+#include "bendlab/solver/force_steps.hpp"
 
 #include <cmath>
 #include <limits>
@@ -32,7 +32,7 @@ double gradient_of(const Eigen::Matrix3d& a) {
     Point<Real>& velocity = after[static_cast<std::size_t>(v)];
     velocity.set(velocity.vector() + gained.cast<Real>());
   }
-  return static_cast<double>(largest_gradient(after.data(), before.data(), batch));
+  return static_cast<double>(largest_gained_gradient(after.data(), before.data(), batch));
 }
 
 SimulationInput hanging_curtain(int cells, double dt, double limit) {
@@ -49,7 +49,7 @@ std::unique_ptr<Simulation> falling(const SimulationInput& input) {
 
 }  // namespace
 
-TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[flight]", float,
+TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's plane", "[force_steps]", float,
                    double) {
   // Differences of velocities of a few m/s, over edges of 0.2 m and more.
   const double tolerance = 40 * static_cast<double>(std::numeric_limits<TestType>::epsilon());
@@ -63,16 +63,16 @@ TEMPLATE_TEST_CASE("the gradient of a linear gain is its matrix in the sheet's p
   CHECK_THAT(gradient_of<TestType>(spin), WithinAbs(1.5 * std::numbers::sqrt2, tolerance));
 }
 
-TEST_CASE("a step is cut into as many parts as the root of what it is too long by", "[flight]") {
-  CHECK(parts_of_flight(0.3, 0.3) == 1);  // just fits
-  CHECK(parts_of_flight(0, 0.3) == 1);
-  CHECK(parts_of_flight(30, 0.3) == 10);
-  CHECK(parts_of_flight(31, 0.3) == 11);
-  CHECK(parts_of_flight(1e9, 0.3) == most_parts);
-  CHECK(parts_of_flight(std::numeric_limits<double>::infinity(), 0.3) == most_parts);
+TEST_CASE("the number of steps is the square root of the change over its limit", "[force_steps]") {
+  CHECK(force_steps(0.3, 0.3) == 1);  // just fits
+  CHECK(force_steps(0, 0.3) == 1);
+  CHECK(force_steps(30, 0.3) == 10);
+  CHECK(force_steps(31, 0.3) == 11);
+  CHECK(force_steps(1e9, 0.3) == most_force_steps);
+  CHECK(force_steps(std::numeric_limits<double>::infinity(), 0.3) == most_force_steps);
 }
 
-TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
+TEST_CASE("the step of a cloth that falls as a whole is not cut, to the bit", "[force_steps]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   const auto plain = falling(input);
@@ -83,31 +83,31 @@ TEST_CASE("what flies as a whole is not cut, to the bit", "[flight]") {
   CHECK(limited->positions() == plain->positions());
 }
 
-TEST_CASE("a curtain's step is cut by how far its top row would fall", "[flight]") {
+TEST_CASE("a curtain's step is cut by how far its top row would fall", "[force_steps]") {
   // The row below the pins falls by g h² in a step, where its triangles are 1/16 m high.
   const double limit = 0.25;
-  const auto parts = static_cast<std::uint64_t>(std::ceil(std::sqrt(16 * 9.81 * 0.1 * 0.1 / limit)));
+  const auto steps = static_cast<std::uint64_t>(std::ceil(std::sqrt(16 * 9.81 * 0.1 * 0.1 / limit)));
   const auto simulation = falling(hanging_curtain(16, 0.1, limit));
   for (std::uint64_t step = 1; step <= 20; ++step) {
     REQUIRE(simulation->step());
-    CHECK(simulation->substeps() == step * parts);  // gravity does not change, so neither do they
+    CHECK(simulation->substeps() == step * steps);  // gravity does not change, nor does their number
   }
   CHECK_THAT(simulation->time(), WithinRel(2.0, 1e-12));  // a sum of a few roundings
   const double projections = static_cast<double>(simulation->projections());
   CHECK(std::fmod(projections, static_cast<double>(simulation->substeps() * 10)) == 0);
 }
 
-TEST_CASE("a step that is cut is that many substeps", "[flight]") {
+TEST_CASE("a step that is cut is that many substeps", "[force_steps]") {
   SimulationInput input = hanging_curtain(16, 0.1, 0.25);
   const auto cut = falling(input);
-  input.settings.own.set("flight_limit", 0.0),
-      input.settings.substeps = 3;  // √(16 · 9.81 · 0.01 / 0.25) = 2.5
+  input.settings.own.set("flight_limit", 0.0);
+  input.settings.substeps = 3;  // 2.5 = √(16 · 9.81 · 0.01 / 0.25), rounded up
   const auto divided = falling(input);
   for (int step = 0; step < 10; ++step) REQUIRE((cut->step() && divided->step()));
   CHECK(cut->positions() == divided->positions());
 }
 
-TEST_CASE("a step of a second does not tear a curtain that may cut it", "[flight]") {
+TEST_CASE("a step of a second does not tear a curtain that may cut it", "[force_steps]") {
   const auto lowest = [](double limit) {
     const auto simulation = falling(hanging_curtain(16, 1, limit));
     double y = 0;

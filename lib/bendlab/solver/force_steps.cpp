@@ -1,4 +1,4 @@
-#include "bendlab/solver/flight.hpp"
+#include "bendlab/solver/force_steps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,8 +6,8 @@
 namespace bendlab {
 
 template <class Real>
-Real largest_gradient(const Point<Real>* velocities, const Point<Real>* before,
-                      const StrainBatch<Real>& batch) {
+Real largest_gained_gradient(const Point<Real>* velocities, const Point<Real>* before,
+                             const StrainBatch<Real>& batch) {
   constexpr auto width = static_cast<std::size_t>(lanes<Real>);
   const auto gained = [&](const int* corners) {
     return gather(velocities, corners).position - gather(before, corners).position;
@@ -28,12 +28,13 @@ Real largest_gradient(const Point<Real>* velocities, const Point<Real>* before,
   return std::sqrt(most);
 }
 
-int parts_of_flight(double flight, double limit) {
-  const double parts = std::ceil(std::sqrt(flight / limit) - 1e-6);  // a step that just fits is not cut
-  return parts < most_parts ? std::max(1, static_cast<int>(parts)) : most_parts;
+int force_steps(double change, double limit) {
+  const double steps = std::ceil(std::sqrt(change / limit) - 1e-6);  // a step that just fits is not cut
+  return steps < most_force_steps ? std::max(1, static_cast<int>(steps)) : most_force_steps;
 }
 
-template float largest_gradient(const Point<float>*, const Point<float>*, const StrainBatch<float>&);
-template double largest_gradient(const Point<double>*, const Point<double>*, const StrainBatch<double>&);
+template float largest_gained_gradient(const Point<float>*, const Point<float>*, const StrainBatch<float>&);
+template double largest_gained_gradient(const Point<double>*, const Point<double>*,
+                                        const StrainBatch<double>&);
 
 }  // namespace bendlab

@@ -1,5 +1,5 @@
-// The oracle: every constraint as a value and its gradient, one at a time, with Eigen 3-vectors, straight
-// from the papers. The kernels must agree with it to rounding; the solver's order `mesh` runs on it.
+// The oracle: the value and gradient of one constraint at a time, with Eigen 3-vectors, in the papers'
+// symbols. The kernels must agree with it to rounding; the solver's order `mesh` uses it.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -12,8 +12,8 @@
 
 namespace bendlab {
 
-/// A corner of a constraint, for projections: the vertex relative to the base of the first corner where
-/// places are split, else as it is.
+/// A corner of a constraint, for projections: the vertex itself, or relative to the base of the first corner
+/// if places are split.
 template <class Real>
 struct Corner {
   Vector3Of<Real> base;
@@ -37,7 +37,7 @@ std::array<Corner<Real>, 1 + sizeof...(Offsets)> corners_at(const Places<Real>& 
   return {corner(first), corner(others)...};
 }
 
-/// |p_a - p_b| - rest_length (Müller et al. 2007, §3.2).
+/// C = |p_a - p_b| - rest_length, ∇_a C = n, ∇_b C = -n (Müller et al. 2007, §3.2).
 template <class Real>
 ConstraintValue<Real, 2> distance_constraint(const std::array<Vector3Of<Real>, 2>& p, Real rest_length) {
   const Vector3Of<Real> d = p[0] - p[1];
@@ -56,7 +56,7 @@ std::array<Vector3Of<Real>, 2> deformation_gradient(const std::array<Vector3Of<R
   return {e1 * q[0] + e2 * q[2], e1 * q[1] + e2 * q[3]};
 }
 
-/// The longest distance between corners, or `at_rest` if that is longer, m.
+/// The longest distance between two corners, or `at_rest` if that is longer, m.
 template <class Real, std::size_t N>
 Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
   Real size = at_rest;
@@ -65,7 +65,8 @@ Real size_of(const std::array<Vector3Of<Real>, N>& p, Real at_rest) {
   return size;
 }
 
-/// Of a triangle: at rest that of two sides at a right angle, or shorter.
+/// The same for a triangle. Its size at rest is exact for two equal sides at a right angle, else an
+/// underestimate.
 template <class Real>
 Real size_of_triangle(const std::array<Vector3Of<Real>, 3>& p, const std::array<Real, 4>& q) {
   return size_of(p, std::sqrt(2 / (q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])));
@@ -73,39 +74,51 @@ Real size_of_triangle(const std::array<Vector3Of<Real>, 3>& p, const std::array<
 
 namespace detail {
 template <class Real>
-std::array<Vector3Of<Real>, 3> with_first_from_rest(const Vector3Of<Real>& g1, const Vector3Of<Real>& g2) {
-  return {-g1 - g2, g1, g2};
+std::array<Vector3Of<Real>, 3> corner_gradients(const Vector3Of<Real>& of_b, const Vector3Of<Real>& of_c) {
+  return {-of_b - of_c, of_b, of_c};
 }
 }  // namespace detail
 
-/// Stretch along material axis `i` (0 warp, 1 weft): √S_ii - 1 (SBD 2014, eq. 14) or S_ii - 1 (eq. 9).
+/// Stretch along material axis `i` (0 warp, 1 weft), f = f_i, S_ii = |f|²:
+///
+///   normalised, angle   C = √S_ii - 1   ∂C/∂f = f / |f|   (SBD 2014, eq. 14)
+///   green               C = S_ii - 1    ∂C/∂f = 2 f       (eq. 9)
+///
+/// The corners b and c have the gradients q[i] ∂C/∂f and q[2 + i] ∂C/∂f, and a has minus their sum.
 template <class Real>
 ConstraintValue<Real, 3> stretch_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                             const std::array<Real, 4>& q, int i, StrainForm form) {
-  const Vector3Of<Real> f = deformation_gradient(p, q)[static_cast<std::size_t>(i)];
+  const auto column = static_cast<std::size_t>(i);
+  const Vector3Of<Real> f = deformation_gradient(p, q)[column];
   const Real length = f.norm();
   if (!(length > collapsed_ratio<Real>)) return {.value = -1, .gradient = {}, .defined = false};
   if (!(length * length < overgrown_square<Real>)) return {.gradient = {}, .defined = false};
   const bool normalised = form != StrainForm::green;
-  const Vector3Of<Real> direction = normalised ? Vector3Of<Real>(f / length) : Vector3Of<Real>(2 * f);
-  const auto column = static_cast<std::size_t>(i);
+  const Vector3Of<Real> by_f = normalised ? Vector3Of<Real>(f / length) : Vector3Of<Real>(2 * f);  // ∂C/∂f
   return {normalised ? length - 1 : length * length - 1,
-          detail::with_first_from_rest<Real>(q[column] * direction, q[2 + column] * direction)};
+          detail::corner_gradients<Real>(q[column] * by_f, q[2 + column] * by_f)};
 }
 
-/// Shear: S_12 / (|f1| |f2|) (SBD 2014, eq. 15), S_12 (eq. 10) or the arcsine of the first.
+/// Shear, with n_i = f_i / |f_i| and φ the angle between warp and weft:
+///
+///   green        C = S_12 = f1·f2         ∂C/∂f1 = a1 = f2                              (SBD 2014, eq. 10)
+///   normalised   C = cos φ = n1·n2        ∂C/∂f1 = a1 = (n2 - cos φ n1) / |f1|          (eq. 15)
+///   angle        C = asin cos φ           ∂C/∂f1 = a1 = (n2 - cos φ n1) / (|f1| sin φ)  (ours)
+///
+/// and a2 = ∂C/∂f2 likewise. The corners b and c have the gradients q[0] a1 + q[1] a2 and q[2] a1 + q[3] a2,
+/// and a has minus their sum.
 template <class Real>
 ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                           const std::array<Real, 4>& q, StrainForm form) {
   const auto [f1, f2] = deformation_gradient(p, q);
   if (form == StrainForm::green) {
-    const Real scale = f1.squaredNorm() + f2.squaredNorm();
-    if (!(scale > collapsed_ratio<Real> * collapsed_ratio<Real> && scale < overgrown_square<Real>))
+    const Real trace = f1.squaredNorm() + f2.squaredNorm();  // S_11 + S_22
+    if (!(trace > collapsed_ratio<Real> * collapsed_ratio<Real> && trace < overgrown_square<Real>))
       return {.gradient = {}, .defined = false};
-    const Real product = f1.squaredNorm() * f2.squaredNorm();
+    const Real product = f1.squaredNorm() * f2.squaredNorm();  // S_11 S_22
     if (!(f1.cross(f2).squaredNorm() > parallel_sine_squared<Real> * product || product > open_product<Real>))
       return {.value = f1.dot(f2), .gradient = {}, .defined = false};
-    return {f1.dot(f2), detail::with_first_from_rest<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
+    return {f1.dot(f2), detail::corner_gradients<Real>(q[0] * f2 + q[1] * f1, q[2] * f2 + q[3] * f1)};
   }
   const Real l1 = f1.norm(), l2 = f2.norm();
   if (!(l1 > collapsed_ratio<Real> && l2 > collapsed_ratio<Real> && l1 * l1 < overgrown_square<Real> &&
@@ -119,10 +132,11 @@ ConstraintValue<Real, 3> shear_constraint(const std::array<Vector3Of<Real>, 3>& 
     return {.value = value, .gradient = {}, .defined = false};
   const Real slope = is_angle ? 1 / sine : Real(1);
   const Vector3Of<Real> a1 = slope * (n2 - cosine * n1) / l1, a2 = slope * (n1 - cosine * n2) / l2;
-  return {value, detail::with_first_from_rest<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
+  return {value, detail::corner_gradients<Real>(q[0] * a1 + q[1] * a2, q[2] * a1 + q[3] * a2)};
 }
 
-/// Area ratio: A / A0 - 1 (SBD 2014, eqs. 17 and 19).
+/// Area ratio C = A / A0 - 1 (SBD 2014, eqs. 17 and 19), ∇_b C = e2 × n / 2A0 and ∇_c C = n × e1 / 2A0 with
+/// the unit normal n; 1 / 2A0 = |det Q⁻¹|.
 template <class Real>
 ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p,
                                          const std::array<Real, 4>& q) {
@@ -134,10 +148,10 @@ ConstraintValue<Real, 3> area_constraint(const std::array<Vector3Of<Real>, 3>& p
     return {.gradient = {}, .defined = false};
   const Vector3Of<Real> n = normal / twice_area;
   return {twice_area * inverse_rest - 1,
-          detail::with_first_from_rest<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
+          detail::corner_gradients<Real>(inverse_rest * e2.cross(n), inverse_rest * n.cross(e1))};
 }
 
-/// Σ w|∇C|², or 0 where the gradient of the corners that can move is rounding (see least_lever).
+/// Σ w|∇C|², or 0 if the gradient of the corners that can move is rounding (see least_lever).
 template <class Real, std::size_t N>
 Real weighted_square(const std::array<Real, N>& w, const ConstraintValue<Real, N>& c) {
   Real sum = 0, whole = 0;
@@ -155,14 +169,14 @@ std::array<Real, N> inverse_masses(const std::array<Corner<Real>, N>& corners) {
   return w;
 }
 
-/// No corner moves farther than this in one projection, m: of a distance, whose correction is no longer than
-/// itself.
+/// m, no bound on the move of a corner: for distances, whose correction is never longer than C.
 template <class Real>
 inline constexpr Real anywhere = std::numeric_limits<Real>::infinity();
 
-/// Δx = w ∇C Δλ, of a Δλ that is shortened where a corner would move farther than `reach`. Returns it.
+/// Moves the corners by Δx = w ∇C Δλ. Shortens Δλ (`change`) if a corner would move farther than `reach` (m).
+/// Returns Δλ.
 template <class Real, std::size_t N>
-Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
+Real move_by_oracle(std::array<Corner<Real>, N> corners, const ConstraintValue<Real, N>& c, Real change,
                     Real reach) {
   Real farthest = 0;
   for (std::size_t i = 0; i < N; ++i)
@@ -172,23 +186,23 @@ Real move_reference(std::array<Corner<Real>, N> corners, const ConstraintValue<R
   return change;
 }
 
-/// One projection: PBD with the fraction `k`, or XPBD where `multiplier` is not null (α̃ =
-/// `compliance_over_h2`).
+/// One projection: PBD with the fraction `k`, Δλ = -k C / Σ w|∇C|²; or, if `multiplier` (λ) is not null, XPBD
+/// with α̃ = `compliance_over_h2`, Δλ = (-C - α̃ λ) / (Σ w|∇C|² + α̃).
 template <class Real, std::size_t N>
-void project_reference(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
+void project_by_oracle(const std::array<Corner<Real>, N>& corners, const ConstraintValue<Real, N>& c, Real k,
                        Real* multiplier, Real compliance_over_h2, Real reach = anywhere<Real>) {
   if (!c.defined) return;
   const Real w = weighted_square(inverse_masses(corners), c);
   if (!(w > 0)) return;
   const Real change = multiplier ? (-c.value - compliance_over_h2 * *multiplier) / (w + compliance_over_h2)
                                  : -k * c.value / w;
-  const Real done = move_reference(corners, c, change, reach);
+  const Real done = move_by_oracle(corners, c, change, reach);
   if (multiplier) *multiplier += done;
 }
 
 /// Removes the fraction `k` of Ċ from the velocities: Δv = -k Ċ / Σ w|∇C|² w ∇C.
 template <class Real, std::size_t N>
-void damp_reference(const std::array<const Point<Real>*, N>& points,
+void damp_by_oracle(const std::array<const Point<Real>*, N>& points,
                     const std::array<Point<Real>*, N>& velocities, const ConstraintValue<Real, N>& c,
                     Real k) {
   if (!c.defined) return;
@@ -205,25 +219,25 @@ void damp_reference(const std::array<const Point<Real>*, N>& points,
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k);
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k);
 
 template <class Real, class Kind>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                     Real k);
 
-/// All constraints of a batch once, in the order of their lanes, or backwards.
+/// Projects all constraints of a batch once, in the order of their lanes or backwards.
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards = false);
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep,
                        bool backwards = false);
 template <class Real, class Kind>
-void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
                        bool backwards = false);
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-#include "bendlab/constraints/reference.hpp"
+#include "bendlab/constraints/oracle.hpp"
 
 #include <algorithm>
 
@@ -7,24 +7,24 @@
 namespace bendlab {
 namespace {
 
-// Calls visit(lane, run) for every lane that holds a constraint.
+// Calls visit(lane, stack) for every lane that holds a constraint.
 template <class Visit>
 void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
-  for (std::size_t step = 0; step < order.run_count(); ++step) {
-    const std::size_t run = backwards ? order.run_count() - 1 - step : step;
-    const std::size_t begin = order.runs[run], end = order.runs[run + 1];
+  for (std::size_t step = 0; step < order.stack_count(); ++step) {
+    const std::size_t stack = backwards ? order.stack_count() - 1 - step : step;
+    const std::size_t begin = order.stacks[stack], end = order.stacks[stack + 1];
     for (std::size_t at = begin; at < end; ++at) {
       const std::size_t lane = backwards ? end - 1 - (at - begin) : at;
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, run);
+      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
     }
   }
 }
 
-// Offset of a spring's first vertex: the centre of its star.
+// Offset of a spring's first vertex, the centre of its star.
 template <class Real>
-int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t run) {
+int centre_of(const DistanceBatch<Real>& batch, std::size_t lane, std::size_t stack) {
   constexpr auto width = static_cast<std::size_t>(max_lanes);
-  return batch.a[run * width + lane % width];
+  return batch.a[stack * width + lane % width];
 }
 
 template <class Real, class P, std::size_t N>
@@ -54,8 +54,8 @@ std::array<Real, Kind::rest_values> rest_of(const ElementBatch<Real, Kind>& batc
   return rest;
 }
 
-// A collapsed constraint is corrected along the gradient of its rest shape, whose points are in `rest`, if
-// any.
+// value_at(p). If the constraint has collapsed, with the gradient at the rest shape, whose corners are `rest`
+// (null: there is none).
 template <class Real, std::size_t N, class ValueAt>
 ConstraintValue<Real, N> opening(const std::array<Corner<Real>, N>& p,
                                  const std::array<const Point<Real>*, N>& rest, const ValueAt& value_at) {
@@ -72,7 +72,7 @@ std::array<const Point<Real>*, sizeof...(Offsets)> rest_corners(const Point<Real
   return {&point_at(rest_points, offsets)...};
 }
 
-// XPBD where the kind itself says how the multiplier changes.
+// XPBD for a kind that defines the change of the multiplier itself.
 template <class Real, OneSided Kind, std::size_t N>
 void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintValue<Real, N>& c,
                        const std::array<Real, Kind::rest_values>& rest, typename Kind::Law law, Real alpha,
@@ -83,47 +83,47 @@ void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintVal
   std::array<double, Kind::rest_values> exact_rest;
   std::copy(rest.begin(), rest.end(), exact_rest.begin());
   const auto change = static_cast<Real>(Kind::change(c.value, exact_rest, law, w, alpha, multiplier));
-  multiplier += move_reference(p, c, change, reach);
+  multiplier += move_by_oracle(p, c, change, reach);
 }
 
 }  // namespace
 
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, Real substep,
                        bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
-  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t run) {
+  for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t stack) {
     const Real alpha = batch.softness.empty() ? compliance : compliance * batch.softness[lane];
-    const auto p = corners_at<Real>(places, centre_of(batch, lane, run), batch.b[lane]);
+    const auto p = corners_at<Real>(places, centre_of(batch, lane, stack), batch.b[lane]);
     const bool compliant = batch.kind == StiffnessKind::compliance;
-    const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, run), batch.b[lane]),
+    const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, stack), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
-    project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
+    project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
                       compliant ? alpha : Real(0));
   });
 }
 
 template <class Real>
-void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
+void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
   const std::size_t count = batch.order.constraint_of_lane.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
-    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|); on S_ii - 1 = 2 E_ii it is four times that.
+    // α = compliance / A0 with A0 = 1 / (2 |det Q⁻¹|).
     const Real alpha = batch.compliance / (substep * substep) * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);
-    const Real stretch_alpha = batch.form == StrainForm::green ? 4 * alpha : alpha;
+    const Real stretch_alpha = static_cast<Real>(stretch_softness(batch.form)) * alpha;
     const auto rest = rest_corners(batch.rest_points, batch.a[lane], batch.b[lane], batch.c[lane]);
     const auto apply = [&](std::size_t term, Real k, Real term_alpha, const auto& value_at,
                            int most_sizes = largest_move) {
       if (k == 0) return;
-      project_reference(p, opening(p, rest, value_at), k,
+      project_by_oracle(p, opening(p, rest, value_at), k,
                         compliant ? &batch.multiplier[term * count + lane] : nullptr,
                         compliant ? term_alpha : Real(0),
                         static_cast<Real>(most_sizes) * size_of_triangle(vectors_of<Real>(p), q));
     };
-    // A stretch that had collapsed before the first term is C = f·d - 1 with the rest direction d, whatever
-    // that term has made of f.
+    // A stretch that had collapsed before the first term is C = f·d - 1 with the direction d at rest, however
+    // that term changed f.
     const auto start = vectors_of<Real>(p);
     const auto stretch = [&](int axis) {
       const auto constraint = [&, axis](const auto& x) { return stretch_constraint(x, q, axis, batch.form); };
@@ -149,19 +149,19 @@ void project_reference(const PlacesOf<Real>& places, StrainBatch<Real>& batch, R
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const DistanceBatch<Real>& batch,
                     Real k) {
-  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t run) {
-    const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, run)),
+  for_lanes(batch.order, false, [&](std::size_t lane, std::size_t stack) {
+    const std::array<const Point<Real>*, 2> p = {&point_at(points, centre_of(batch, lane, stack)),
                                                  &point_at(points, batch.b[lane])};
-    const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, run)),
+    const std::array<Point<Real>*, 2> v = {&point_at(velocities, centre_of(batch, lane, stack)),
                                            &point_at(velocities, batch.b[lane])};
-    damp_reference(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
+    damp_by_oracle(p, v, distance_constraint(vectors_of<Real>(p), batch.rest_length[lane]), k);
   });
 }
 
 template <class Real>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<Real>& batch,
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const std::array<const Point<Real>*, 3> p = {
@@ -171,14 +171,14 @@ void damp_reference(const Point<Real>* points, Point<Real>* velocities, const St
                                            &point_at(velocities, batch.c[lane])};
     const std::array<Real, 4> q = {batch.q00[lane], batch.q01[lane], batch.q10[lane], batch.q11[lane]};
     const auto x = vectors_of<Real>(p);
-    if (batch.warp != 0) damp_reference(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);
-    if (batch.weft != 0) damp_reference(p, v, stretch_constraint(x, q, 1, StrainForm::normalised), k);
-    if (batch.shear != 0) damp_reference(p, v, shear_constraint(x, q, StrainForm::normalised), k);
+    if (batch.warp != 0) damp_by_oracle(p, v, stretch_constraint(x, q, 0, StrainForm::normalised), k);
+    if (batch.weft != 0) damp_by_oracle(p, v, stretch_constraint(x, q, 1, StrainForm::normalised), k);
+    if (batch.shear != 0) damp_by_oracle(p, v, shear_constraint(x, q, StrainForm::normalised), k);
   });
 }
 
 template <class Real, class Kind>
-void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
+void project_by_oracle(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, Real substep,
                        bool backwards) {
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
@@ -196,39 +196,39 @@ void project_reference(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& b
       if (compliant)
         project_one_sided<Real, Kind>(p, c, rest, batch.law, alpha, batch.multiplier[lane], reach);
       else if (c.value < 0)
-        project_reference<Real>(p, c, batch.k, nullptr, 0, reach);
+        project_by_oracle<Real>(p, c, batch.k, nullptr, 0, reach);
     } else {
-      project_reference(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
+      project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr, alpha, reach);
     }
   });
 }
 
 template <class Real, class Kind>
-void damp_reference(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                     Real k) {
   for_lanes(batch.order, false, [&](std::size_t lane, std::size_t) {
     const auto p = corners_of<Kind>(points, batch, lane);
     const auto c = Kind::value(vectors_of<Real>(p), rest_of(batch, lane), batch.law);
     if (OneSided<Kind> && !(c.value < 0)) return;
-    damp_reference(p, corners_of<Kind>(velocities, batch, lane), c, k);
+    damp_by_oracle(p, corners_of<Kind>(velocities, batch, lane), c, k);
   });
 }
 
-#define BENDLAB_ELEMENT_REFERENCE(Kind)                                                                      \
-  template void project_reference(const Places<float>&, ElementBatch<float, Kind>&, float, bool);            \
-  template void project_reference(const Places<double>&, ElementBatch<double, Kind>&, double, bool);         \
-  template void damp_reference(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
-  template void damp_reference(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
+#define BENDLAB_ELEMENT_ORACLE(Kind)                                                                         \
+  template void project_by_oracle(const Places<float>&, ElementBatch<float, Kind>&, float, bool);            \
+  template void project_by_oracle(const Places<double>&, ElementBatch<double, Kind>&, double, bool);         \
+  template void damp_by_oracle(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float); \
+  template void damp_by_oracle(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,      \
                                double);
-BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ELEMENT_REFERENCE)
+BENDLAB_FOR_ELEMENT_KINDS(BENDLAB_ELEMENT_ORACLE)
 
-template void damp_reference(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
-template void damp_reference(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
-template void damp_reference(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
-template void damp_reference(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
-template void project_reference(const Places<float>&, DistanceBatch<float>&, float, bool);
-template void project_reference(const Places<double>&, DistanceBatch<double>&, double, bool);
-template void project_reference(const Places<float>&, StrainBatch<float>&, float, bool);
-template void project_reference(const Places<double>&, StrainBatch<double>&, double, bool);
+template void damp_by_oracle(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);
+template void damp_by_oracle(const Point<double>*, Point<double>*, const DistanceBatch<double>&, double);
+template void damp_by_oracle(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
+template void damp_by_oracle(const Point<double>*, Point<double>*, const StrainBatch<double>&, double);
+template void project_by_oracle(const Places<float>&, DistanceBatch<float>&, float, bool);
+template void project_by_oracle(const Places<double>&, DistanceBatch<double>&, double, bool);
+template void project_by_oracle(const Places<float>&, StrainBatch<float>&, float, bool);
+template void project_by_oracle(const Places<double>&, StrainBatch<double>&, double, bool);
 
 }  // namespace bendlab

@@ -1,0 +1,142 @@
+"""Writes the page of what the solver costs: index.html, and summary.json with one object per row."""
+import argparse
+import json
+import re
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import fig_performance
+import fig_performance_effects
+import fig_performance_kinds
+import fig_performance_limits
+import fig_performance_order
+import fig_performance_overview
+import fig_performance_set_up
+import fig_performance_threads
+import style
+from fig_performance import COLUMNS, PRECISION, columns, iterations, part, per_vertex
+from html_parts import document, escape, section_html, table_html
+from report import Table, rounded, write_objects
+
+FIGURES = [fig_performance_overview, fig_performance, fig_performance_kinds, fig_performance_limits,
+           fig_performance_effects, fig_performance_set_up, fig_performance_order, fig_performance_threads]
+FILE = "results/performance/bench.json"
+MEASURE = f"./bendlab bench --json > {FILE}"
+EVERYTHING = f"{MEASURE}      # everything\npython3 analysis/performance_page.py {FILE}      # this page"
+
+
+def main(bench, out):
+    """Writes the page of the measured rows into `out`; returns its sections."""
+    out.mkdir(parents=True, exist_ok=True)
+    sections = [figure.main(bench, out) for figure in FIGURES]
+    write_objects(out / "summary.json", [as_json(row) for row in bench["rows"]])
+    (out / "index.html").write_text(document("bendlab: what does the solver cost?", body(bench, sections)),
+                                    encoding="utf-8")
+    return sections
+
+
+def as_json(row):
+    """The object of a row in summary.json."""
+    timed = row["ns_per_constraint"] is not None
+    return rounded({**row, "ns_per_vertex": per_vertex(row) if timed else None})
+
+
+def body(bench, sections):
+    """The page below its head: the answer, the evidence, how it was measured, every row."""
+    answer, *evidence = sections
+    picture = "".join(f"<figure><img src='{name}' alt='{escape(text)}'><figcaption>{escape(text)}"
+                      "</figcaption></figure>" for name, text in answer.pictures)
+    parts = ["<h1>What does the solver cost?</h1>",
+             f"<p><b>{escape(answer.text)}</b></p>" if answer.text else "", missing_html(answer), picture,
+             f"<p class='lead'>{escape(origin(bench['context']))}</p>"]
+    parts += [section_html(replace(section, missing=[]), EVERYTHING, verdicts=[missing_html(section)])
+              for section in evidence]
+    parts += ["<h2>How was it measured?</h2>", method_html(bench), machine_html(bench["context"]),
+              "<h2>Every timed row</h2>", rows_html(bench["rows"]),
+              "<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every row, with the time per "
+              "vertex. <a href='bench.json'>bench.json</a>: as the program wrote it.</p>",
+              f"<pre>{escape(EVERYTHING)}</pre>"]
+    return "\n".join(parts)
+
+
+def missing_html(section):
+    """What the section has no rows of, as HTML."""
+    if not section.missing:
+        return ""
+    lines = "<br>".join(escape(line) for line in section.missing)
+    return f"<div class='missing'>Not among the measured rows, so not shown here:<br>{lines}</div>"
+
+
+def origin(context):
+    """Where and when the rows were measured, and with which program."""
+    return (f"Measured on {context['date'][:10]} on one machine: {context['processor']}, "
+            f"{context['vector_bits']}-bit vectors, {context['compiler']}, commit "
+            f"{context['git_commit'][:12]} {tree(context)}.")
+
+
+def tree(context):
+    return "with changes that are not committed" if context["git_dirty"] else "without further changes"
+
+
+def method_html(bench):
+    """How the rows were measured, as HTML."""
+    timed = [row for row in bench["rows"] if row["repetitions"]]
+    repetitions = sorted({row["repetitions"] for row in timed})
+    rounds = iterations(bench["rows"])
+    return ("<p>Constraints and effects are timed in the steps of a cloth that moves, so that positions, "
+            "branches and caches are as in a run. "
+            + (f"A step has {rounds} iterations, and an iteration visits every constraint once. " if rounds
+               else "")
+            + (f"Each number is the median of {' or '.join(map(str, repetitions))} repetitions, with the "
+               "lowest and the highest beside it. " if repetitions else "")
+            + "Where one thread works, its processor time counts; where several do, the time on the clock."
+            "</p><p>The <b>oracle</b> is the scalar code: one constraint at a time, in list order, straight "
+            "from the formulas. It is written to be checked, and the fast code must agree with it. It is "
+            "timed at one size, and every size is compared with that time. The <b>roofline</b> is the least "
+            "time that the machine allows: the largest of the time for the arithmetic, for the bytes through "
+            "the first cache, and for the bytes through the memory that holds the whole cloth. Its limits "
+            "are measured in the same process; they stand below.</p>")
+
+
+def machine_html(context):
+    """Machine and program as an HTML table."""
+    rows = {"processor": context["processor"], "vectors": f"{context['vector_bits']} bits",
+            "host": context["host"], "date (UTC)": context["date"].replace("T", " ").rstrip("Z"),
+            "compiler": context["compiler"], "flags": context["flags"], "build": context["build_type"],
+            "version of bendlab": context["version"],
+            "commit": f"{context['git_commit']}, {tree(context)}",
+            "hash of the source": context["source_hash"]}
+    for key, value in context.items():
+        if size := re.fullmatch(r"triad_(\d+)_(\w+)_GB_per_s", key):
+            rows[f"bandwidth on {size[1]} {size[2]}"] = f"{style.number(value)} GB/s"
+        elif peak := re.fullmatch(r"peak_(\w+)_Gflop_per_s", key):
+            rows[f"peak in {PRECISION[peak[1]]} precision"] = f"{style.number(value)} Gflop/s"
+    cells = "".join(f"<tr><td class='t'>{escape(name)}</td><td class='t'>{escape(value)}</td></tr>"
+                    for name, value in rows.items())
+    return f"<div class='scroll'><table>{cells}</table></div>"
+
+
+def rows_html(rows):
+    """Every timed row as a folded table."""
+    timed = [row for row in rows if row["ns_per_constraint"] is not None]
+    lines = [[row["name"], row["threads"], *columns(row), style.number(row["ratio_to_oracle"]),
+              part(row["roofline_fraction"])] for row in timed]
+    table = Table("ns per constraint and iteration (set_up: per spring; effects: per vertex and step)",
+                  ["row", "threads", *COLUMNS, "times as fast as the oracle", "share of the roofline"], lines)
+    return (f"<details><summary>All {len(timed)} timed rows</summary>{table_html(table)}</details>" if timed
+            else "<p>There is none.</p>")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("bench", nargs="?", type=Path, default=Path(FILE),
+                        help="what `bendlab bench --json` printed (default: %(default)s)")
+    parser.add_argument("--out", type=Path, default=Path("results/performance"), help="folder for the page")
+    arguments = parser.parse_args()
+    try:
+        measured = json.loads(arguments.bench.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        sys.exit(f"{arguments.bench}: {error}; make it with: ./bendlab bench --json > {arguments.bench}")
+    main(measured, arguments.out)
+    print(arguments.out / "index.html")

@@ -1,0 +1,71 @@
+#include "experiments/campaign/sweep_file.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "bendlab/io/disk.hpp"
+#include "experiments/config/schema.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/run/version.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+Json run_entry(const fs::path& out, const Experiment& experiment, const RunConfig& config) {
+  Json entry = {{"point", point_json(config)}, {"id", nullptr}, {"folder", nullptr}};
+  try {
+    const std::string id = run_id(config);
+    entry["id"] = id;
+    entry["folder"] = run_folder(out, experiment, config, id).filename().string();
+  } catch (const RunFileError&) {  // the run itself will say it
+  }
+  return entry;
+}
+
+// A list in square brackets with an entry on each line.
+std::string lines_of(const Json& list) {
+  std::string text = "[";
+  for (const Json& entry : list) text += fmt::format("{}\n  {}", text.size() == 1 ? "" : ",", entry.dump());
+  return text + "\n]";
+}
+
+}  // namespace
+
+fs::path sweep_file(const fs::path& out, const Experiment& experiment) {
+  std::string name = experiment.source.empty() ? "text" : experiment.source.stem().string();
+  if (!experiment.overrides.empty())
+    name += "," + hex_hash(fmt::format("{}", fmt::join(experiment.overrides, "\n")));
+  return out / experiment.name / (name + ".sweep.json");
+}
+
+void write_sweep_file(const fs::path& out, const Experiment& experiment) {
+  const fs::path file = sweep_file(out, experiment);
+  std::error_code error;
+  fs::create_directories(file.parent_path(), error);
+  const BuildInfo& build = build_info();
+  Json axes = Json::object(), runs = Json::array();
+  for (const auto& [pointer, values] : experiment.axes) axes[pointer] = values;
+  for (const RunConfig& config : experiment.runs) runs.push_back(run_entry(out, experiment, config));
+  const Json head = {{"experiment", experiment.name},     {"config", experiment.source.string()},
+                     {"overrides", experiment.overrides}, {"version", build.version},
+                     {"git_commit", build.git_commit},    {"source_hash", build.source_hash},
+                     {"settings", experiment.settings},   {"models", model_labels_json()},
+                     {"cover", experiment.cover.strength}};
+  std::string text = "{\n";
+  for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());
+  text += fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));
+
+  // Two programs may write it at once.
+  const fs::path part = fmt::format("{}.{}.tmp", file.string(), getpid());
+  std::ofstream(part, std::ios::binary) << text << std::flush;
+  if (error || fs::file_size(part, error) != text.size())
+    throw RunFileError(fmt::format(
+        "{}: can't be written. Name another folder with --out, or make room on the disk", file.string()));
+  publish(part, file);
+}
+
+}  // namespace bendlab

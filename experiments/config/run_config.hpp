@@ -1,0 +1,72 @@
+// The settings of one run, typed: what everything that builds, runs and names a run reads.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bendlab/parameters/parameter.hpp"
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// One effect the scene lists, with its settings.
+struct EffectSettings {
+  std::string type;
+  ParameterValues values;
+};
+
+/// One point of a sweep: every value there, only the chosen model's settings kept. The settings are read once
+/// and never change; copies share them.
+class RunConfig {
+ public:
+  /// Without settings: a place for a run to be assigned to.
+  RunConfig();
+  /// `resolved` is what resolve() returns where nothing is wrong. Files are relative to `folder`, the config's;
+  /// empty if the config came from text. Throws std::invalid_argument where a value is unknown, as it may be
+  /// in a run file of another version.
+  explicit RunConfig(Json resolved, const std::filesystem::path& folder = {});
+
+  const Json& resolved() const;  ///< canonical: equal runs have equal text; holds no name and no description
+  const std::filesystem::path& folder() const;
+  const std::filesystem::path& mesh_file() const;  ///< a path from here; empty: the mesh is generated
+
+  /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …).
+  const ParameterValues& section(std::string_view pointer) const;
+  const std::string& bending_model() const;
+  const ParameterValues& bending_parameters() const;   ///< of the chosen model
+  const std::vector<EffectSettings>& effects() const;  ///< a `file` as a path from here
+
+  /// A run that follows from this one's settings: make() is called once for each `name`, copies included, and
+  /// what it returned or threw (a ConfigError) is kept. Any thread may ask.
+  std::optional<RunConfig> derived(const std::string& name,
+                                   const std::function<std::optional<RunConfig>()>& make) const;
+
+  /// This run's place on the sweep: pointer, value. An axis that this run does not depend on is left out (a
+  /// setting of another bending model, for example).
+  std::vector<std::pair<std::string, Json>> point;
+  /// The id of the run at whose end this one starts (a reference with /accuracy/start_from_end); empty: none.
+  std::string starts_at_end_of;
+
+ private:
+  struct Settings;
+  std::shared_ptr<Settings> settings_;
+};
+
+/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects'
+/// files.
+std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
+
+/// Its place on the sweep: {pointer: value}.
+Json point_json(const RunConfig& config);
+
+/// The part of a resolved config that decides the result: canonical text without /solver/threads (any number
+/// of threads gives the same bits).
+std::string identity_text(const Json& resolved);
+
+}  // namespace bendlab

@@ -1,0 +1,13 @@
+#include "experiments/config/counted.hpp"
+
+#include <cstddef>
+
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+
+TEST_CASE("counted: one is singular, any other number plural") {
+  CHECK(counted(0, "run") == "0 runs");
+  CHECK(counted(1, "run") == "1 run");
+  CHECK(counted(std::size_t{2}, "more run") == "2 more runs");
+}

@@ -1,0 +1,95 @@
+// The sweep's own file: which runs belong to a sweep, before and after they are computed.
+#include "experiments/campaign/sweep_file.hpp"
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/config/run_config.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace bendlab {
+namespace {
+
+using nlohmann::json;
+using test::Workplace;
+
+json sweep_in(const Workplace& place, const std::string& file) {
+  return json::parse(test::read(place.folder / "results" / file));
+}
+
+}  // namespace
+
+TEST_CASE("sweep file: has every run of the sweep with its place, id and folder", "[campaign]") {
+  Workplace place;
+  place.write("first.json", R"({"name": "s", "duration": 0.05, "effects": [],
+      "sweep": {"/mesh/cells": [2, 3], "/bending/model": ["none", "lod"], "/bending/lod/t": [1, 2]}})");
+  REQUIRE(place.run("run first.json") == 0);
+  const json sweep = sweep_in(place, "s/first.sweep.json");
+  CHECK(sweep["axes"]["/bending/lod/t"] == json({1, 2}));
+  CHECK(sweep["models"]["lod"] == "LOD");
+  CHECK(sweep["settings"]["duration"] == 0.05);
+  REQUIRE(sweep["runs"].size() == 2 * (1 + 2));  // none has no rings t
+  CHECK(sweep["runs"][0]["point"] == json({{"/mesh/cells", 2}, {"/bending/model", "none"}}));
+  for (const json& run : sweep["runs"]) {
+    const auto file = place.folder / "results/s" / run["folder"].get<std::string>() / "run.vtkhdf";
+    const RunRecord record = read_run(file);
+    CHECK(record.id == run["id"]);
+    CHECK(json::parse(record.provenance.at("point")) == run["point"]);
+    CHECK(json::parse(record.provenance.at("models")) == sweep["models"]);
+  }
+}
+
+TEST_CASE("sweep file: a trial with other settings does not replace the sweep as it is written",
+          "[campaign]") {
+  Workplace place;
+  place.write("first.json",
+              R"({"name": "s", "duration": 0.05, "effects": [], "sweep": {"/mesh/cells": [2, 3]}})");
+  REQUIRE(place.run("run first.json") == 0);
+  const std::string written = test::read(place.folder / "results/s/first.sweep.json");
+  REQUIRE(place.run("run first.json --set /mesh/cells=4") == 0);
+  CHECK(test::read(place.folder / "results/s/first.sweep.json") == written);
+  CHECK(std::distance(std::filesystem::directory_iterator(place.folder / "results/s"), {}) == 2 + 3);
+}
+
+TEST_CASE("sweep file: a run whose mesh can't be read has no id", "[campaign]") {
+  Workplace place;
+  place.write("first.json", R"({"name": "s", "duration": 0.05, "mesh": {"file": "gone.obj"}})");
+  CHECK(place.run("run first.json") != 0);
+  const json sweep = sweep_in(place, "s/first.sweep.json");
+  REQUIRE(sweep["runs"].size() == 1);
+  CHECK(sweep["runs"][0]["id"].is_null());
+}
+
+TEST_CASE("run config: what follows from its settings is derived once", "[config]") {
+  const RunConfig config =
+      parse_experiment(R"({"name": "s", "initial": {"after": ["/duration=2"]}})", "test").runs.front();
+  int made = 0;
+  const auto make = [&] {
+    ++made;
+    return std::optional<RunConfig>();
+  };
+  const RunConfig copy = config;
+  CHECK_FALSE(config.derived("one", make));
+  CHECK_FALSE(copy.derived("one", make));
+  CHECK(made == 1);
+  CHECK(&copy.section("/solver") == &config.section("/solver"));
+  CHECK(run_before(config)->section("").number("duration") == 2);
+
+  const auto fail = [&]() -> std::optional<RunConfig> {
+    ++made;
+    throw ConfigError("it", {{"/a", "is wrong"}});
+  };
+  for (int again = 0; again < 2; ++again) CHECK_THROWS_AS(config.derived("two", fail), ConfigError);
+  CHECK(made == 2);
+}
+
+TEST_CASE("run config: settings of another version are refused by name", "[config]") {
+  Json resolved = parse_experiment(R"({"name": "s"})", "test").runs.front().resolved();
+  CHECK_NOTHROW(RunConfig(resolved));
+  resolved["solver"]["order"] = "by_colour";
+  CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("order"));
+  resolved = parse_experiment(R"({"name": "s"})", "test").runs.front().resolved();
+  resolved["effects"][0]["type"] = "levity";
+  CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("levity"));
+}
+
+}  // namespace bendlab
