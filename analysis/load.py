@@ -329,15 +329,16 @@ class Experiment:
     sweep: dict  # JSON pointer → values
     runs: list  # in the order of the sweep
     missing: list  # points of the sweep without a finished run, as text
-    absent: str = ""  # why there is no run at all
+    absent: str = ""  # why there is no run of the config as it is written
 
     @property
     def missing_text(self):
         """What is missing, "" for nothing."""
-        if self.absent or not self.missing:
-            return self.absent
-        runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
-        return f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}"
+        parts = [self.absent] if self.absent else []
+        if self.missing:
+            runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
+            parts.append(f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}")
+        return "; ".join(parts)
 
     @property
     def command(self):
@@ -347,18 +348,21 @@ class Experiment:
 def load_experiment(results, config):
     """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
 
-    `bendlab run` writes which runs these are into <config>.sweep.json beside them.
+    `bendlab run` writes which runs these are into <config>.sweep.json beside them. Where the config was only run
+    with other settings (--set), the newest of these trials is shown, and `absent` says so.
     """
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
     folder = Path(results) / settings["name"]
     written = settings.get("sweep", {})
     experiment = Experiment(config, settings, written, [], [])
-    try:
-        sweep = json.loads((folder / f"{Path(config).name}.sweep.json").read_text(encoding="utf-8"))
-    except FileNotFoundError:
+    file = _sweep_file(folder, Path(config).name)
+    if not file:
         experiment.absent = "none of its runs"
         return experiment
-    if _decides_runs(settings) != _decides_runs(sweep["settings"]) or not _same_axes(written, sweep["axes"]):
+    sweep = json.loads(file.read_text(encoding="utf-8"))
+    if sweep["overrides"]:
+        experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
+    elif _decides_runs(settings) != _decides_runs(sweep["settings"]) or not _same_axes(written, sweep["axes"]):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
     MODEL_LABELS.update(sweep["models"])
@@ -371,6 +375,14 @@ def load_experiment(results, config):
         if not run or not run.over:
             experiment.missing.append(", ".join(f"{pointer} {value}" for pointer, value in entry["point"].items()))
     return experiment
+
+
+def _sweep_file(folder, name):
+    """The sweep file of a config, or of its newest trial, or None."""
+    file = folder / f"{name}.sweep.json"
+    if file.exists():
+        return file
+    return max(folder.glob(f"{name},*.sweep.json"), key=lambda trial: trial.stat().st_mtime, default=None)
 
 
 def _file_in(folder):

@@ -199,7 +199,7 @@ Json run_json(const CampaignRun& run) {
           {"status", run.outcome ? to_string(outcome.status) : status_text(run)},
           {"reused", outcome.reused},
           {"file", outcome.file.string()},
-          {"config", run.config->resolved},
+          {"config", run.config->resolved()},
           {"wall_s", outcome.wall_s},
           {"cpu_s", outcome.cpu_s},
           {"step_cpu_s", outcome.step_cpu_s},

@@ -155,7 +155,8 @@ class LoadTest(unittest.TestCase):
         folder.mkdir()
         (folder / "fig1.sweep.json").write_text(json.dumps({
             "settings": settings, "axes": config["sweep"], "models": {"crossover": "Crossover"},
-            "runs": [{"point": point, "id": "1", "folder": name} for name, point in runs], **more}))
+            "runs": [{"point": point, "id": "1", "folder": name} for name, point in runs],
+            "overrides": [], **more}))
         return folder
 
     def test_an_experiment_has_the_runs_of_its_sweep_and_names_those_missing(self):
@@ -178,6 +179,14 @@ class LoadTest(unittest.TestCase):
         experiment = load.load_experiment(self.folder, "paper/fig1")
         self.assertEqual(experiment.runs, [])
         self.assertIn("changed", experiment.missing_text)
+
+    def test_a_trial_is_shown_where_there_is_nothing_else_and_called_so(self):
+        folder = self.sweep([("a", {})], axes={}, overrides=["/duration=1"])
+        (folder / "fig1.sweep.json").rename(folder / "fig1,0123.sweep.json")
+        write_run(folder / "a/run.vtkhdf", config_of("fig1", duration=1))
+        experiment = load.load_experiment(self.folder, "paper/fig1")
+        self.assertEqual(len(experiment.runs), 1)
+        self.assertEqual(experiment.missing_text, "these are of a trial with --set /duration=1")
 
     def test_all_stands_for_the_choices_that_the_program_lists(self):
         self.assertTrue(load._same_axes({"/bending/model": "all"}, {"/bending/model": ["none"]}))

@@ -102,7 +102,7 @@ TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was don
   CHECK_THAT(here.err(), ContainsSubstring("1 triangle with zero area: triangle 2 (1, 4, 2)") &&
                              ContainsSubstring("bad_triangles"));
   CHECK(here.run("mesh bad.obj") == 4);
-  CHECK_THAT(here.err(), ContainsSubstring("regularise: take it with 6 vertices, 4 triangles") &&
+  CHECK_THAT(here.err(), ContainsSubstring("regularise: take it with 6 vertices and 4 triangles") &&
                              ContainsSubstring("repair: take it with"));
   for (const char* policy : {"regularise", "membrane_off", "repair"})
     for (const char* precision : {"single", "double"}) {

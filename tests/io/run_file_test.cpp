@@ -253,7 +253,7 @@ TEST_CASE("run file: what is no run file is refused", "[io]") {
   CHECK_THAT(error_text<RunFileError>([&] { read_metric(path, "dorp"); }),
              ContainsSubstring("it has no metric 'dorp', but drop, energy, time"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }),
-             ContainsSubstring("it has no frame 3; it holds 3 frames"));
+             ContainsSubstring("it has no frame 3; it has 3 frames"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, -4); }), ContainsSubstring("no frame -4"));
   CHECK_THAT(error_text<RunFileError>([&] { repair_run(path); }),
              ContainsSubstring("unfinished run ends in .part"));

@@ -41,7 +41,7 @@ double elastic_energy(const StrainConstraints& list, StrainForm form, const Posi
     const auto p = corners(positions, list.vertices[t]);
     const double area = 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
     const auto add = [&](const ConstraintValue<double, 3>& term, double softness) {
-      if (term.defined) sum += 0.5 * area * term.value * term.value / softness;
+      if (term.defined) sum += 0.5 * area / softness * term.value * term.value;
     };
     for (const int column : {0, 1}) add(stretch_constraint(p, q, column, form), stretch_softness(form));
     add(shear_constraint(p, q, form), 1);
