@@ -84,15 +84,22 @@ std::vector<BenchCase> bench_cases(const BenchOptions& options) {
   return chosen;
 }
 
-std::vector<BenchRow> run_bench(const std::vector<BenchCase>& cases,
-                                const std::function<void(const std::string& id)>& on_start) {
+std::vector<BenchRow> run_bench(
+    const std::vector<BenchCase>& cases, const std::function<void(const std::string& id)>& on_start,
+    const std::function<void(const std::string& id, const std::string& why)>& on_failure) {
   std::vector<BenchRow> rows;
   std::map<std::string, double> ns;  // per id
   for (const BenchCase& one : cases) {
     on_start(one.id);
-    rows.push_back(one.run());
+    try {
+      rows.push_back(one.run());
+    } catch (const std::exception& error) {
+      on_failure(one.id, error.what());
+      continue;
+    }
     ns[one.id] = rows.back().ns.median;
-    if (!one.oracle.empty()) rows.back().ratio_to_oracle = ns.at(one.oracle) / ns[one.id];
+    if (const auto oracle = ns.find(one.oracle); oracle != ns.end())
+      rows.back().ratio_to_oracle = oracle->second / ns[one.id];
   }
   return rows;
 }

@@ -61,9 +61,11 @@ Spread repeated(const std::string& id, int repetitions, double least_s,
 /// filter is no regular expression or chooses nothing.
 std::vector<BenchCase> bench_cases(const BenchOptions& options);
 
-/// Runs them in order; `on_start` is called with each id.
-std::vector<BenchRow> run_bench(const std::vector<BenchCase>& cases,
-                                const std::function<void(const std::string& id)>& on_start);
+/// Runs them in order; `on_start` is called with each id. A case that throws gives no row: `on_failure` gets
+/// its id and the reason, and the others go on.
+std::vector<BenchRow> run_bench(
+    const std::vector<BenchCase>& cases, const std::function<void(const std::string& id)>& on_start,
+    const std::function<void(const std::string& id, const std::string& why)>& on_failure);
 
 /// Host, processor, compiler, flags, vector width, date, bandwidths and peak rates.
 Json bench_context();

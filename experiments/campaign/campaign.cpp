@@ -119,7 +119,9 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     const std::string& text = run.outcome ? run.outcome->message : run.error;
     const std::lock_guard lock(mutex);
     // A text that many runs share, like a note on their mesh, is printed for the first of them.
-    if (!text.empty() && said.emplace(run.experiment, text).second)
+    const bool expected =
+        run.outcome && run.outcome->status == RunStatus::implausible && run.exit_code == exit_ok;
+    if (!text.empty() && !expected && said.emplace(run.experiment, text).second)
       progress.message(fmt::format("{}: {}", run_text(run), text));
     over[index] = true;
     for (; ready < runs.size(); ++ready) {

@@ -14,12 +14,18 @@ int bench_command(const BenchOptions& options, bool list, bool json) {
   }
   const bool show_progress = isatty(STDERR_FILENO) != 0;
   std::size_t done = 0;
-  const std::vector<BenchRow> rows = run_bench(cases, [&](const std::string& id) {
+  int code = exit_ok;
+  const auto show = [&](const std::string& id) {
     if (show_progress) fmt::print(stderr, "\r\033[K[{}/{}] {}", ++done, cases.size(), id);
-  });
+  };
+  const auto report = [&](const std::string& id, const std::string& why) {
+    fmt::print(stderr, "{}bendlab: {}: not measured: {}\n", show_progress ? "\r\033[K" : "", id, why);
+    code = exit_failed;
+  };
+  const std::vector<BenchRow> rows = run_bench(cases, show, report);
   if (show_progress) fmt::print(stderr, "\r\033[K");
   fmt::print("{}", json ? bench_json(rows) : bench_text(rows));
-  return exit_ok;
+  return code;
 }
 
 }  // namespace bendlab

@@ -117,4 +117,19 @@ TEST_CASE("bench measures every effect in a scene where it acts", "[bench][effec
   }
 }
 
+TEST_CASE("bench: a case that fails is reported, and the others are measured", "[bench]") {
+  const auto row = [](double ns) { return [ns] { return BenchRow{.ns = {.median = ns}}; }; };
+  const auto fails = []() -> BenchRow { throw std::runtime_error("no such luck"); };
+  const std::vector<BenchCase> cases = {
+      {"lost", "", fails}, {"oracle", "", row(6)}, {"kernel", "oracle", row(2)}, {"other", "lost", row(1)}};
+  std::string told;
+  const std::vector<BenchRow> rows = run_bench(
+      cases, [](const std::string&) {},
+      [&](const std::string& id, const std::string& why) { told += id + why; });
+  CHECK(told == "lostno such luck");
+  REQUIRE(rows.size() == 3);
+  CHECK(rows[1].ratio_to_oracle == 3.0);
+  CHECK_FALSE(rows[2].ratio_to_oracle);
+}
+
 }  // namespace bendlab
