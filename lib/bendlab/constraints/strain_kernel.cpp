@@ -50,6 +50,7 @@ struct TriangleLanes {
   PackMask<Real> defined = Pack<Real>{} == Pack<Real>{};  // whether all terms so far are
   Pack<Real> least_weight;  // Σ w|∇C|² / Σ|∇C|² of a gradient that is more than rounding (see least_lever)
   Pack<Real> way{};         // over all terms so far: no corner moved farther than √(way · largest w)
+  Pack<Real> allowed_way{};  // the same over the squares of the sizes that the term may move a corner by
 
   BENDLAB_INLINE TriangleLanes(const StrainBatch<Real>& strain, std::size_t first_lane)
       : batch(strain), lane(first_lane), q(strain, first_lane) {}
@@ -77,16 +78,18 @@ struct TriangleLanes {
     } else {
       change = acts ? -k * term.ratio / divisor : zero;
     }
+    constexpr int most_sizes =
+        TermOf::overshoots && form == StrainForm::normalised ? largest_published_move : largest_move;
     if constexpr (careful) {
-      constexpr int most_sizes =
-          TermOf::overshoots && form == StrainForm::normalised ? largest_published_move : largest_move;
       const Pack<Real> farthest = change * change * squares.farthest(t),
                        most = Real(most_sizes * most_sizes) * t.size_squared(rest_size_squared());
       const auto too_far = farthest > most;
       const Pack<Real> share = too_far ? square_root(most / (too_far ? farthest : one)) : one;
       change = change * share, step = step * share;
     } else {
-      way = larger<Real>(way, change * change * weighted);
+      const Pack<Real> squared = change * change * weighted;
+      way = larger<Real>(way, squared);
+      allowed_way = larger<Real>(allowed_way, squared * (Real(1) / Real(most_sizes * most_sizes)));
     }
     if constexpr (compliant) multipliers[which] = multipliers[which] + step;
     term.gradient.add(t, change, t);
@@ -98,11 +101,21 @@ struct TriangleLanes {
     return q.q00 * q.q00 + q.q01 * q.q01 + q.q10 * q.q10 + q.q11 * q.q11;
   }
 
-  // Whether the triangles have to be projected carefully: one has collapsed, or a corner moved farther than
-  // its triangle's size at rest.
+  // Whether a term was not defined, or may have moved a corner farther than is allowed.
   template <bool split>
   BENDLAB_INLINE bool needs_care(const Corners<Real, split>& t) const {
-    return any(~defined | (way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
+    return any(~defined | (allowed_way * t.largest_w() * squared_inverses() > broadcast<Real>(2)));
+  }
+
+  // Whether a corner may have moved farther than its triangle's size at rest. Then a term that collapsed
+  // before the first projection needs care, too, even if that projection opened it.
+  template <bool split>
+  BENDLAB_INLINE bool moved_far(const Corners<Real, split>& t) const {
+    return any(way * t.largest_w() * squared_inverses() > broadcast<Real>(2));
+  }
+  template <bool split>
+  BENDLAB_INLINE bool any_collapsed(const Corners<Real, split>& t) const {
+    return any(Stretch<Real>{q.q00, q.q10}.has_collapsed(t) | Stretch<Real>{q.q01, q.q11}.has_collapsed(t));
   }
 
   template <StrainForm form, bool compliant, bool careful, bool split>
@@ -152,7 +165,9 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& 
   }
   triangles.template project<form, compliant, careful>(t);
   if constexpr (!careful)
-    if (triangles.needs_care(t)) [[unlikely]]
+    if (triangles.needs_care(t) ||
+        (triangles.moved_far(t) &&
+         triangles.any_collapsed(gather_triangles<Real, split>(places, batch, lane)))) [[unlikely]]
       return false;
   if constexpr (compliant)
     for (std::size_t m = 0; m < 4; ++m) store(&batch.multiplier[m * count + lane], triangles.multipliers[m]);
