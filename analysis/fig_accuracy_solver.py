@@ -94,8 +94,8 @@ def message(gains, between):
     return (f"In {wins} of {len(gains)} comparisons the error is smaller with all work in substeps than with "
             f"all in iterations:\nby × {style.number(np.median(list(gains.values())), 2)} (median), from × "
             f"{style.number(gains[worst, least], 2)} ({accuracy.name_of(worst)}, work {least}) to × "
-            f"{style.number(gains[best, most], 2)} ({accuracy.name_of(best)}, work {most}).\nA mixture of both "
-            f"is best in {mixed or 'none'}")
+            f"{style.number(gains[best, most], 2)} ({accuracy.name_of(best)}, work {most}).\n"
+            f"A mixture of both is best in {mixed or 'none'}")
 
 
 def finest_best(runs):

@@ -215,9 +215,9 @@ def load_runs(folder):
     """Every run below a folder, in the order of their configs; of equal configs the newest complete one. []
     if none.
 
-    Old results may lie beside new ones: load_experiment() has only those of one program and one sweep. Reference
-    runs (`/accuracy`) lie in a folder `references` of their own. They are left out unless `folder` is that
-    folder.
+    Old results may lie beside new ones: load_experiment() has only those of one program and one sweep.
+    Reference runs (`/accuracy`) lie in a folder `references` of their own. They are left out unless `folder`
+    is that folder.
     """
     found = {}
     for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
@@ -258,8 +258,8 @@ def group(runs, key):
 def by_model(runs):
     """Model → runs, in the order of the registry."""
     found, known = group(runs, lambda run: run.model), models()
-    return {model: found[model] for model in sorted(found, key=lambda model: known.index(model) if model in known
-                                                    else len(known))}
+    place = lambda model: known.index(model) if model in known else len(known)
+    return {model: found[model] for model in sorted(found, key=place)}
 
 
 def values(runs, name):
@@ -348,7 +348,7 @@ class Experiment:
 def load_experiment(results, config):
     """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
 
-    `bendlab run` writes which runs these are into <config>.sweep.json beside them. Where the config was only run
+    `bendlab run` writes which runs these are into <config>.sweep.json beside them. If the config was only run
     with other settings (--set), the newest of these trials is shown, and `absent` says so.
     """
     settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
@@ -362,7 +362,8 @@ def load_experiment(results, config):
     sweep = json.loads(file.read_text(encoding="utf-8"))
     if sweep["overrides"]:
         experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
-    elif _decides_runs(settings) != _decides_runs(sweep["settings"]) or not _same_axes(written, sweep["axes"]):
+    elif not (_decides_runs(settings) == _decides_runs(sweep["settings"])
+              and _same_axes(written, sweep["axes"])):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
     MODEL_LABELS.update(sweep["models"])
@@ -373,7 +374,8 @@ def load_experiment(results, config):
             run.point = entry["point"]
             experiment.runs.append(run)
         if not run or not run.over:
-            experiment.missing.append(", ".join(f"{pointer} {value}" for pointer, value in entry["point"].items()))
+            experiment.missing.append(", ".join(f"{pointer} {value}"
+                                                for pointer, value in entry["point"].items()))
     return experiment
 
 

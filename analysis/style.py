@@ -21,10 +21,12 @@ class Colours(dict):
 
 
 # Palette of Okabe and Ito: the colour-blind can tell the colours apart.
-MODEL_COLOURS = Colours({"none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
-                 "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
-                 "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
-                 "prestressed": "#c2185b"})
+MODEL_COLOURS = Colours({
+    "none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
+    "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
+    "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
+    "prestressed": "#c2185b",
+})
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 

@@ -35,7 +35,8 @@ Experiment experiment_of(int cells, double duration_s, double frames_per_second,
   return parse_experiment(
       fmt::format(
           R"({{"name": "bench", "allow": ["implausible"], "duration": {}, "mesh": {{"cells": {}}},
-              "bending": {{"model": "crossover"}}, "initial": {{"perturbation": 1e-6}}, "output": {{"frames_per_second": {}}}, "sweep": {}}})",
+              "bending": {{"model": "crossover"}}, "initial": {{"perturbation": 1e-6}},
+              "output": {{"frames_per_second": {}}}, "sweep": {}}})",
           duration_s, cells, frames_per_second, sweep),
       "bench");
 }

@@ -41,9 +41,9 @@ std::optional<RunConfig> run_before(const RunConfig& config);
 enum class AlignBy { none, vertical, rigid };
 inline constexpr std::array<std::string_view, 3> align_by_names = {"none", "vertical", "rigid"};
 
-/// The reference that /accuracy asks for: this run with settings changed; with those of `…_coarser` too where
-/// `coarser`. Nothing where it asks for none. It is derived once. Throws ConfigError with what is wrong in the
-/// changed settings.
+/// The reference that /accuracy asks for: this run with settings changed; if `coarser`, with those of
+/// `…_coarser` too. Nothing if it asks for none. It is derived once. Throws ConfigError with what is wrong in
+/// the changed settings.
 std::optional<RunConfig> reference_of(const RunConfig& config, Against against, bool coarser = false);
 
 /// A swept pointer and its values, normalised.

@@ -27,9 +27,9 @@ class RunConfig {
  public:
   /// Without settings: a place for a run to be assigned to.
   RunConfig();
-  /// `resolved` is what resolve() returns where nothing is wrong. Files are relative to `folder`, the config's;
-  /// empty if the config came from text. Throws std::invalid_argument where a value is unknown, as it may be
-  /// in a run file of another version.
+  /// `resolved` is what resolve() returns if nothing is wrong. Files are relative to `folder`, the config's
+  /// folder; it is empty if the config came from text. Throws std::invalid_argument for a value that is
+  /// unknown, as it may be in a run file of another version.
   explicit RunConfig(Json resolved, const std::filesystem::path& folder = {});
 
   const Json& resolved() const;  ///< canonical: equal runs have equal text; holds no name and no description

@@ -54,7 +54,8 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
                                  const RunConfig& config, const std::string& id);
 
 /// Computes a run, or reads it if it is complete. With config.starts_at_end_of it starts from `start`. The
-/// references that it is compared with are made below <out>/<experiment>; their time is not the run's. Throws MeshError and RunFileError; a run that diverges is an outcome.
+/// references that it is compared with are made below <out>/<experiment>; their time is not the run's. Throws
+/// MeshError and RunFileError; a run that diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

@@ -1,5 +1,5 @@
 """Tests of the READMEs: every measured number has a marker (stated_numbers.py) and agrees with its data;
-links work.
+links work; lines are short, in code as well.
 
     python3 tests/analysis/test_stated_numbers.py             checks
     python3 tests/analysis/test_stated_numbers.py --update    writes the right numbers in place
@@ -106,6 +106,16 @@ class StatedNumbers(unittest.TestCase):
     def test_that_lines_are_short(self):
         self.none_in_any(lambda path, text: long_lines(text))
         self.assertLessEqual(len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()), MAIN_LINES)
+
+    def test_that_lines_of_code_are_short(self):
+        code = [path for folder in ("lib", "experiments", "tests", "analysis")
+                for ending in ("hpp", "cpp", "def", "py", "cmake", "txt")
+                for path in (ROOT / folder).rglob(f"*.{ending}")]
+        long = [f"{path.relative_to(ROOT)}:{at}" for path in code
+                for at, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
+                if len(line) > COLUMNS]
+        self.assertGreater(len(code), 400)
+        self.assertFalse(long, "\n" + "\n".join(long))
 
     def test_that_each_room_has_a_readme_with_a_marker_or_link(self):
         for name in REQUIRED:

@@ -14,8 +14,8 @@ template <class Kind>
 double elastic_energy(const ElementList<Kind>& list, const Positions& positions);
 double elastic_energy(const ElementLists& lists, const Positions& positions);
 
-/// Of warp, weft and shear in this form, α = compliance / rest area (stretch_softness() times that for warp and
-/// weft).
+/// Of warp, weft and shear in this form. α is compliance / rest area, and stretch_softness() times that for
+/// warp and weft.
 double elastic_energy(const StrainConstraints& list, StrainForm form, const Positions& positions);
 
 }  // namespace bendlab

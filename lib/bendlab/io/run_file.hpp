@@ -7,8 +7,8 @@
 //                           them
 //   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
 //   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
-//   /provenance             attributes (`point`: the place on the sweep, `models`: labels of all bending models,
-//                           both JSON; commit, compiler, …); dataset `config` (resolved config, JSON text)
+//   /provenance             attributes (commit, compiler, …; as JSON `point`, the place on the sweep, and
+//                           `models`, the labels of all bending models); dataset `config` (resolved, JSON)
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
