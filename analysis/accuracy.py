@@ -2,8 +2,8 @@
 import numpy as np
 
 import style
-from load import load_experiment
 from report import rounded
+from sweeps import load_experiment
 
 LEVELS = (0.20, 0.05, 0.01)  # errors; the tables state the time to reach each
 FRONTS = (("front", "front_slow", "front_work_slow"),  # configs that share a scene: curtain, cantilever

@@ -10,9 +10,9 @@ import fig_accuracy_rounding
 import fig_accuracy_scaling
 import fig_accuracy_solver
 from html_parts import document, escape, section_html
-from load import CONFIGS, load_experiment
 from report import write_objects
 from stiffness_page import checks_html
+from sweeps import CONFIGS, load_experiment
 
 FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_rounding, fig_accuracy_scaling,
            fig_accuracy_roads]

@@ -3,8 +3,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import load_experiment, select, spread, summary_spread
+from load import select, spread, summary_spread
 from report import Claim, Section, Table, figure_main
+from sweeps import load_experiment
 
 MODELS = ["none", "crossover"]
 CELLS = [32, 64]

@@ -8,8 +8,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import load_experiment, statuses, summary_spread, typical_frame
+from load import statuses, summary_spread, typical_frame
 from report import Claim, Section, Table, figure_main
+from sweeps import load_experiment
 
 MODELS = ["crossover", "adaptive", "k_ring"]
 PAPER = [("crossover", 0), ("adaptive", 1)]  # Fig. 5a and 5b

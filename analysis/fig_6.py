@@ -8,8 +8,9 @@ import matplotlib.pyplot as plt
 
 import style
 from distance import between_runs
-from load import group, load_experiment, select, summary_spread, typical_frame
+from load import group, select, summary_spread, typical_frame
 from report import Claim, Section, Table, figure_main
+from sweeps import load_experiment
 
 CLAIMED = 0.20  # share of springs that the paper saves
 EXPERIMENTS = {64: "paper/fig6_64", 128: "paper/fig6_128"}

@@ -4,8 +4,9 @@ import matplotlib.pyplot as plt
 import style
 from distance import between_runs
 from fig_6 import damping_rate
-from load import group, load_experiment, summary_spread, typical_frame
+from load import group, summary_spread, typical_frame
 from report import Claim, Section, Table, figure_main
+from sweeps import load_experiment
 
 MULTIPLIERS = [1, 2, 4]
 METRICS = [("drop", 0, "drop below the pin (m)"), ("mean_strain", 0, "mean strain"),

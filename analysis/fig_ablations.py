@@ -3,8 +3,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import CONFIGS, at, group, load_experiment, summary_spread
+from load import at, group, summary_spread
 from report import Section, Table, figure_main
+from sweeps import CONFIGS, load_experiment
 
 METRICS = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain"),
            ("drop", 0, "drop (m)")]

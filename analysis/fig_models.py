@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.collections import PolyCollection
 
 import style
-from load import group, load_experiment, summary_spread, typical_frame
+from load import group, summary_spread, typical_frame
 from report import Section, Table, figure_main
+from sweeps import load_experiment
 
 HOLDS, TORN = 0.1, 1  # mean strain; below HOLDS a sheet is cloth, above TORN it is more than twice as long
 PASSES = [("strain", style.SEQUENCE[5]), ("bending", style.SEQUENCE[1]), ("rest", style.SEQUENCE[6])]

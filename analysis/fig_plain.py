@@ -6,9 +6,10 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import group, load_experiment, models
+from load import group, models
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, Table, figure_main
+from sweeps import load_experiment
 
 COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3"}
 NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",

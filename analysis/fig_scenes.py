@@ -7,8 +7,9 @@ import numpy as np
 import obstacles
 import render
 import style
-from load import CONFIGS, group, load_experiment
+from load import group
 from report import Section, Table, figure_main
+from sweeps import CONFIGS, load_experiment
 
 
 @dataclass(frozen=True)

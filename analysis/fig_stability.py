@@ -8,10 +8,11 @@ from matplotlib.patches import Patch
 
 import render
 import style
-from load import group, load_experiment, models
+from load import group, models
 from report import Section, Table, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, judge
 from stability_reasons import explain
+from sweeps import load_experiment
 
 COLOURS = {GREEN: "#4da57c", AMBER: "#f0bf4f", RED: "#c8402f"}
 MISSING = "#eceff1"

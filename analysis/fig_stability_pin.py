@@ -5,8 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import load_experiment
 from report import Section, Table, figure_main
+from sweeps import load_experiment
 
 NEEDLE = 4.0  # longest over shortest edge; from here on the run file's metrics count a needle
 CAP = 160.0  # degrees; a triangle with a larger angle is a cap

@@ -4,8 +4,9 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 import style
-from load import load_experiment, select
+from load import select
 from report import Claim, Section, figure_main
+from sweeps import load_experiment
 
 PINNED, FREE = "#d4211c", "#7a3db8"  # the paper's red and violet
 

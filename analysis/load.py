@@ -215,7 +215,8 @@ def load_runs(folder):
     """Every run below a folder, in the order of their configs; of equal configs the newest complete one. []
     if none.
 
-    Old results may lie beside new ones: load_experiment() has only those of one program and one sweep.
+    Old results may lie beside new ones: load_experiment() (sweeps.py) has only those
+    of one program and one sweep.
     Reference runs (`/accuracy`) lie in a folder `references` of their own. They are left out unless `folder`
     is that folder.
     """
@@ -223,7 +224,7 @@ def load_runs(folder):
     for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
         if path.suffix not in (".vtkhdf", ".part") or "references" in path.relative_to(folder).parts:
             continue
-        run = _load_if_begun(path)
+        run = load_if_begun(path)
         if run:
             key = json.dumps(run.config, sort_keys=True)
             rank = (run.complete, path.stat().st_mtime)
@@ -232,7 +233,7 @@ def load_runs(folder):
     return [found[key][1] for key in sorted(found)]
 
 
-def _load_if_begun(path):
+def load_if_begun(path):
     """The run, or None if the file is cut off before its first frame."""
     try:
         run = load_run(path)
@@ -315,91 +316,3 @@ def typical_frame(runs, metric="pin_max_stretch"):
     middle = np.median([value for _, _, value in samples])
     run, frame, _ = min(samples, key=lambda sample: abs(sample[2] - middle))
     return run, int(frame)
-
-
-CONFIGS = Path(__file__).resolve().parent.parent / "configs"
-
-
-@dataclass
-class Experiment:
-    """The runs of one config: those that exist, and those that are missing."""
-
-    config: str  # file below configs/, as in "paper/fig5"
-    settings: dict  # the config as written
-    sweep: dict  # JSON pointer → values
-    runs: list  # in the order of the sweep
-    missing: list  # points of the sweep without a finished run, as text
-    absent: str = ""  # why there is no run of the config as it is written
-
-    @property
-    def missing_text(self):
-        """What is missing, "" for nothing."""
-        parts = [self.absent] if self.absent else []
-        if self.missing:
-            runs = "1 run" if len(self.missing) == 1 else f"{len(self.missing)} runs, first"
-            parts.append(f"{runs} {'; '.join(self.missing[:3])}{' …' if len(self.missing) > 3 else ''}")
-        return "; ".join(parts)
-
-    @property
-    def command(self):
-        return f"./bendlab run configs/{self.config}.json"
-
-
-def load_experiment(results, config):
-    """The runs of configs/<config>.json below `results`, and the points of its sweep that have no run.
-
-    `bendlab run` writes which runs these are into <config>.sweep.json beside them. If the config was only run
-    with other settings (--set), the newest of these trials is shown, and `absent` says so.
-    """
-    settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
-    folder = Path(results) / settings["name"]
-    written = settings.get("sweep", {})
-    experiment = Experiment(config, settings, written, [], [])
-    file = _sweep_file(folder, Path(config).name)
-    if not file:
-        experiment.absent = "none of its runs"
-        return experiment
-    sweep = json.loads(file.read_text(encoding="utf-8"))
-    if sweep["overrides"]:
-        experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
-    elif not (_decides_runs(settings) == _decides_runs(sweep["settings"])
-              and _same_axes(written, sweep["axes"])):
-        experiment.absent = "none of its runs, because the config was changed after it was run"
-        return experiment
-    MODEL_LABELS.update(sweep["models"])
-    experiment.sweep = sweep["axes"]
-    for entry in sweep["runs"]:
-        run = _load_if_begun(_file_in(folder / entry["folder"])) if entry["folder"] else None
-        if run:
-            run.point = entry["point"]
-            experiment.runs.append(run)
-        if not run or not run.over:
-            experiment.missing.append(", ".join(f"{pointer} {value}"
-                                                for pointer, value in entry["point"].items()))
-    return experiment
-
-
-def _sweep_file(folder, name):
-    """The sweep file of a config, or of its newest trial, or None."""
-    file = folder / f"{name}.sweep.json"
-    if file.exists():
-        return file
-    return max(folder.glob(f"{name},*.sweep.json"), key=lambda trial: trial.stat().st_mtime, default=None)
-
-
-def _file_in(folder):
-    """The run file of a run's folder, finished or not."""
-    whole = folder / "run.vtkhdf"
-    return whole if whole.exists() else folder / "run.vtkhdf.part"
-
-
-def _decides_runs(settings):
-    """The settings that decide what the runs are. A config without effects has gravity."""
-    beside = ("description", "sweep", "expect", "allow", "cover")
-    return {"effects": [{"type": "gravity"}],
-            **{key: value for key, value in settings.items() if key not in beside}}
-
-
-def _same_axes(written, axes):
-    """Whether the axes as a config writes them are those of its runs. "all" is every choice of a setting."""
-    return list(written) == list(axes) and all(written[pointer] in ("all", axes[pointer]) for pointer in axes)

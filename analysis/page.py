@@ -15,8 +15,9 @@ import fig_models
 import fig_scenes
 import fig_structure
 from html_parts import claim_html, document, escape, mark, section_html
-from load import CONFIGS, at, group, load_experiment, statuses, summary_spread
+from load import at, group, statuses, summary_spread
 from report import rounded, write_objects
+from sweeps import CONFIGS, load_experiment
 
 PAPER = [fig_1, fig_structure, fig_5, fig_6, fig_7]
 FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}

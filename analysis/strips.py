@@ -2,7 +2,7 @@
 import numpy as np
 
 import style
-from load import load_experiment
+from sweeps import load_experiment
 
 GRAVITY = 9.81  # m/s², as in the configs
 MESH_NAMES = {"equilateral": "equilateral", "same": "grid, one diagonal", "alternating": "grid, alternating",

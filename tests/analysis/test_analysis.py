@@ -43,6 +43,7 @@ import stability_reasons  # noqa: E402
 import stiffness_page  # noqa: E402
 import strips  # noqa: E402
 import style  # noqa: E402
+import sweeps  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
 from report import Check, rounded, write_objects  # noqa: E402
 
@@ -149,7 +150,7 @@ class LoadTest(unittest.TestCase):
 
     def sweep(self, runs, **more):
         """Writes configs/paper/fig1's sweep file: entries (folder, point) as the program would."""
-        config = json.loads((load.CONFIGS / "paper/fig1.json").read_text(encoding="utf-8"))
+        config = json.loads((sweeps.CONFIGS / "paper/fig1.json").read_text(encoding="utf-8"))
         settings = {key: value for key, value in config.items() if key not in ("sweep", "expect")}
         folder = self.folder / "fig1"
         folder.mkdir()
@@ -165,18 +166,18 @@ class LoadTest(unittest.TestCase):
         write_run(folder / "trial/run.vtkhdf", config_of("fig1", cells=16, duration=1))  # of another sweep
         write_run(folder / "d/run.vtkhdf", config_of("fig1", cells=16))
         write_run(folder / "c/run.vtkhdf.part", config_of("fig1", cells=32), status="running")
-        experiment = load.load_experiment(self.folder, "paper/fig1")
+        experiment = sweeps.load_experiment(self.folder, "paper/fig1")
         self.assertEqual([run.point for run in experiment.runs], points[:2])
         self.assertEqual(experiment.missing, ["/mesh/cells 32", "/mesh/cells 64", "/mesh/cells 128"])
         self.assertEqual(style.model_name("crossover"), "Crossover")
         self.assertEqual(style.model_name("one of mine"), "one of mine")
 
     def test_runs_of_a_config_that_was_changed_since_are_not_shown(self):
-        self.assertEqual(load.load_experiment(self.folder, "paper/fig1").missing_text,
+        self.assertEqual(sweeps.load_experiment(self.folder, "paper/fig1").missing_text,
                          "none of its runs")
         folder = self.sweep([("a", {})], axes={"/mesh/cells": [7]})
         write_run(folder / "a/run.vtkhdf", config_of("fig1"))
-        experiment = load.load_experiment(self.folder, "paper/fig1")
+        experiment = sweeps.load_experiment(self.folder, "paper/fig1")
         self.assertEqual(experiment.runs, [])
         self.assertIn("changed", experiment.missing_text)
 
@@ -184,14 +185,14 @@ class LoadTest(unittest.TestCase):
         folder = self.sweep([("a", {})], axes={}, overrides=["/duration=1"])
         (folder / "fig1.sweep.json").rename(folder / "fig1,0123.sweep.json")
         write_run(folder / "a/run.vtkhdf", config_of("fig1", duration=1))
-        experiment = load.load_experiment(self.folder, "paper/fig1")
+        experiment = sweeps.load_experiment(self.folder, "paper/fig1")
         self.assertEqual(len(experiment.runs), 1)
         self.assertEqual(experiment.missing_text, "these are of a trial with --set /duration=1")
 
     def test_all_stands_for_the_choices_that_the_program_lists(self):
-        self.assertTrue(load._same_axes({"/bending/model": "all"}, {"/bending/model": ["none"]}))
-        self.assertFalse(load._same_axes({"/mesh/cells": [1, 2]}, {"/mesh/cells": [1]}))
-        self.assertFalse(load._same_axes({}, {"/mesh/cells": [1]}))
+        self.assertTrue(sweeps._same_axes({"/bending/model": "all"}, {"/bending/model": ["none"]}))
+        self.assertFalse(sweeps._same_axes({"/mesh/cells": [1, 2]}, {"/mesh/cells": [1]}))
+        self.assertFalse(sweeps._same_axes({}, {"/mesh/cells": [1]}))
 
     def test_spread_is_median_and_range(self):
         s = load.spread([5, 1, 2]) - 1
@@ -428,12 +429,12 @@ class FigureTest(unittest.TestCase):
 
     def test_every_model_that_is_swept_has_a_colour_and_a_name(self):
         for name in ("hanging_sheet", "cantilever"):
-            sweep = json.loads((load.CONFIGS / f"models/{name}.json").read_text())["sweep"]
+            sweep = json.loads((sweeps.CONFIGS / f"models/{name}.json").read_text())["sweep"]
             models = sweep.get("/bending/model") or [value["model"] for value in sweep["/bending"]]
             self.assertLessEqual(set(models), set(style.MODEL_COLOURS))
 
     def test_every_scene_has_a_view_and_its_models_a_name(self):
-        configs = {path.stem: json.loads(path.read_text()) for path in load.CONFIGS.glob("scenes/*.json")}
+        configs = {path.stem: json.loads(path.read_text()) for path in sweeps.CONFIGS.glob("scenes/*.json")}
         self.assertEqual(set(configs), set(fig_scenes.SCENES))
         for name, config in configs.items():
             self.assertEqual(config["name"], name)
@@ -586,7 +587,7 @@ class StabilityTest(unittest.TestCase):
                 self.assertTrue(any(name.startswith(case) for name in names), case)
                 self.assertLessEqual(set(models.split()), set(style.MODEL_COLOURS))
             for part in filter(None, one.apart.split("; ")):
-                self.assertTrue((load.CONFIGS / f"stability/{part.split()[0]}.json").is_file(), part)
+                self.assertTrue((sweeps.CONFIGS / f"stability/{part.split()[0]}.json").is_file(), part)
             for beginning in one.cases:
                 self.assertTrue(any(name.startswith(beginning) for name in names), beginning)
             self.assertLessEqual(set(one.models), set(style.MODEL_COLOURS))
@@ -632,7 +633,7 @@ class StabilityTest(unittest.TestCase):
             return [(pointer, canonical(index if pointer == "/effects" else value))
                     for pointer, values in swept.items() for index, value in enumerate(values)]
 
-        for config in sorted(load.CONFIGS.glob("stability/*.json")):
+        for config in sorted(sweeps.CONFIGS.glob("stability/*.json")):
             used = {(pointer, canonical(value)) for case in stability_cases.CASES
                     for of, wanted in ((case.config, case.where),
                                        (case.control_config or case.config, case.control))
@@ -769,7 +770,7 @@ class PlainTest(unittest.TestCase):
         self.assertEqual(judged.settings["pins"], "an edge")
 
     def test_both_units_read_alike(self):
-        read = lambda name: json.loads((load.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
+        read = lambda name: json.loads((sweeps.CONFIGS / f"plain/{name}.json").read_text(encoding="utf-8"))
         small, large, metres = (read(name)["sweep"] for name in (*plain_cases.TWINS, "metres"))
         self.assertEqual(large, metres)
         self.assertEqual([len(values) for values in small.values()],
@@ -918,7 +919,7 @@ class AccuracyTest(unittest.TestCase):
         self.assertNotIn("dihedral", text)
 
     def test_scenes_are_compared_with_one_cloth(self):
-        physical = lambda name: json.loads((load.CONFIGS
+        physical = lambda name: json.loads((sweeps.CONFIGS
                                             / f"accuracy/{name}.json").read_text(encoding="utf-8"))[
                                             "accuracy"]["physical"]
         for front, others in (("front", ("paper", "paper_64", "paper_cells_slow", "beat")),
@@ -934,7 +935,7 @@ class AccuracyTest(unittest.TestCase):
 
     def test_configs_that_share_a_front_ask_for_no_run_twice(self):
         for configs in accuracy.FRONTS:
-            experiments = [load.load_experiment("none", f"accuracy/{name}") for name in configs]
+            experiments = [sweeps.load_experiment("none", f"accuracy/{name}") for name in configs]
             self.assertEqual(len({json.dumps(experiment.settings["accuracy"]) for experiment in experiments}),
                              1)
             wanted = [str(point) for experiment in experiments for point in every_point(experiment.sweep)]
