@@ -266,10 +266,13 @@ Vector3 StiffnessMeter::Slice::middle(const Positions& positions) const {
   return sum;
 }
 
-// Cuts the triangles slightly beside s, so that no vertex lies on the line, between `low` and `high`.
+// Cuts the triangles slightly beside s, towards the middle, so that no vertex lies on the line, between `low`
+// and `high`.
 StiffnessMeter::Slice StiffnessMeter::slice(double s, double low, double high) const {
   constexpr double hair = 1e-9;
-  const double line = s + hair * (length_ - 2 * s);
+  const double to_middle = length_ - 2 * s,
+               aside = std::abs(to_middle) > 1e-3 * length_ ? to_middle : 1e-3 * length_;
+  const double line = s + hair * aside;
   constexpr double all = std::numeric_limits<double>::infinity();
   Slice result{.s = s, .low = all, .high = -all};
   for (Eigen::Index t = 0; t < triangles_.rows(); ++t) {
