@@ -1,8 +1,10 @@
 #include "bendlab/mesh/geodesics.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
@@ -27,6 +29,27 @@ TEST_CASE("on a flat convex sheet the geodesic is the straight line", "[mesh]") 
                    WithinAbs((rest.position(v) - rest.position(source)).norm(), 1e-9));
         CHECK(geodesic.source[static_cast<std::size_t>(v)] == source);
       }
+    }
+  }
+}
+
+TEST_CASE("from a row of sources the geodesic is the straight line to the nearest", "[mesh]") {
+  // Corners between two sources are as near to one as to the other; below a row of pins all are.
+  for (const TriangleMesh& mesh :
+       {equilateral(1, 1, 16), grid(1, 1, 12, 12, Diagonal::both), delaunay(1, 1, 20, 3)}) {
+    const RestMesh rest(mesh);
+    std::vector<int> sources;
+    for (int v = 0; v < rest.vertex_count(); ++v)
+      if (rest.position(v).y() > rest.box_max().y() - 1e-9) sources.push_back(v);
+    REQUIRE(sources.size() > 10);
+    const GeodesicDistances geodesic = geodesic_distances(rest, sources);
+    for (int v = 0; v < rest.vertex_count(); ++v) {
+      if (std::abs(rest.position(v).x()) > 0.35) continue;  // a lattice's sides zigzag: the way is longer there
+      double nearest = std::numeric_limits<double>::infinity();
+      for (const int source : sources)
+        nearest = std::min(nearest, (rest.position(v) - rest.position(source)).norm());
+      // A vertex keeps eight sources; a straight path may need more of a vertex beside it.
+      CHECK_THAT(geodesic.distance[static_cast<std::size_t>(v)], WithinAbs(nearest, 1e-4));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <queue>
+#include <tuple>
 
 namespace bendlab {
 namespace {
@@ -24,11 +25,13 @@ double unfolded(double to_a, double to_b, double base, double a_to_c, double b_t
   return crossing >= 0 && crossing <= base ? std::hypot(cx - x, cy + y) : infinity;
 }
 
+// Distances from several sources at once. A vertex keeps those of its nearest sources, not of the nearest one
+// alone: a path is unfolded through two corners that know the same source, and corners between two sources
+// would seldom agree on one.
 class Front {
  public:
-  Front(const RestMesh& rest, std::span<const int> sources) : rest_(rest), triangles_(vertex_triangles()) {
-    const auto count = static_cast<std::size_t>(rest.vertex_count());
-    result.distance.assign(count, infinity), result.source.assign(count, -1);
+  Front(const RestMesh& rest, std::span<const int> sources)
+      : rest_(rest), triangles_(vertex_triangles()), known_(static_cast<std::size_t>(rest.vertex_count())) {
     for (const int v : sources) reach(v, 0, v);
   }
 
@@ -36,36 +39,58 @@ class Front {
   // corner the path may come back.
   void spread() {
     while (!front_.empty()) {
-      const auto [distance, v] = front_.top();
+      const auto [distance, v, source] = front_.top();
       front_.pop();
-      if (distance > distance_of(v)) continue;
-      for (const int w : rest_.one_ring()[v]) reach(w, distance + apart(v, w), source_of(v));
+      if (distance > distance_of(v, source)) continue;
+      for (const int w : rest_.one_ring()[v]) reach(w, distance + apart(v, w), source);
       for (const int t : triangles_[static_cast<std::size_t>(v)]) {
         const auto corner = rest_.triangles().row(t);
         const int at = corner(0) == v ? 0 : corner(1) == v ? 1 : 2;
         const int b = corner((at + 1) % 3), c = corner((at + 2) % 3);
-        through(v, b, c), through(v, c, b);
+        through(v, b, c, source), through(v, c, b, source);
       }
     }
   }
 
-  GeodesicDistances result;
-
- private:
-  double& distance_of(int v) { return result.distance[static_cast<std::size_t>(v)]; }
-  int& source_of(int v) { return result.source[static_cast<std::size_t>(v)]; }
-  double apart(int v, int w) const { return (rest_.position(v) - rest_.position(w)).norm(); }
-
-  void reach(int v, double distance, int source) {
-    constexpr double rounding = 1e-14;  // relative: a smaller gain is not passed on
-    if (!(distance < distance_of(v) * (1 - rounding) || (distance < infinity && source_of(v) < 0))) return;
-    distance_of(v) = distance, source_of(v) = source;
-    front_.push({distance, v});
+  GeodesicDistances nearest() const {
+    GeodesicDistances result;
+    for (const Known& known : known_) {
+      const auto least = std::ranges::min_element(known, {}, &Reached::distance);
+      result.distance.push_back(least->distance), result.source.push_back(least->source);
+    }
+    return result;
   }
 
-  void through(int a, int b, int c) {
-    if (source_of(a) != source_of(b)) return;
-    reach(c, unfolded(distance_of(a), distance_of(b), apart(a, b), apart(a, c), apart(b, c)), source_of(a));
+ private:
+  struct Reached {
+    double distance = infinity;
+    int source = -1;
+  };
+  using Known = std::array<Reached, 8>;
+
+  double distance_of(int v, int source) const {
+    const Known& known = known_[static_cast<std::size_t>(v)];
+    const auto found = std::ranges::find(known, source, &Reached::source);
+    return found == known.end() ? infinity : found->distance;
+  }
+
+  double apart(int v, int w) const { return (rest_.position(v) - rest_.position(w)).norm(); }
+
+  // A source that is farther than all that the vertex keeps is forgotten.
+  void reach(int v, double distance, int source) {
+    constexpr double rounding = 1e-14;  // relative: a smaller gain is not passed on
+    Known& known = known_[static_cast<std::size_t>(v)];
+    auto place = std::ranges::find(known, source, &Reached::source);
+    if (place == known.end()) place = std::ranges::max_element(known, {}, &Reached::distance);
+    if (!(distance < place->distance * (1 - rounding))) return;
+    *place = {distance, source};
+    front_.push({distance, v, source});
+  }
+
+  void through(int a, int b, int c, int source) {
+    const double to_a = distance_of(a, source), to_b = distance_of(b, source);
+    if (to_a < infinity && to_b < infinity)
+      reach(c, unfolded(to_a, to_b, apart(a, b), apart(a, c), apart(b, c)), source);
   }
 
   std::vector<std::vector<int>> vertex_triangles() const {
@@ -77,8 +102,9 @@ class Front {
 
   const RestMesh& rest_;
   std::vector<std::vector<int>> triangles_;
-  using Reached = std::pair<double, int>;  // distance, vertex
-  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> front_;
+  std::vector<Known> known_;
+  using Arrival = std::tuple<double, int, int>;  // distance, vertex, source
+  std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> front_;
 };
 
 }  // namespace
@@ -86,7 +112,7 @@ class Front {
 GeodesicDistances geodesic_distances(const RestMesh& rest, std::span<const int> sources) {
   Front front(rest, sources);
   front.spread();
-  return std::move(front.result);
+  return front.nearest();
 }
 
 }  // namespace bendlab
