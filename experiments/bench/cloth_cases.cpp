@@ -30,7 +30,7 @@ struct ClothKind {
 
 RunConfig config_of(const ClothKind& kind) {
   const std::string text = fmt::format(
-      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}},
+      R"({{"name": "bench", "defaults": "paper", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"{}}},
           "material": {{"strain": {{"form": "{}"}}}}, "initial": {{"perturbation": 1e-6}},
           "pins": {{"vertices": ["left", "right"], "ring": 0}},
           "solver": {{"dt": 0.002, "iterations": {}, "precision": "{}", "threads": {}, "order": "{}"}}}})",
@@ -47,8 +47,8 @@ struct StepTime {
   double strain = 0, bending = 0, all = 0;
 };
 
-/// A square that falls from the horizontal, pinned along two opposite sides, in short steps: it sags and stays
-/// sound. Hung from a corner it would tear, and torn triangles cost up to three times as much.
+/// A square that falls from the horizontal, pinned along two opposite sides, in short steps: it sags and
+/// stays sound. Hung from a corner it would tear, and torn triangles cost up to three times as much.
 class MovingCloth {
  public:
   explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {

@@ -19,12 +19,15 @@ namespace {
 constexpr int steps_before = 30;  // 0.5 s: the cloth falls, folds and pulls at its pins
 
 constexpr std::array<ConvergenceScene, 3> scenes = {
-    ConvergenceScene{"corner", R"({"name": "corner", "mesh": {"cells": 32}, "bending": {"model": "crossover"},
+    ConvergenceScene{"corner", R"({"name": "corner", "defaults": "paper",
+          "mesh": {"cells": 32}, "bending": {"model": "crossover"},
         "solver": {"precision": "double", "order": "mesh"}})"},
-    ConvergenceScene{"strip", R"({"name": "strip", "mesh": {"width": 0.25, "height": 1, "cells": 8},
+    ConvergenceScene{"strip", R"({"name": "strip", "defaults": "paper",
+          "mesh": {"width": 0.25, "height": 1, "cells": 8},
         "pins": {"vertices": ["top"]}, "bending": {"model": "crossover"}, "initial": {"tilt": 60},
         "solver": {"precision": "double", "order": "mesh"}})"},
-    ConvergenceScene{"irregular", R"({"name": "irregular", "mesh": {"generator": "delaunay", "cells": 32},
+    ConvergenceScene{"irregular", R"({"name": "irregular", "defaults": "paper",
+          "mesh": {"generator": "delaunay", "cells": 32},
         "pins": {"vertices": ["upper_left", "upper_right"]}, "bending": {"model": "crossover"},
         "solver": {"precision": "double", "order": "mesh"}})"}};
 

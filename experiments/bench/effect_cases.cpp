@@ -109,7 +109,8 @@ RunConfig config_of(const EffectScene& scene, int cells, const std::string& scal
   const std::string settings = stacked ? stack.settings() : std::string(scene.settings);
   const std::string pose = stacked ? stack.pose() : R"("perturbation": 1e-6)";
   const std::string text = fmt::format(
-      R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
+      R"({{"name": "bench", "defaults": "paper",
+          "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
           "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{{}}},
           "solver": {{"precision": "{}"}}}})",
       cells, scene.scene, gravity, before, scene.effect, file, settings, pose,

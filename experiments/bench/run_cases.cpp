@@ -34,7 +34,8 @@ Experiment experiment_of(int cells, double duration_s, double frames_per_second,
                          std::string_view sweep = "{}") {
   return parse_experiment(
       fmt::format(
-          R"({{"name": "bench", "allow": ["implausible"], "duration": {}, "mesh": {{"cells": {}}},
+          R"({{"name": "bench", "defaults": "paper",
+          "allow": ["implausible"], "duration": {}, "mesh": {{"cells": {}}},
               "bending": {{"model": "crossover"}}, "initial": {{"perturbation": 1e-6}},
               "output": {{"frames_per_second": {}}}, "sweep": {}}})",
           duration_s, cells, frames_per_second, sweep),

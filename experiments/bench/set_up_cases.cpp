@@ -19,7 +19,8 @@ namespace {
 
 RunConfig config_of(int cells, const char* model) {
   return parse_experiment(
-             fmt::format(R"({{"name": "bench", "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}}})",
+             fmt::format(R"({{"name": "bench", "defaults": "paper",
+          "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}}})",
                          cells, model),
              "bench")
       .runs.front();

@@ -154,7 +154,7 @@ struct Reproducible {
 };
 
 constexpr PageStage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
-constexpr PageStage whole_paper = {{"paper"}, "page.py", "--only=paper"};
+constexpr PageStage whole_paper = {{"paper", "recommended.json"}, "page.py", "--only=paper"};
 constexpr std::array reproducibles = {
     Reproducible{
         "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},

@@ -11,6 +11,7 @@
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/config/pointers.hpp"
@@ -59,6 +60,22 @@ void check_every_where_matches(const Experiment& experiment, ConfigProblems& pro
     if (std::ranges::none_of(experiment.runs,
                              [&](const RunConfig& run) { return matches(experiment.expectations[i], run); }))
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
+}
+
+// A reason for a setting that isn't there would mislead.
+void check_reasons(const Json& because, const Json& settings, ConfigProblems& problems) {
+  if (!because.is_object()) {
+    problems.push_back(
+        {"/because", "expected an object {\"/json/pointer\": text}, got " + given_text(because)});
+    return;
+  }
+  const std::vector<std::string> known = known_pointers(settings);
+  for (const auto& [pointer, reason] : because.items())
+    if (const std::string place = child_pointer("/because", pointer);
+        std::ranges::find(known, pointer) == known.end())
+      problems.push_back({place, unknown_pointer_text(pointer, known)});
+    else if (!reason.is_string() || reason.get_ref<const std::string&>().empty())
+      problems.push_back({place, "expected a text that gives the reason, got " + given_text(reason)});
 }
 
 Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
@@ -144,7 +161,9 @@ Json read_document(std::string_view text, std::string_view source_name,
   if (document && !document->is_object())
     problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
   if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
-  if (!document->contains("effects")) (*document)["effects"] = default_effects();
+  // Written out, so that overrides and axes can name their entries.
+  const Json* axis = value_at(*document, "/sweep/~1defaults");
+  if (!document->contains("effects") && axis == nullptr) (*document)["effects"] = default_effects(*document);
   apply_overrides(*document, overrides, problems);
   return *std::move(document);
 }
@@ -154,6 +173,7 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
                           const std::filesystem::path& folder, std::span<const std::string> overrides) {
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
+  const Json because = take(settings, "because", Json::object());
   const bool covered = settings.contains("cover");
   const Json given_cover = take(settings, "cover", Json());
 
@@ -161,6 +181,7 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   ConfigProblems problems;
   experiment.axes = read_axes(sweep, settings, covered, problems);
   experiment.expectations = read_expectations(expect, settings, problems);
+  check_reasons(because, settings, problems);
   const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
   if (!cover) check_settings(settings, experiment.axes, problems);
   problems.insert(problems.begin(), reading.begin(), reading.end());

@@ -19,6 +19,7 @@
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/precision.hpp"
 #include "experiments/config/config.hpp"
+#include "experiments/config/defaults.hpp"
 
 namespace bendlab {
 namespace {
@@ -54,7 +55,7 @@ constexpr std::string_view stiffness_meaning =
 constexpr std::string_view bending_stiffness_meaning =
     "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
     "flexural_rigidity or quartic_coefficient below, for which each constraint gets its own compliance from "
-    "the mesh";
+    "the mesh. Absent: k where k is given, compliance where that is, else physical";
 
 // Formatted by hand, to be read as tables.
 // clang-format off
@@ -68,6 +69,12 @@ constexpr std::array top_level = {
               .meaning = "Verdicts that do not fail the command: implausible, for a sweep that studies "
                          "failure. The verdict is still printed; does not affect the runs",
               .choices = allowed},
+    Parameter{.name = "defaults", .type = text, .unit = "", .default_value = "recommended",
+              .meaning = "Which settings a config gets that it does not state. recommended: the defaults of "
+                         "this reference, with which cloth is sound at every resolution; paper: those with "
+                         "which we repeat the paper (adaptive springs with k 0.5, the pin's neighbours "
+                         "pinned, one substep of 10 iterations, published shear, gravity alone)",
+              .choices = defaults_names},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
               .meaning = "Simulated time of each run",
               .minimum = 0, .above = true},
@@ -155,9 +162,9 @@ const std::array<Parameter, 4>& pins() {
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "
                            "those of vertices",
                 .minimum = 0},
-      Parameter{.name = "ring", .type = integer, .unit = "1", .default_value = 1,
+      Parameter{.name = "ring", .type = integer, .unit = "1", .default_value = 0,
                 .meaning = "How many rings of neighbours of each pinned vertex are pinned too; 0: none; the "
-                           "paper: 1",
+                           "paper: 1, which is the smaller the finer the mesh",
                 .minimum = 0, .maximum = 64},
       Parameter{.name = "distance", .type = number, .unit = "m", .default_value = 0.0,
                 .meaning = "Vertices within this distance of a pinned place are pinned too: a clamp of the "
@@ -186,7 +193,7 @@ constexpr std::array material = {
 };
 
 constexpr std::array strain = {
-    Parameter{.name = "form", .type = text, .unit = "", .default_value = "normalised",
+    Parameter{.name = "form", .type = text, .unit = "", .default_value = "angle",
               .meaning = "normalised: stretch √S_ii - 1 and normalised shear, as published; green: the "
                          "entries of S themselves; angle (ours): stretch as in normalised, and as shear the "
                          "difference of the angle between warp and weft from a right angle. The gradient of "
@@ -219,10 +226,10 @@ const std::array<Parameter, 8>& bending() {
     return names;
   }();
   static const std::array<Parameter, 8> table = {
-      Parameter{.name = "model", .type = text, .unit = "", .default_value = "adaptive",
+      Parameter{.name = "model", .type = text, .unit = "", .default_value = default_bending_model,
                 .meaning = "Bending model; its own settings are in the section of its name",
                 .choices = models},
-      Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
+      Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "physical",
                 .meaning = bending_stiffness_meaning, .choices = bending_stiffness_kinds},
       Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
                 .meaning = "Stiffness of every bending constraint, used if stiffness is k or k_per_step",
@@ -232,8 +239,9 @@ const std::array<Parameter, 8>& bending() {
                            "says what it means for each model",
                 .minimum = 0},
       Parameter{.name = "flexural_rigidity", .type = number, .unit = "N m", .default_value = {},
-                .meaning = "physical: B of the moment B κ per width at curvature κ, for models made of "
-                           "hinges and arcs; springs need at_curvature, too",
+                .meaning = "physical: B of the moment B κ per width at curvature κ; springs have it at "
+                           "at_curvature only. Absent: 1e-5, a light cotton, unless quartic_coefficient is "
+                           "given",
                 .minimum = 0, .above = true},
       Parameter{.name = "quartic_coefficient", .type = number, .unit = "N m³", .default_value = {},
                 .meaning = "physical: C of the moment C κ³ per width at curvature κ, for models made of "
@@ -241,7 +249,7 @@ const std::array<Parameter, 8>& bending() {
                 .minimum = 0, .above = true},
       Parameter{.name = "at_curvature", .type = number, .unit = "1/m", .default_value = {},
                 .meaning = "physical: the curvature κ0 at which springs have the moment that "
-                           "flexural_rigidity states, C = B/κ0²",
+                           "flexural_rigidity states, C = B/κ0². Absent: 20, a fold of 5 cm radius",
                 .minimum = 0, .above = true},
       Parameter{.name = "deflection", .type = text, .unit = "", .default_value = "large",
                 .meaning = "physical, models made of hinges: for which deflections flexural_rigidity holds. "
@@ -260,10 +268,10 @@ constexpr std::array shared_by_methods = {
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
               .minimum = 0, .above = true},
-    Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 1,
+    Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 8,
               .meaning = "How many equal parts a time step is divided into",
               .minimum = 1, .maximum = 100000},
-    Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 10,
+    Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "How many times each substep visits all constraints",
               .minimum = 1, .maximum = 100000},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
@@ -444,8 +452,8 @@ constexpr std::array expectation = {
 constexpr std::array lists = {
     ConfigList{"effects",
                "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}. Only "
-               "some types, obstacles for example, may be listed more than once. Absent: gravity alone; an "
-               "empty list: nothing"},
+               "some types, obstacles for example, may be listed more than once. Absent: gravity, tethers "
+               "and viscous_drag of 1 N s/m³, about that of air; an empty list: nothing"},
     ConfigList{"sweep",
                "What to vary: {\"/json/pointer\": [values]}; \"all\" instead of the list stands for every "
                "choice of a setting. There is one run per combination, and the last pointer varies fastest. "
@@ -456,6 +464,9 @@ constexpr std::array lists = {
                "every machine. Values that do not go together are left out, and 'bendlab plan' lists them. "
                "A number (the strength), or an object"},
     ConfigList{"expect", "Bounds that 'bendlab run' checks on every run, each with its reason"},
+    ConfigList{"because",
+               "Why settings are as they are, with sources: {\"/json/pointer\": text}; does not affect the "
+               "runs"},
 };
 
 std::vector<ConfigSection> make_sections() {

@@ -114,6 +114,9 @@ bool matches(const Expectation& expectation, const RunConfig& config) {
   // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
+    // It is no setting of the run, which has what it stands for.
+    if (entry.key() == "/defaults")
+      return std::ranges::find(config.point, std::pair(entry.key(), entry.value())) != config.point.end();
     if (value_at(config.resolved(), entry.key()) == nullptr) return entry.value().is_null();
     Json changed = config.resolved();
     changed["name"] = "any";

@@ -10,6 +10,7 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/nearest_name.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/rules.hpp"
@@ -229,20 +230,12 @@ ParameterValues values_of(const Json& canonical, std::span<const Parameter> tabl
   return values;
 }
 
-Json default_effects() {
-  Json gravity = Json::object();
-  gravity["type"] = "gravity";
-  return Json::array({std::move(gravity)});
-}
-
 Json resolve(const Json& settings, ConfigProblems& problems) {
-  Json canonical = read_section(settings, *find_section(""), problems);
-  canonical["effects"] =
-      read_effects(settings.contains("effects") ? settings["effects"] : default_effects(), problems);
-  apply_rules(settings, canonical, problems);
-  canonical.erase("name");
-  canonical.erase("description");
-  canonical.erase("allow");
+  const Json filled = with_defaults(settings, problems);
+  Json canonical = read_section(filled, *find_section(""), problems);
+  canonical["effects"] = read_effects(filled["effects"], problems);
+  apply_rules(filled, canonical, problems);
+  for (const char* name : {"name", "description", "allow", "defaults"}) canonical.erase(name);
   return canonical;
 }
 

@@ -27,9 +27,6 @@ Json read_settings(const Json& given, const std::string& pointer, std::span<cons
 /// std::invalid_argument where a value is not one that the table allows.
 ParameterValues values_of(const Json& canonical, std::span<const Parameter> table);
 
-/// The effects of a config that lists none: gravity, with its defaults.
-Json default_effects();
-
 /// Checks everything but `sweep` and `expect` (which must not be there) and returns the canonical settings:
 /// every value of every section, only the chosen bending model's own settings, no generator settings beside a
 /// mesh file, no name, description and allow. Equal physics gives equal JSON. Meaningless if there were

@@ -117,7 +117,7 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
   for (const char* unused : {"k", "compliance"}) bending.erase(unused);
   const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
   const bool rigidity = bending.contains("flexural_rigidity"),
-             quartic = bending.contains("quartic_coefficient"), curvature = bending.contains("at_curvature");
+             quartic = bending.contains("quartic_coefficient");
   const auto report = [&](const char* key, const char* message) {
     problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model->name)});
   };
@@ -133,16 +133,10 @@ void settle_bending_stiffness(Json& bending, ConfigProblems& problems) {
       report("quartic_coefficient",
              "is for springs that are at rest in the flat sheet, and {} has none: give flexural_rigidity (in "
              "N m)");
-    else if (!rigidity)
-      report("flexural_rigidity", "is missing: with physical stiffness {} needs it (in N m)");
   } else if (quartic && rigidity) {
     report("quartic_coefficient",
            "is given, and flexural_rigidity too, but the springs of {} have one stiffness: remove one of the "
            "two");
-  } else if (!quartic && !(rigidity && curvature)) {
-    report(rigidity ? "at_curvature" : "quartic_coefficient",
-           "is missing: with physical stiffness the springs of {} need quartic_coefficient (in N m³), or "
-           "flexural_rigidity (in N m) together with at_curvature (in 1/m)");
   }
 }
 
@@ -183,7 +177,7 @@ class MethodRules {
       refuse_model();
     else if (!why.empty() && model_.name != "none")
       check_compliance("/bending", why);
-    if (!method_.projects) refuse_projection_effects();
+    if (!method_.projects) settle_projection_effects();
     for (const std::string_view name : names_of(find_section("/solver")->parameters))
       if (!method_.reads(name)) canonical_["solver"].erase(std::string(name));
     if (method_.membrane == Membrane::edges)
@@ -210,13 +204,20 @@ class MethodRules {
       report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }
 
-  void refuse_projection_effects() {
-    for (std::size_t i = 0; i < canonical_["effects"].size(); ++i)
-      if (const std::string type = canonical_["effects"][i]["type"]; find_effect(type)->needs_projection)
+  // Refuses effects that need projections, and leaves out those that only help them.
+  void settle_projection_effects() {
+    Json& effects = canonical_["effects"];
+    const auto effect_of = [](const Json& entry) -> const Effect& {
+      return *find_effect(entry["type"].get<std::string>());
+    };
+    for (std::size_t i = 0; i < effects.size(); ++i)
+      if (const Effect& effect = effect_of(effects[i]); effect.needs_projection && !effect.helps_projection)
         report(fmt::format("/effects/{}", i),
                fmt::format(
                    "{} works with the projection of constraints, but this method does not project: remove it",
-                   type));
+                   effect.name));
+    std::erase_if(effects.get_ref<Json::array_t&>(),
+                  [&](const Json& entry) { return effect_of(entry).helps_projection; });
   }
 
   void refuse_model() {

@@ -10,6 +10,7 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/resolve.hpp"
 
 namespace bendlab {
@@ -166,7 +167,7 @@ Json effects_schema() {
   Json schema = Json::object();
   schema["type"] = "array";
   schema["items"]["oneOf"] = std::move(kinds);
-  schema["default"] = default_effects();
+  schema["default"] = default_effects(Json::object());
   return schema;
 }
 
@@ -175,6 +176,13 @@ Json sweep_schema() {
   schema["type"] = "object";
   schema["additionalProperties"]["type"] = "array";
   schema["additionalProperties"]["minItems"] = 1;
+  return schema;
+}
+
+Json because_schema() {
+  Json schema = Json::object();
+  schema["type"] = "object";
+  schema["additionalProperties"]["type"] = "string";
   return schema;
 }
 
@@ -199,6 +207,7 @@ Json expect_schema() {
 Json list_schema(std::string_view name) {
   if (name == "effects") return effects_schema();
   if (name == "cover") return cover_schema();
+  if (name == "because") return because_schema();
   return name == "sweep" ? sweep_schema() : expect_schema();
 }
 

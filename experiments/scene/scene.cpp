@@ -152,9 +152,13 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
 }
 
 SolverSettings solver_settings(const ParameterValues& values, const Method& method) {
+  // A default is for the methods that read it.
+  const auto count = [&](std::string_view name) {
+    return method.reads(name) ? static_cast<int>(values.integer(name)) : 1;
+  };
   SolverSettings settings{.dt = values.number("dt"),
-                          .substeps = static_cast<int>(values.integer("substeps")),
-                          .iterations = static_cast<int>(values.integer("iterations")),
+                          .substeps = count("substeps"),
+                          .iterations = count("iterations"),
                           .sweep = named<Sweep>(values.text("sweep"), sweep_names),
                           .order = named<ConstraintOrder>(values.text("order"), constraint_order_names),
                           .first = named<FirstConstraint>(values.text("first"), first_constraint_names),

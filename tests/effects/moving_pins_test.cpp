@@ -32,7 +32,8 @@ Vector3 row(const Positions& positions, int vertex) {
 // What a scene's simulation is refused with.
 ConfigProblems problems_of(const std::string& effect) {
   const std::string config =
-      R"({"name": "t", "mesh": {"cells": 4}, "pins": {"vertices": ["upper_left"], "ring": 0},)"
+      R"({"name": "t", "defaults": "paper",
+          "mesh": {"cells": 4}, "pins": {"vertices": ["upper_left"], "ring": 0},)"
       R"("effects": [{"type": "gravity"}, {"type": "moving_pins", )" +
       effect + "}]}";
   try {

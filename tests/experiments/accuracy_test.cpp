@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 const std::string strip = R"("duration": 3,
   "mesh": {"generator": "equilateral", "width": 0.23335, "height": 0.12, "rows": "perpendicular", "cells": 8},
   "pins": {"vertices": ["left"], "ring": 0, "distance": 0.0338},
-  "material": {"strain": {"stiffness": "compliance", "compliance": 1e-5}},
+  "material": {"strain": {"form": "normalised", "stiffness": "compliance", "compliance": 1e-5}},
   "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 0.0015696},
   "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 4}],
   "output": {"frames_per_second": 2})";
@@ -41,7 +41,8 @@ class Results {
   ~Results() { fs::remove_all(folder); }
 
   std::vector<RunOutcome> run(const std::string& settings) const {
-    const Experiment experiment = parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+    const Experiment experiment = parse_experiment(R"({"name": "errors", "defaults": "paper",
+          )" + settings + "}", "test");
     std::vector<RunOutcome> outcomes;
     for (const RunConfig& config : experiment.runs)
       outcomes.push_back(execute_run(experiment, config, folder));
@@ -64,7 +65,7 @@ class Results {
 
 std::string config_error(const std::string& settings) {
   try {
-    parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+    parse_experiment(R"({"name": "errors", "defaults": "paper", )" + settings + "}", "test");
   } catch (const ConfigError& error) {
     return error.what();
   }
@@ -184,7 +185,8 @@ TEST_CASE(
   const Results results;
   const std::string settings = strip + xpbd + R"(, "accuracy": {"solver": ["/solver/substeps=200"]},
                                                   "sweep": {"/solver/substeps": [1, 2, 3, 4]})";
-  const Experiment experiment = parse_experiment(R"({"name": "errors", )" + settings + "}", "test");
+  const Experiment experiment = parse_experiment(R"({"name": "errors", "defaults": "paper",
+          )" + settings + "}", "test");
   std::vector<RunOutcome> outcomes(experiment.runs.size());
   {
     std::vector<std::jthread> threads;
@@ -211,7 +213,7 @@ TEST_CASE(
 TEST_CASE("accuracy: a run that is stopped at its reference is not complete") {
   const Results results;
   const Experiment experiment =
-      parse_experiment(R"({"name": "errors", )" + strip +
+      parse_experiment(R"({"name": "errors", "defaults": "paper", )" + strip +
                            R"(, "solver": {"dt": 3}, "accuracy": {"solver": ["/solver/dt=0.001"]}})",
                        "test");
   // The run takes one step, so that the last word on it comes before its reference.
@@ -269,7 +271,7 @@ TEST_CASE("accuracy: an impossible reference is an error, of the config or with 
     CHECK_THAT(config_error(k + R"(, "accuracy": {"solver": ["/mesh/cells=3", "/)" + section + R"(={}"]})"),
                ContainsSubstring("/" + section) && ContainsSubstring("remove"));
   CHECK_THROWS_WITH(
-      run_id(parse_experiment(R"({"name": "errors", )" + k +
+      run_id(parse_experiment(R"({"name": "errors", "defaults": "paper", )" + k +
                                   R"(, "accuracy": {"physical": ["/mesh={\"file\": \"nothing.obj\"}"]}})",
                               "test")
                  .runs.front()),
@@ -366,7 +368,8 @@ TEST_CASE("accuracy: a sheet that turns about its pin is the same sheet") {
 TEST_CASE("accuracy: a run's id follows its references, and only where it has some") {
   const auto id = [](const std::string& accuracy) {
     return run_id(
-        parse_experiment(R"({"name": "id", "mesh": {"cells": 4}, "accuracy": {)" + accuracy + "}}", "test")
+        parse_experiment(R"({"name": "id", "defaults": "paper",
+          "mesh": {"cells": 4}, "accuracy": {)" + accuracy + "}}", "test")
             .runs.front());
   };
   CHECK(id("") == id(R"("align": "rigid", "solver": [])"));
@@ -381,7 +384,8 @@ TEST_CASE("accuracy: what the solver holds is counted") {
   // floats; there are three arrays of points, three of what these numbers do not hold (four where moves are
   // apart: 64 substeps), the rest shape, and masses of double precision, and that is less than all.
   const auto bytes = [](const std::string& settings) {
-    const std::string config = R"({"name": "memory", "bending": {"model": "crossover"}, )" + settings + "}";
+    const std::string config = R"({"name": "memory", "defaults": "paper",
+          "bending": {"model": "crossover"}, )" + settings + "}";
     const Scene scene = build_scene(parse_experiment(config, "test").runs.front());
     return static_cast<double>(simulation_of(scene)->memory_bytes());
   };

@@ -480,7 +480,6 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
   refused("strip.json --error 5% --set '/bending={\"k\":0.5}'", 3, "/bending/stiffness");
   refused("strip.json --error 5% --set '/bending={\"k\":0.5}'", 3, "\"flexural_rigidity\": B");
   refused("strip.json --error 5% --set /mesh/cells=[8,16]", 2 + 1, "/mesh/cells");
-  refused("strip.json --error 5% --models lod", 3, "at_curvature");
   refused("strip.json --error 5% --set '/accuracy={\"solver\":[\"/solver/substeps=64\"]}'", 3,
           "/accuracy/physical");
   refused("nothing.json --error 5%", 3, "cannot be read");
@@ -552,7 +551,8 @@ TEST_CASE("advise: a config written elsewhere finds its files, those of other me
   for (const char* file : {"sheet.obj", "coarse.obj"})
     place.write(file, "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
   place.write("sheet.json",
-              R"({"name": "sheet", "duration": 0.5, "mesh": {"file": "sheet.obj"}, "pins": {"indices": [3]},
+              R"({"name": "sheet", "defaults": "paper",
+          "duration": 0.5, "mesh": {"file": "sheet.obj"}, "pins": {"indices": [3]},
     "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-4},
     "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 4}],
     "initial": {"after": ["/mesh/file=coarse.obj", "/duration=0.1"]}})");

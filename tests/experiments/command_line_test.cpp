@@ -25,7 +25,8 @@ using nlohmann::json;
 using bendlab::test::Workplace;
 
 /// A 16 x 16 and a 20 x 20 cloth for a tenth of a second.
-constexpr const char* small = R"({"name": "small", "duration": 0.1, "bending": {"model": "crossover"},
+constexpr const char* small = R"({"name": "small", "defaults": "paper",
+          "duration": 0.1, "bending": {"model": "crossover"},
   "sweep": {"/mesh/cells": [16, 20]}})";
 
 TEST_CASE("Usage errors exit with 2 and say what was meant", "[command line]") {
@@ -58,7 +59,7 @@ TEST_CASE("Config errors exit with 3 before anything is created", "[command line
   Workplace here;
   here.write("good.json", small);
   here.write("broken.json", "{\"name\": ");
-  here.write("unknown.json", R"({"name": "x", "mesh": {"cels": 3}})");
+  here.write("unknown.json", R"({"name": "x", "defaults": "paper", "mesh": {"cels": 3}})");
   CHECK(here.run("run broken.json") == 3);
   CHECK(here.run("run missing.json") == 3);
   CHECK(here.run("run good.json broken.json unknown.json") == 3);
@@ -80,7 +81,8 @@ TEST_CASE("Meshes that can't be used exit with 4, files that can't be read or wr
   here.write("hole.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n");
   CHECK(here.run("mesh hole.obj") == 4);
   CHECK(here.run("mesh missing.obj") == 5);
-  here.write("hole.json", R"({"name": "hole", "duration": 0.1, "mesh": {"file": "hole.obj"}})");
+  here.write("hole.json", R"({"name": "hole", "defaults": "paper",
+          "duration": 0.1, "mesh": {"file": "hole.obj"}})");
   CHECK(here.run("run hole.json") == 4);
   here.write("file", "");
   CHECK(here.run("run small.json --out file/results") == 5);
@@ -97,7 +99,8 @@ TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was don
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 1 0.5 0\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 2 5 3\nf 1 2 3\nf "
              "1 3 6\n");
   here.write("bad.json",
-             R"({"name": "bad", "duration": 0.2, "mesh": {"file": "bad.obj"}, "pins": {"ring": 0}})");
+             R"({"name": "bad", "defaults": "paper",
+          "duration": 0.2, "mesh": {"file": "bad.obj"}, "pins": {"ring": 0}})");
   CHECK(here.run("run bad.json") == 4);
   CHECK_THAT(here.err(), ContainsSubstring("1 triangle with zero area: triangle 2 (1, 4, 2)") &&
                              ContainsSubstring("bad_triangles"));
@@ -196,7 +199,8 @@ TEST_CASE("The option --set overrides a value and replaces an axis, and --out sa
 
 TEST_CASE("An expectation that does not hold exits with 1 and says why it was stated", "[command line]") {
   Workplace here;
-  here.write("expect.json", R"({"name": "expect", "duration": 0.1, "mesh": {"cells": 2}, "expect": [
+  here.write("expect.json", R"({"name": "expect", "defaults": "paper",
+          "duration": 0.1, "mesh": {"cells": 2}, "expect": [
     {"metric": "vertices", "min": 9, "max": 9, "why": "three rows of three"},
     {"metric": "triangles", "max": 7, "why": "one too few, on purpose"}]})");
   CHECK(here.run("run expect.json") == 1);
@@ -208,7 +212,8 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
   Workplace here;
   here.write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nf 1 2 3\n");
   here.write("mixed.json",
-             R"({"name": "mixed", "duration": 0.1, "pins": {"vertices": ["upper_left"], "ring": 0},
+             R"({"name": "mixed", "defaults": "paper",
+          "duration": 0.1, "pins": {"vertices": ["upper_left"], "ring": 0},
     "sweep": {"/mesh": [{"file": "flat.obj"}, {"cells": 2}]}})");
   CHECK(here.run("run mixed.json --json") == 4);
   const std::vector<json> runs = here.out_lines();
@@ -221,7 +226,8 @@ TEST_CASE("In a sweep the other runs go on when one fails", "[command line]") {
 TEST_CASE("A run that diverges exits with 6, keeps its frames and stops no other", "[command line]") {
   // Gravity as a catapult: 10⁹ m/s² throws a sheet past the bound of a million sizes within half a second.
   Workplace here;
-  here.write("wild.json", R"({"name": "wild", "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
+  here.write("wild.json", R"({"name": "wild", "defaults": "paper",
+          "duration": 0.5, "mesh": {"cells": 4}, "pins": {"vertices": []},
       "sweep": {"/effects/0/acceleration": [[0, 0, -1e9], [0, 0, -9.81]]},
       "effects": [{"type": "gravity"}]})");
   CHECK(here.run("run wild.json --json") == 6);
@@ -242,7 +248,8 @@ TEST_CASE("A signal keeps the frames and the same command again completes the ru
   Workplace here;
   // Long enough that the signal, sent within milliseconds of the first frame, comes in time.
   here.write("long.json",
-             R"({"name": "long", "duration": 60, "mesh": {"cells": 8}, "output": {"frames_per_second": 5}})");
+             R"({"name": "long", "defaults": "paper",
+          "duration": 60, "mesh": {"cells": 8}, "output": {"frames_per_second": 5}})");
   REQUIRE(here.run_and_signal("long.json", signal) == code);
   CHECK_THAT(here.err(), ContainsSubstring("same command again"));
   REQUIRE(here.run("list --json") == 0);

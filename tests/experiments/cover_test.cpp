@@ -77,7 +77,7 @@ Sizes random_sizes(std::mt19937_64& generator, std::size_t axes, std::size_t lar
 const Sizes plain = {9, 4, 3, 7, 2, 7, 12, 3, 3, 4, 3, 3, 2, 2};
 
 Experiment experiment(const std::string& rest, const std::vector<std::string>& overrides = {}) {
-  return parse_experiment(R"({"name": "t", )" + rest + "}", "test", overrides);
+  return parse_experiment(R"({"name": "t", "defaults": "paper", )" + rest + "}", "test", overrides);
 }
 
 void check_problem(const std::string& rest, const std::string& pointer, const std::string& message) {

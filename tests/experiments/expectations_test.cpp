@@ -11,7 +11,8 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 Experiment with_expect(const std::string& expect, const std::string& rest = "") {
-  return parse_experiment(R"({"name": "t", )" + rest + R"("expect": )" + expect + "}", "test");
+  return parse_experiment(R"({"name": "t", "defaults": "paper",
+          )" + rest + R"("expect": )" + expect + "}", "test");
 }
 
 void check_problem(const std::string& expect, const std::string& pointer, const std::string& message) {
@@ -97,7 +98,8 @@ TEST_CASE("expect: wrong entries are refused") {
 }
 
 TEST_CASE("expect: an override may leave an expectation without runs") {
-  const std::string text = R"({"name": "t", "expect": [{"metric": "drop", "min": 0, "why": "w",
+  const std::string text = R"({"name": "t", "defaults": "paper",
+          "expect": [{"metric": "drop", "min": 0, "why": "w",
                                                         "where": {"/mesh/cells": 32}}]})";
   const std::vector<std::string> overrides = {"/mesh/cells=4"};
   CHECK_NOTHROW(parse_experiment(text, "test", overrides));

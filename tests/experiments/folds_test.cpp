@@ -9,7 +9,8 @@ namespace {
 using Catch::Matchers::WithinAbs;
 
 Scene folded_scene(const std::string& initial) {
-  return build_scene(parse_experiment(R"({"name": "folds", "description": "d", "duration": 1,
+  return build_scene(parse_experiment(R"({"name": "folds", "defaults": "paper",
+          "description": "d", "duration": 1,
     "mesh": {"cells": 128}, "bending": {"model": "crossover"}, "initial": )" +
                                           initial + "}",
                                       "test")

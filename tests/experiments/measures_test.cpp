@@ -44,7 +44,8 @@ TEST_CASE("measures: a run's summary has the numbers of its measures and no othe
   const Workplace here;
   const auto experiment_with = [](const std::string& more) {
     return parse_experiment(
-        R"({"name": "all", "duration": 0.1, "mesh": {"cells": 8, "width": 0.2, "height": 0.1},
+        R"({"name": "all", "defaults": "paper",
+          "duration": 0.1, "mesh": {"cells": 8, "width": 0.2, "height": 0.1},
             "pins": {"vertices": ["left"], "ring": 0, "distance": 0.06},
             "bending": {"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-4}, )" +
             more + "}",
@@ -71,7 +72,8 @@ TEST_CASE("measures: a run's summary has the numbers of its measures and no othe
 }
 
 TEST_CASE("measures: one that nobody has is refused with those there are", "[measures]") {
-  CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "output": {"measures": ["motion"]}})", "test"),
+  CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "defaults": "paper",
+          "output": {"measures": ["motion"]}})", "test"),
                     Catch::Matchers::ContainsSubstring("/output/measures") &&
                         Catch::Matchers::ContainsSubstring("stability"));
 }
@@ -79,7 +81,8 @@ TEST_CASE("measures: one that nobody has is refused with those there are", "[mea
 TEST_CASE("measures: a metric that no run can have is an error before the first run", "[measures]") {
   Workplace here;
   const auto validate = [&](const std::string& metric, const std::string& more) {
-    here.write("e.json", R"({"name": "e", "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +
+    here.write("e.json", R"({"name": "e", "defaults": "paper",
+          "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +
                              metric + R"(", "min": 0, "why": "any"}]})");
     return here.run("validate e.json");
   };

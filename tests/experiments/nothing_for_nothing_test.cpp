@@ -13,7 +13,8 @@ namespace {
 using Catch::Matchers::ContainsSubstring;
 using test::Workplace;
 
-const char* const hanging = R"({"name": "hanging", "duration": 0.5, "mesh": {"cells": 12},
+const char* const hanging = R"({"name": "hanging", "defaults": "paper",
+          "duration": 0.5, "mesh": {"cells": 12},
   "pins": {"vertices": ["upper_right"], "ring": 1}, "effects": [{"type": "gravity"}]})";
 
 std::vector<std::string> pass_names(const nlohmann::json& run) {

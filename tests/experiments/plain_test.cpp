@@ -217,7 +217,8 @@ TEST_CASE("plain: hinges leave a hanging sheet where it is in the first step", "
   const std::string precision = GENERATE("single", "double");
   for (const int cells : {2, 12, 24}) {
     const Experiment experiment =
-        parse_experiment(fmt::format(R"({{"name": "hung", "mesh": {{"cells": {}, "diagonal": "alternating"}},
+        parse_experiment(fmt::format(R"({{"name": "hung", "defaults": "paper",
+          "mesh": {{"cells": {}, "diagonal": "alternating"}},
           "pins": {{"vertices": ["top"], "ring": 0}}, "initial": {{"tilt": 90, "velocity": [0.05, 0, 0]}},
           "bending": {{"model": "{}", "k": 0.01}}, "solver": {{"precision": "{}"}}}})",
                                      cells, model, precision),

@@ -16,7 +16,8 @@ using Catch::Matchers::WithinRel;
 constexpr double g = 9.81;  // m/s², the default of gravity
 
 Scene scene_of(const std::string& settings) {
-  return build_scene(parse_experiment(R"({"name": "bound", )" + settings + "}", "test").runs.front());
+  return build_scene(parse_experiment(R"({"name": "bound", "defaults": "paper",
+          )" + settings + "}", "test").runs.front());
 }
 
 // A sheet of a metre on a corner, and one that nothing holds.

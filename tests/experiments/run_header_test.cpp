@@ -11,7 +11,8 @@ namespace bendlab {
 namespace {
 
 Experiment experiment_of(const std::string& bending, const std::string& solver) {
-  return parse_experiment(R"({"name": "t", "mesh": {"cells": 3}, "output": {"constraints": true},
+  return parse_experiment(R"({"name": "t", "defaults": "paper",
+          "mesh": {"cells": 3}, "output": {"constraints": true},
                               "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
                               "bending": )" +
                               bending + R"(, "solver": )" + solver + "}",

@@ -80,7 +80,7 @@ TEST_CASE("schema: the JSON Schema has every row with type, default, unit and ra
 }
 
 TEST_CASE("schema: a config is described by the sections that its resolved form has") {
-  const RunConfig run = parse_experiment(R"({"name": "t"})", "test").runs.at(0);
+  const RunConfig run = parse_experiment(R"({"name": "t", "defaults": "paper"})", "test").runs.at(0);
   const Json schema = schema_json();
   for (const auto& [key, value] : run.resolved().items()) CHECK(schema["properties"].contains(key));
 }
@@ -133,7 +133,8 @@ TEST_CASE("schema: a resolved config has of /solver what its method reads, and n
   for (const Method* method : methods()) {
     INFO(method->name);
     const RunConfig run =
-        parse_experiment(R"({"name": "t", "solver": {"method": ")" + std::string(method->name) +
+        parse_experiment(R"({"name": "t", "defaults": "paper",
+          "solver": {"method": ")" + std::string(method->name) +
                              R"("}, "bending": {"model": "none"},
         "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
                          "test")

@@ -16,7 +16,8 @@ using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
 Scene scene_of(const std::string& rest, const std::string& effects = "[]") {
-  return build_scene(parse_experiment(R"({"name": "hard", "mesh": {"cells": 8}, "pins": {"vertices": []}, )" +
+  return build_scene(parse_experiment(R"({"name": "hard", "defaults": "paper",
+          "mesh": {"cells": 8}, "pins": {"vertices": []}, )" +
                                           rest + R"(, "effects": )" + effects + "}",
                                       "test")
                          .runs.front());
@@ -39,7 +40,8 @@ TEST_CASE("start poses: scaled about the centre or the pins", "[experiments]") {
   CHECK(mirrored.input.positions.col(0) == -mirrored.rest.positions().col(0));
   const Scene held = build_scene(
       parse_experiment(
-          R"({"name": "held", "mesh": {"cells": 8}, "pins": {"vertices": ["upper_right"], "ring": 1},
+          R"({"name": "held", "defaults": "paper",
+          "mesh": {"cells": 8}, "pins": {"vertices": ["upper_right"], "ring": 1},
                            "initial": {"scale": [2, 2, 1]}})",
           "test")
           .runs.front());
@@ -102,14 +104,16 @@ TEST_CASE("one half of the cloth as heavy as asked for", "[experiments]") {
 
 TEST_CASE("a mesh far from the origin and a flawed one", "[experiments]") {
   const Scene far = build_scene(
-      parse_experiment(R"({"name": "far", "mesh": {"cells": 4, "scale": 2, "offset": [1000000, 0, -5]}})",
+      parse_experiment(R"({"name": "far", "defaults": "paper",
+          "mesh": {"cells": 4, "scale": 2, "offset": [1000000, 0, -5]}})",
                        "test")
           .runs.front());
   CHECK(far.rest.centre() == Vector3(1e6, 0, -5));
   const auto flawed = [](const std::string& policy) {
     return build_scene(
         parse_experiment(
-            R"({"name": "flawed", "mesh": {"flaw": "degenerate", "bad_triangles": ")" + policy + R"("}})",
+            R"({"name": "flawed", "defaults": "paper",
+          "mesh": {"flaw": "degenerate", "bad_triangles": ")" + policy + R"("}})",
             "test")
             .runs.front());
   };
@@ -120,10 +124,12 @@ TEST_CASE("a mesh far from the origin and a flawed one", "[experiments]") {
 TEST_CASE("a sweep over all choices of a setting", "[experiments]") {
   std::set<std::string> models;
   for (const RunConfig& run :
-       parse_experiment(R"({"name": "all", "sweep": {"/bending/model": "all"}})", "test").runs)
+       parse_experiment(R"({"name": "all", "defaults": "paper",
+          "sweep": {"/bending/model": "all"}})", "test").runs)
     models.insert(run.bending_model());
   CHECK(models.size() == bending_models().size());
-  CHECK_THROWS_WITH(parse_experiment(R"({"name": "all", "sweep": {"/mesh/cells": "all"}})", "test"),
+  CHECK_THROWS_WITH(parse_experiment(R"({"name": "all", "defaults": "paper",
+          "sweep": {"/mesh/cells": "all"}})", "test"),
                     ContainsSubstring("/sweep/~1mesh~1cells"));
 }
 
@@ -158,7 +164,8 @@ TEST_CASE("stability: what stays folded, stays away and is pinned", "[experiment
   CHECK(folded.at("stability_creep") == 0);
 
   const Scene pinned =
-      build_scene(parse_experiment(R"({"name": "pinned", "mesh": {"cells": 8}})", "test").runs.front());
+      build_scene(parse_experiment(R"({"name": "pinned", "defaults": "paper",
+          "mesh": {"cells": 8}})", "test").runs.front());
   const auto held = looked_at(pinned, 0.5);
   CHECK(held.count("stability_momentum_drift") == 0);  // pins take momentum
   CHECK(held.count("stability_energy_gain") == 1);

@@ -11,7 +11,7 @@ using namespace bendlab;
 namespace {
 
 RunConfig config_of(const std::string& settings) {
-  return parse_experiment(R"({"name": "after", )" + settings + "}", "test").runs.front();
+  return parse_experiment(R"({"name": "after", "defaults": "paper", )" + settings + "}", "test").runs.front();
 }
 
 Scene started(const std::string& settings) {

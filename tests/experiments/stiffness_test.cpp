@@ -19,7 +19,8 @@ using nlohmann::json;
 using test::Workplace;
 
 // A lattice strip of 12 rows h = 0.021650635 m apart, two of vertices pinned: 11 h free.
-constexpr const char* cantilever = R"({"name": "tiny", "duration": 10, "settled_speed": 0.005,
+constexpr const char* cantilever = R"({"name": "tiny", "defaults": "paper",
+          "duration": 10, "settled_speed": 0.005,
   "mesh": {"generator": "equilateral", "width": 0.25, "height": 0.14, "cells": 10, "rows": "perpendicular"},
   "pins": {"vertices": ["left"], "ring": 1},
   "effects": [{"type": "gravity", "acceleration": [0, 0, -9.81]}, {"type": "rigid_damping", "rate": 5}],
@@ -30,7 +31,8 @@ constexpr double row = 0.021650635;
 
 RunConfig strip_config(const std::string& bending) {
   return parse_experiment(
-             R"({"name": "strip", "pins": {"vertices": ["left"], "ring": 4}, "bending": )" + bending + "}",
+             R"({"name": "strip", "defaults": "paper",
+          "pins": {"vertices": ["left"], "ring": 4}, "bending": )" + bending + "}",
              "strip")
       .runs.at(0);
 }
@@ -91,7 +93,8 @@ TEST_CASE("A cantilever says how stiff it is", "[command line]") {
 
 TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
   Workplace here;
-  here.write("cloth.json", R"({"name": "cloth", "duration": 0.1, "mesh": {"cells": 8}})");
+  here.write("cloth.json", R"({"name": "cloth", "defaults": "paper",
+          "duration": 0.1, "mesh": {"cells": 8}})");
   REQUIRE(here.run("run cloth.json --json") == 0);
   CHECK_FALSE(here.out_lines().at(0).at("summary").contains("settled_at"));
   CHECK(here.run("stiffness results/cloth") == 1);

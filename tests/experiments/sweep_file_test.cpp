@@ -20,7 +20,7 @@ json sweep_in(const Workplace& place, const std::string& file) {
 
 TEST_CASE("sweep file: has every run of the sweep with its place, id and folder", "[campaign]") {
   Workplace place;
-  place.write("first.json", R"({"name": "s", "duration": 0.05, "effects": [],
+  place.write("first.json", R"({"name": "s", "defaults": "paper", "duration": 0.05, "effects": [],
       "sweep": {"/mesh/cells": [2, 3], "/bending/model": ["none", "lod"], "/bending/lod/t": [1, 2]}})");
   REQUIRE(place.run("run first.json") == 0);
   const json sweep = sweep_in(place, "s/first.sweep.json");
@@ -42,7 +42,8 @@ TEST_CASE("sweep file: a trial with other settings does not replace the sweep as
           "[campaign]") {
   Workplace place;
   place.write("first.json",
-              R"({"name": "s", "duration": 0.05, "effects": [], "sweep": {"/mesh/cells": [2, 3]}})");
+              R"({"name": "s", "defaults": "paper",
+          "duration": 0.05, "effects": [], "sweep": {"/mesh/cells": [2, 3]}})");
   REQUIRE(place.run("run first.json") == 0);
   const std::string written = test::read(place.folder / "results/s/first.sweep.json");
   REQUIRE(place.run("run first.json --set /mesh/cells=4") == 0);
@@ -52,7 +53,8 @@ TEST_CASE("sweep file: a trial with other settings does not replace the sweep as
 
 TEST_CASE("sweep file: a run whose mesh can't be read has no id", "[campaign]") {
   Workplace place;
-  place.write("first.json", R"({"name": "s", "duration": 0.05, "mesh": {"file": "gone.obj"}})");
+  place.write("first.json", R"({"name": "s", "defaults": "paper",
+          "duration": 0.05, "mesh": {"file": "gone.obj"}})");
   CHECK(place.run("run first.json") != 0);
   const json sweep = sweep_in(place, "s/first.sweep.json");
   REQUIRE(sweep["runs"].size() == 1);
@@ -61,7 +63,8 @@ TEST_CASE("sweep file: a run whose mesh can't be read has no id", "[campaign]") 
 
 TEST_CASE("run config: what follows from its settings is derived once", "[config]") {
   const RunConfig config =
-      parse_experiment(R"({"name": "s", "initial": {"after": ["/duration=2"]}})", "test").runs.front();
+      parse_experiment(R"({"name": "s", "defaults": "paper",
+          "initial": {"after": ["/duration=2"]}})", "test").runs.front();
   int made = 0;
   const auto make = [&] {
     ++made;
@@ -83,11 +86,11 @@ TEST_CASE("run config: what follows from its settings is derived once", "[config
 }
 
 TEST_CASE("run config: settings of another version are refused by name", "[config]") {
-  Json resolved = parse_experiment(R"({"name": "s"})", "test").runs.front().resolved();
+  Json resolved = parse_experiment(R"({"name": "s", "defaults": "paper"})", "test").runs.front().resolved();
   CHECK_NOTHROW(RunConfig(resolved));
   resolved["solver"]["order"] = "by_colour";
   CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("order"));
-  resolved = parse_experiment(R"({"name": "s"})", "test").runs.front().resolved();
+  resolved = parse_experiment(R"({"name": "s", "defaults": "paper"})", "test").runs.front().resolved();
   resolved["effects"][0]["type"] = "levity";
   CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("levity"));
 }

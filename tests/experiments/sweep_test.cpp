@@ -11,7 +11,7 @@ using Catch::Matchers::ContainsSubstring;
 namespace {
 
 Experiment experiment(const std::string& rest, const std::vector<std::string>& overrides = {}) {
-  return parse_experiment(R"({"name": "t", )" + rest + "}", "test", overrides);
+  return parse_experiment(R"({"name": "t", "defaults": "paper", )" + rest + "}", "test", overrides);
 }
 
 ConfigProblems problems_of(const std::string& rest, const std::vector<std::string>& overrides = {}) {

@@ -19,11 +19,13 @@ using nlohmann::json;
 const std::string torn_scene = R"("duration": 1, "mesh": {"cells": 32}, "bending": {"model": "none"},
   "pins": {"vertices": ["upper_right"], "ring": 0}, "solver": {"iterations": 10, "substeps": 1},
   "material": {"strain": {"form": "normalised"}}, "initial": {"perturbation": 1e-6}})";
-const std::string torn = R"({"name": "torn", )" + torn_scene,
-                  torn_and_allowed = R"({"name": "torn", "allow": ["implausible"], )" + torn_scene;
+const std::string torn = R"({"name": "torn", "defaults": "paper", )" + torn_scene,
+                  torn_and_allowed = R"({"name": "torn", "defaults": "paper",
+          "allow": ["implausible"], )" + torn_scene;
 
 // Nothing acts on it, and nothing moves.
-const std::string calm = R"({"name": "calm", "duration": 0.1, "mesh": {"cells": 4}, "pins": {"vertices": []},
+const std::string calm = R"({"name": "calm", "defaults": "paper",
+          "duration": 0.1, "mesh": {"cells": 4}, "pins": {"vertices": []},
   "effects": [])";
 
 }  // namespace
@@ -70,7 +72,7 @@ TEST_CASE("A sweep that studies failure says so, and is the same sweep", "[comma
   Workplace here;
   here.write("torn.json", torn);
   here.write("allowed.json", torn_and_allowed);
-  here.write("wrong.json", R"({"name": "torn", "allow": ["diverged"], )" + torn_scene);
+  here.write("wrong.json", R"({"name": "torn", "defaults": "paper", "allow": ["diverged"], )" + torn_scene);
   CHECK(here.run("validate wrong.json") == 3);
   CHECK_THAT(here.err(), ContainsSubstring("/allow/0"));
   REQUIRE(here.run("run allowed.json --json") == 0);
@@ -107,7 +109,8 @@ TEST_CASE("A warning that only the run can give fails a strict command after it"
   Workplace here;
   // One round a step leaves a sheet on two corners stretched.
   here.write("loose.json",
-             R"({"name": "loose", "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
+             R"({"name": "loose", "defaults": "paper",
+          "allow": ["implausible"], "duration": 1, "mesh": {"cells": 24},
     "pins": {"vertices": ["upper_left", "upper_right"]}, "solver": {"iterations": 2, "substeps": 1}})");
   REQUIRE(here.run("validate --strict loose.json") == 0);
   REQUIRE(here.run("run loose.json") == 0);

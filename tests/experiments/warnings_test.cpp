@@ -14,7 +14,7 @@ using Catch::Matchers::ContainsSubstring;
 using Summary = std::map<std::string, double>;
 
 Experiment experiment_of(const std::string& settings) {
-  return parse_experiment(R"({"name": "warned", )" + settings + "}", "test");
+  return parse_experiment(R"({"name": "warned", "defaults": "paper", )" + settings + "}", "test");
 }
 
 // Codes of the first run's warnings, and the message of the last one asked for.

@@ -35,6 +35,7 @@ struct Effect {
   std::span<const Parameter> parameters;
   /// Its passes act on projected constraints or between projections: only for solver methods that project.
   bool needs_projection = false;
+  bool helps_projection = false;  ///< needs it, and has no other purpose: other methods leave it out
   bool uses_contacts = false;  ///< reads State::contacts, at Stage::contact
   bool repeatable = false;     ///< a scene may list it more than once
   /// The effect's passes for one scene, for each precision.

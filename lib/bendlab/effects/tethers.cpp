@@ -122,6 +122,7 @@ extern const Effect tethers{
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
     .parameters = parameters,
     .needs_projection = true,
+    .helps_projection = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
 };

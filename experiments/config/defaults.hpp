@@ -1,0 +1,36 @@
+// What a config gets that it does not say, where this depends on what it does say.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// Choices of /defaults. "recommended": the settings of configs/recommended.json, which are also the defaults
+/// of the tables. "paper": those with which the paper is repeated.
+inline constexpr std::array<std::string_view, 2> defaults_names = {"recommended", "paper"};
+
+inline constexpr const char* default_bending_model = "discrete_shells";
+
+/// B of a light cotton, N m: at 0.2 kg/m² its bending length (B/ρg)^⅓ is 17 mm; strips of shirt fabrics have
+/// 15 to 25 mm by ASTM D1388.
+inline constexpr double default_flexural_rigidity = 1e-5;
+
+/// Curvature of a fold of 5 cm radius, 1/m: where springs, which have no one rigidity, get the stated one.
+inline constexpr double default_at_curvature = 20;
+
+/// Of viscous_drag, N s/m³: a sheet of 0.2 kg/m² falls flat at 2 m/s at most. (By the square law of air,
+/// ½ · 1.2 kg/m³ · 1.28 v², it is 1.6 m/s.)
+inline constexpr double default_drag_coefficient = 1;
+
+/// The effects of a config that lists none: gravity; recommended: also tethers and the drag of air.
+Json default_effects(const Json& settings);
+
+/// The settings with those added whose default depends on others: what /defaults chooses, how bending is
+/// stiff, the stated rigidity, and effects. What is given stays as it is. A problem if it is unclear which of
+/// two stiffnesses is meant.
+Json with_defaults(const Json& settings, ConfigProblems& problems);
+
+}  // namespace bendlab
