@@ -39,6 +39,32 @@ def _nearest(points, others):
     return np.sqrt(squared.min(axis=1))
 
 
+def turned_onto(a, b, centre):
+    """`a`, turned about the vertical through `centre` so that it lies nearest to `b` (least squares)."""
+    p, q = (a - centre)[:, :2], (b - centre)[:, :2]
+    angle = np.arctan2((p[:, 0] * q[:, 1] - p[:, 1] * q[:, 0]).sum(), (p * q).sum())
+    turn = np.array([[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]])
+    result = a.copy()
+    result[:, :2] = p @ turn + centre[:2]
+    return result
+
+
+def at_rest(one, other, where=slice(None)):
+    """RMS distance of two runs' last frames in sizes of the sheet, the first turned about the vertical
+    through its pins: how a sheet happens to face is not its shape. `where`: the vertices that count."""
+    a, b = one.positions(-1), other.positions(-1)
+    seeds = one.pin_seeds
+    centre = a[seeds].mean(axis=0) if len(seeds) else a.mean(axis=0)
+    return rms_distance(turned_onto(a, b, centre)[where], b[where]) / one.size
+
+
+def in_first_second(one, other, where=slice(None)):
+    """Mean over the frames of the first second of the RMS distance at equal times, in sizes of the sheet."""
+    frames = [f for f, t in enumerate(one.metrics["time"]) if 0 < t <= 1 + 1e-9]
+    return float(np.mean([rms_distance(one.positions(f)[where], other.positions(f)[where])
+                          for f in frames])) / one.size
+
+
 def between_runs(some, others):
     """(RMS, Hausdorff) spreads in sizes of the sheet, over all pairs of runs, one of each group, with
     different seeds.

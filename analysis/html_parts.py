@@ -2,6 +2,7 @@
 import html
 
 import style
+from claim_map import Place, answer_rank
 
 HEAD = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
@@ -36,6 +37,12 @@ HEAD = """<!doctype html>
   .claim table { margin: .5rem 0 .2rem }
   .verdict { font-weight: 650; white-space: nowrap } .yes .verdict, .verdict.yes { color: var(--yes) }
   .no .verdict, .verdict.no { color: var(--no) } .open .verdict, .verdict.open { color: var(--open) }
+  .map td.holds { background: #dcebf7 } .map td.fails { background: #fbe0cc }
+  .map td.none { color: var(--grey) }
+  .map td, .map th { padding: .25rem .45rem; border-left: 2px solid #fff; white-space: nowrap }
+  .map th.group { text-align: left; border-bottom: 1px solid var(--line) }
+  .map td.first, .map th.first { border-left: 10px solid #fff }
+  .korean { color: var(--grey); font-size: .92rem }
   code, pre { font: .86rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace;
     background: #f5f6f8; border-radius: 4px }
   code { padding: .1rem .3rem } pre { padding: .7rem .9rem; overflow-x: auto }
@@ -82,12 +89,78 @@ def section_html(section, everything, label="", verdicts=()):
 
 def claim_html(claim):
     kind, verdict = mark(claim)
+    if claim.setting:
+        kind, verdict = "open", f"{verdict} with {claim.setting}"
     numbers = "".join(f"<tr><td class='t'>{escape(name)}</td><td>{shown(value)}</td></tr>"
                       for name, value in claim.numbers.items())
     note = f"<p>{escape(claim.note)}</p>" if claim.note else ""
     return (f"<div class='claim {kind}'><p>“{escape(claim.claim)}” <span "
             f"class='verdict'>{verdict}</span></p><table>{numbers}</table><p class='rule'>Holds if "
             f"{escape(claim.rule)}.</p>{note}</div>")
+
+
+def map_mark(claim_map):
+    """(class, text) of the verdict of a map: one word, and its sentence stands below it."""
+    if claim_map.holds is None:
+        return "open", "no runs"
+    if isinstance(claim_map.holds, float):
+        return "open", "holds in part"
+    return ("yes", "holds") if claim_map.holds else ("no", "does not hold")
+
+
+def map_html(claim_map):
+    """The map of a claim: its sentence, what makes it true, a table of cells, and their commands."""
+    kind, verdict = map_mark(claim_map)
+    korean = f"<p class='korean' lang='ko'>{escape(claim_map.korean)}</p>" if claim_map.korean else ""
+    note = f"<p>{escape(claim_map.note)}</p>" if claim_map.note else ""
+    commands = "\n".join(f"{_place_text(place)}\n  {cell.command}"
+                         for place, cell in sorted(claim_map.cells.items()))
+    repeat = (f"<details><summary>The command of each cell</summary><pre>{escape(commands)}</pre></details>"
+              if commands else "")
+    return (f"<div class='claim {kind}'><p>“{escape(claim_map.english)}” <span "
+            f"class='verdict'>{verdict}</span></p>{korean}<p><b>{escape(claim_map.sentence)}</b></p>"
+            f"<p class='rule'>A cell holds (blue) if {escape(claim_map.rule)}. Its number: "
+            f"{escape(claim_map.number)}.</p>{_map_table(claim_map)}{note}{repeat}</div>")
+
+
+def _place_text(place):
+    parts = [f"m {place.rounding}"] if place.rounding else []
+    return ", ".join([*parts, f"pinned: {place.pins}", f"N = {place.cells}", f"damping: {place.damping}",
+                      f"substeps × iterations: {place.solver}"])
+
+
+def _map_table(claim_map):
+    ordered = lambda name: sorted({getattr(place, name) for place in claim_map.cells}, key=answer_rank(name))
+    blocks, rows, columns, cells = map(ordered, ("rounding", "damping", "pins", "cells"))
+    solvers, parts = ordered("solver"), []
+    for block in blocks:
+        head = "".join(f"<th class='group first' colspan={len(cells)}>{escape(pins)}</th>"
+                       for pins in columns)
+        numbers = "".join(f"<th{_first(i)}>{n}</th>" for _ in columns for i, n in enumerate(cells))
+        body = ""
+        for damping in rows:
+            for i, solver in enumerate(solvers):
+                name = f"<th class=t rowspan={len(solvers)}>{escape(damping)}</th>" if i == 0 else ""
+                body += f"<tr>{name}<th class=t>{escape(solver)}</th>" + "".join(
+                    _map_cell(claim_map.cells.get(Place(block, damping, solver, pins, n)), i)
+                    for pins in columns for i, n in enumerate(cells)) + "</tr>"
+        title = f"<caption>Our reading of eq. 6: m {escape(block)}</caption>" if block else ""
+        parts.append(f"<div class='scroll'><table class='map'>{title}<tr><th class=t>damping</th><th "
+                     f"class=t>substeps × iterations</th>{head}</tr><tr><th></th><th class=t>pinned ↑, N "
+                     f"→</th>{numbers}</tr>{body}</table></div>")
+    return "".join(parts)
+
+
+def _first(column):
+    return " class=first" if column == 0 else ""
+
+
+def _map_cell(cell, column):
+    first = " first" if column == 0 else ""
+    if cell is None:
+        return f"<td class='none{first}'>–</td>"
+    return (f"<td class='{'holds' if cell.holds else 'fails'}{first}' "
+            f"title='{escape(cell.command)}'>{escape(cell.text)}</td>")
 
 
 def shown(value):

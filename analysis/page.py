@@ -10,16 +10,18 @@ import fig_1
 import fig_5
 import fig_6
 import fig_7
+import fig_map
 import fig_ablations
 import fig_models
+import fig_promise
 import fig_scenes
 import fig_structure
-from html_parts import claim_html, document, escape, mark, section_html
+from html_parts import claim_html, document, escape, map_html, map_mark, mark, section_html
 from load import at, group, statuses, summary_spread
 from report import rounded, write_objects
 from sweeps import CONFIGS, load_experiment
 
-PAPER = [fig_1, fig_structure, fig_5, fig_6, fig_7]
+PAPER = [fig_map, fig_promise, fig_1, fig_structure, fig_5, fig_6, fig_7]
 FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
@@ -36,6 +38,7 @@ def main(results, out, only="everything"):
         return sections
     claims = [claim for section in sections for claim in section.claims]
     write_objects(out / "summary.json", [claim.as_json() for claim in claims])
+    write_objects(out / "maps.json", [each.as_json() for section in sections for each in section.maps])
     write_reference(results, out / "reference.csv")
     text = document("bendlab: the paper, repeated", body(sections, claims))
     (out / "index.html").write_text(text, encoding="utf-8")
@@ -51,24 +54,30 @@ def body(sections, claims):
              "verdict.</p>", "<p>Unless a figure says otherwise, a sheet of 1 m × 1 m in N × N cells is "
              "pinned at its upper right corner. It starts horizontal and falls for 4 s. Stretch σ₁ is the "
              "largest principal stretch of a triangle: σ₁ − 1 is 0 for an unstretched triangle and 1 for one "
-             "that is twice as long.</p>", overview(claims)]
+             "that is twice as long.</p>",
+             overview([each for section in sections for each in section.maps], claims)]
     parts += [paper_section(section) for section in sections]
     parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: the claims. <a "
+                 "href='maps.json'>maps.json</a>: every cell of the maps. <a "
                  "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>")
     return "\n".join(parts)
 
 
-def overview(claims):
-    rows = "".join(f"<tr><td class='t'>Fig. {escape(claim.figure)}</td><td "
-                   f"class='t'>{escape(claim.claim)}</td><td class='t'><span class='verdict "
-                   f"{mark(claim)[0]}'>{mark(claim)[1]}</span></td></tr>" for claim in claims)
-    return f"<div class='scroll'><table class='overview'>{rows}</table></div>"
+def overview(maps, claims):
+    """One row per claim: first those with a map, then the others that are judged at all settings."""
+    row = lambda figure, text, kind, verdict, sentence="": (
+        f"<tr><td class='t'>Fig. {escape(figure)}</td><td class='t'>{escape(text)}"
+        f"{f'<br><small>{escape(sentence)}</small>' if sentence else ''}</td><td class='t'><span "
+        f"class='verdict {kind}'>{verdict}</span></td></tr>")
+    rows = [row(each.figure, each.english, *map_mark(each), each.sentence) for each in maps]
+    rows += [row(claim.figure, claim.claim, *mark(claim)) for claim in claims if not claim.setting]
+    return f"<div class='scroll'><table class='overview'>{''.join(rows)}</table></div>"
 
 
 def paper_section(section):
-    label = f"<span>Fig. {escape(section.figure)}</span> " if section.claims else ""
+    label = f"<span>Fig. {escape(section.figure)}</span> " if section.figure and section.claims else ""
     return section_html(section, "./bendlab reproduce      # everything, and this page", label,
-                        map(claim_html, section.claims))
+                        [*map(map_html, section.maps), *map(claim_html, section.claims)])
 
 
 def write_reference(results, path):

@@ -12,6 +12,7 @@ LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  #
 SUPERSAMPLE = 2
 CHUNK = 4_000_000  # pixels rasterised at once; limits the memory
 OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
+BACK = np.array([0.62, 0.66, 0.74]) ** 2.2  # linear; half of a back face's colour
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,7 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
 
     It frames all points within the unstretched sheet's reach of the pin. A sheet that has flown apart leaves
     the frame and does not make the others small. `zoom` (a fraction of size) frames the pin instead.
+    `aspect` is width over height of the picture; None takes that of the cloth, from 0.5 to 2.
     """
     axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
@@ -96,6 +98,8 @@ def _framing(points, axes, size, floor, aspect, least=0.0):
     slopes = view[:, :2] / -view[:, 2:]
     low, high = slopes.min(axis=0), slopes.max(axis=0)
     centre, half = (low + high) / 2, np.maximum((high - low) / 2 * 1.12, least / 3.2)
+    if aspect is None:
+        aspect = np.clip(half[0] / half[1], 0.5, 2)
     centre[1] -= 0.03 * half[1]
     half = np.maximum(half, [half[1] * aspect, half[0] / aspect])
     extent = (centre[0] - half[0], centre[0] + half[0], centre[1] - half[1], centre[1] + half[1])
@@ -225,7 +229,7 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
         positions = np.concatenate([positions, obstacles[0]])
         colours = np.concatenate([colours, np.tile(OBSTACLE, (len(obstacles[1]), 1))])
     xy, nearness = camera.project(positions, shape)
-    owner, _ = rasterise(xy, nearness, triangles, shape)
+    owner, nearest = rasterise(xy, nearness, triangles, shape)
 
     middle = camera.eye - 3.2 * camera.size * camera.axes[2]
     shadows = _ShadowMap(positions, triangles, middle, 1.3 * camera.size)
@@ -235,9 +239,29 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
     seen = owner >= 0
     if seen.any():
         image[seen] = _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, mesh_lines,
-                             cloth)
+                             cloth) * (1 - 0.75 * _occlusion(nearest, camera)[seen])[:, None]
     image = np.clip(image, 0, 1) ** (1 / 2.2)
     return image.reshape(shape[0] // SUPERSAMPLE, SUPERSAMPLE, width, SUPERSAMPLE, 3).mean(axis=(1, 3))
+
+
+def _occlusion(nearest, camera):
+    """(h, w) share of a pixel's surroundings that stand before it: folds are dark inside.
+
+    Surroundings are rings of up to a thirtieth of the picture. What stands far in front is another part of
+    the scene and does not count.
+    """
+    depth = np.full(nearest.shape, 1e9 * camera.size)
+    depth[nearest > 0] = 1 / nearest[nearest > 0]
+    total, samples = np.zeros(depth.shape), 0
+    for radius in (0.008, 0.018, 0.033):
+        reach = max(1, round(radius * depth.shape[0]))
+        for angle in np.arange(0, 2 * np.pi, np.pi / 4) + radius:
+            shift = (round(reach * np.sin(angle)), round(reach * np.cos(angle)))
+            before = depth - np.roll(depth, shift, axis=(0, 1))
+            near = (before > 0) & (before < 0.12 * camera.size)
+            total += np.where(near, np.clip(before / (0.012 * camera.size), 0, 1), 0)
+            samples += 1
+    return total / samples
 
 
 def _background(camera, shape, shadows):
@@ -271,7 +295,8 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     a, b, c = (positions[corners[:, i]] for i in range(3))
     # Decides which side is seen; a smooth normal may point away near an outline
     face = np.cross(b - a, c - a)
-    normal *= np.where((face * towards_eye).sum(1) < 0, -1.0, 1.0)[:, None]
+    back = (face * towards_eye).sum(1) < 0
+    normal *= np.where(back, -1.0, 1.0)[:, None]
 
     offset = point + 0.006 * camera.size * normal
     shadow = shadows.light(offset, bias=0.004, radius=1.5, taps=4)
@@ -284,6 +309,7 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     gloss = 0.10 * shadow * np.clip((normal * halfway).sum(1), 0, 1) ** 24
 
     base = np.asarray(colours)[t] ** 2.2
+    base = np.where((back & (t < cloth))[:, None], 0.5 * base + 0.5 * BACK, base)
     if mesh_lines:
         base = base * (1 - _mesh_lines(xy, triangles, t, flat) * (t < cloth))[:, None]
     return base * (ambient + 0.78 * direct + through)[:, None] + gloss[:, None]

@@ -13,10 +13,12 @@ class Claim:
     numbers: dict  # the measured numbers
     holds: bool | None  # None: runs are missing
     note: str = ""
+    setting: str = ""  # judged at this setting only: the verdict over all settings is that of a map
 
     def as_json(self):
         return {"figure": self.figure, "claim": self.claim, "rule": self.rule,
-                "numbers": rounded(self.numbers), "holds": self.holds, "note": self.note}
+                "numbers": rounded(self.numbers), "holds": self.holds, "note": self.note,
+                **({"setting": self.setting} if self.setting else {})}
 
 
 @dataclass
@@ -72,6 +74,7 @@ class Section:
     tables: list = field(default_factory=list)
     claims: list = field(default_factory=list)
     checks: list = field(default_factory=list)
+    maps: list = field(default_factory=list)  # ClaimMap
     commands: list = field(default_factory=list)
     missing: list = field(default_factory=list)
     text: str = ""

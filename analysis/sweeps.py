@@ -50,8 +50,7 @@ def load_experiment(results, config):
     sweep = json.loads(file.read_text(encoding="utf-8"))
     if sweep["overrides"]:
         experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
-    elif not (_decides_runs(settings) == _decides_runs(sweep["settings"])
-              and _same_axes(written, sweep["axes"])):
+    elif not (_same_runs(settings, sweep["settings"]) and _same_axes(written, sweep["axes"])):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
     MODEL_LABELS.update(sweep["models"])
@@ -81,11 +80,13 @@ def _file_in(folder):
     return whole if whole.exists() else folder / "run.vtkhdf.part"
 
 
-def _decides_runs(settings):
-    """The settings that decide what the runs are. A config without effects has gravity."""
-    beside = ("description", "sweep", "expect", "allow", "cover")
-    return {"effects": [{"type": "gravity"}],
-            **{key: value for key, value in settings.items() if key not in beside}}
+def _same_runs(written, computed):
+    """Whether a config as written has the runs of the one that was computed, but for its axes. There the
+    effects stand even if the config has none."""
+    beside = ("description", "sweep", "expect", "allow", "cover", "because")
+    decides = lambda settings: {key: value for key, value in settings.items()
+                                if key not in beside and (key != "effects" or key in written)}
+    return decides(written) == decides(computed)
 
 
 def _same_axes(written, axes):
