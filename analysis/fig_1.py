@@ -57,7 +57,7 @@ def _onset(run):
 
 def _pictures(groups, out):
     samples = {key: (group[0], _onset(group[0])) if group else None for key, group in groups.items()}
-    camera = style.camera_of(samples.values(), elevation=20)
+    camera = style.camera_of(samples.values(), elevation=20, aspect=None)
     close = style.camera_of(samples.values(), zoom=0.1, aspect=camera.aspect, elevation=20)
     figure, axes = plt.subplots(len(MODELS), 2 * len(CELLS), figsize=(10.4, 6.4), layout="compressed")
     for row, model in enumerate(MODELS):

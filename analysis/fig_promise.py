@@ -130,6 +130,11 @@ def _at(runs, n):
     return _by_cells(_in_scene(runs, "one corner")).get(n)
 
 
+def _least_ms(runs, n):
+    """The least CPU time per frame of the scenes on n cells, in ms: what else the machine does only adds."""
+    return min((_ms(run) for run in runs if run.get("/mesh/cells") == n), default=np.nan)
+
+
 def _goals_table(ours, paper):
     rows = []
     floor = select(paper, bending__adaptive__m_rounding="floor")
@@ -141,15 +146,17 @@ def _goals_table(ours, paper):
                      f"{100 * _drop_ratio(floor, scene):.1f} %", f"{100 * _drop_ratio(ours, scene):.1f} %",
                      f"≤ {100 * SAME_DROP:.0f} %"])
     for n in (64, 128):
-        few = [_at(runs, n) for runs in (floor, select(paper, bending__adaptive__m_rounding="round"), ours)]
+        kinds = (floor, select(paper, bending__adaptive__m_rounding="round"), ours)
+        few = [_at(runs, n) for runs in kinds]
         if not all(few):
             continue
+        ms = [_least_ms(runs, n) for runs in kinds]
         per_vertex = [run.summary["bending_constraints"] / run.summary["vertices"] for run in few]
         if n == 128:
             rows.append(["bending constraints per vertex, N = 128", f"{per_vertex[0]:.0f}",
                          f"{per_vertex[2]:.1f}", f"≤ {MOST_CONSTRAINTS}"])
-        rows.append([f"CPU time per frame, N = {n}",
-                     f"{_ms(few[0]):.1f} ms (m rounded: {_ms(few[1]):.1f} ms)", f"{_ms(few[2]):.1f} ms",
+        rows.append([f"CPU time per frame, N = {n} (least of the scenes)",
+                     f"{ms[0]:.1f} ms (m rounded: {ms[1]:.1f} ms)", f"{ms[2]:.1f} ms",
                      "no more than the paper's"])
     return Table("What the promise asks for: one corner, two corners and the curtain, on every N",
                  ["", "the paper's adaptive springs", "recommended", "goal"], rows)

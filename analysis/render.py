@@ -68,7 +68,7 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
-                                             for sz in (-1, 0.5)])
+                                             for sz in (-1.2, 0.2)])
     return _framing(near, axes, size, floor, aspect)
 
 
@@ -245,23 +245,23 @@ def render(positions, triangles, colours, camera, width, mesh_lines=True, obstac
 
 
 def _occlusion(nearest, camera):
-    """(h, w) share of a pixel's surroundings that stand before it: folds are dark inside.
+    """(h, w) how much of a pixel's surroundings stands before it, from 0 to 1: folds are dark inside.
 
-    Surroundings are rings of up to a thirtieth of the picture. What stands far in front is another part of
-    the scene and does not count.
+    Two pixels on opposite sides, up to a thirtieth of the picture away, count by how far their middle is in
+    front, so that a plane is bright however it lies. What is far off is another part of the scene.
     """
     depth = np.full(nearest.shape, 1e9 * camera.size)
     depth[nearest > 0] = 1 / nearest[nearest > 0]
-    total, samples = np.zeros(depth.shape), 0
+    total, pairs = np.zeros(depth.shape), 0
     for radius in (0.008, 0.018, 0.033):
         reach = max(1, round(radius * depth.shape[0]))
-        for angle in np.arange(0, 2 * np.pi, np.pi / 4) + radius:
-            shift = (round(reach * np.sin(angle)), round(reach * np.cos(angle)))
-            before = depth - np.roll(depth, shift, axis=(0, 1))
-            near = (before > 0) & (before < 0.12 * camera.size)
-            total += np.where(near, np.clip(before / (0.012 * camera.size), 0, 1), 0)
-            samples += 1
-    return total / samples
+        for angle in np.arange(0, np.pi, np.pi / 4) + radius:
+            shift = np.array([round(reach * np.sin(angle)), round(reach * np.cos(angle))])
+            one, other = (depth - np.roll(depth, way * shift, axis=(0, 1)) for way in (1, -1))
+            near = (np.abs(one) < 0.15 * camera.size) & (np.abs(other) < 0.15 * camera.size)
+            total += np.where(near, np.clip((one + other) / (0.01 * camera.size), 0, 1), 0)
+            pairs += 1
+    return total / pairs
 
 
 def _background(camera, shape, shadows):

@@ -44,7 +44,8 @@ TEST_CASE("from a row of sources the geodesic is the straight line to the neares
     REQUIRE(sources.size() > 10);
     const GeodesicDistances geodesic = geodesic_distances(rest, sources);
     for (int v = 0; v < rest.vertex_count(); ++v) {
-      if (std::abs(rest.position(v).x()) > 0.35) continue;  // a lattice's sides zigzag: the way is longer there
+      // The sides of a lattice zigzag: the way is longer there.
+      if (std::abs(rest.position(v).x()) > 0.35) continue;
       double nearest = std::numeric_limits<double>::infinity();
       for (const int source : sources)
         nearest = std::min(nearest, (rest.position(v) - rest.position(source)).norm());
