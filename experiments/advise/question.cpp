@@ -60,9 +60,6 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
         source, {{"/bending/model",
                   "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
                   "spring model that quartic_coefficient is for"}});
-  if (!bending.has("flexural_rigidity") && !bending.has("quartic_coefficient"))
-    throw ConfigError(source, {{"/bending/flexural_rigidity",
-                                "is missing: how stiff is the cloth? B in N m, cotton about 1e-5"}});
 }
 
 Json without_effects(const Json& effects, auto left_out) {

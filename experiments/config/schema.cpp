@@ -234,9 +234,10 @@ std::string schema_text() {
   for (const ConfigList& list : config_lists()) {
     text += fmt::format("\n/{}\n{}", list.name, wrapped(list.meaning, 2));
     if (list.name == "cover") text += rows_text(cover_parameters());
+    if (list.name == "expect")
+      text += rows_text(expectation_parameters()) + wrapped("where: optional; an object", 2) +
+              wrapped(expectation_where_meaning(), 6);
   }
-  text += rows_text(expectation_parameters());
-  text += wrapped("where: optional; an object", 2) + wrapped(expectation_where_meaning(), 6);
   for (const Effect* effect : effects())
     text += fmt::format("\nan entry of /effects with \"type\": \"{}\"\n{}{}", effect->name,
                         wrapped(effect->summary, 2), rows_text(effect->parameters));
