@@ -194,6 +194,19 @@ TEST_CASE("ring options change what they say", "[bending]") {
   }
 }
 
+TEST_CASE("LOD with ring 1 has the mesh's edges besides its ring t, each once", "[bending]") {
+  const RestMesh rest(grid(1, 1, 8, 8));
+  const Pins pins = no_pins(rest);
+  const int t = GENERATE(1, 2, 3, 5);
+  const auto level = std::pair<std::string_view, Value>{"t", std::int64_t{t}};
+  const DistanceConstraints alone = built("lod", rest, pins, {level}).distance;
+  const DistanceConstraints both = built("lod", rest, pins, {level, {"ring_1", true}}).distance;
+  auto expected = pair_set(alone);
+  for (const auto edge : rest.edges().rowwise()) expected.insert({edge.minCoeff(), edge.maxCoeff()});
+  CHECK(pair_set(both) == expected);
+  CHECK(both.size() == expected.size());
+}
+
 TEST_CASE("the pinned ring counts as pinned, or only the pin", "[bending]") {
   const RestMesh rest(grid(1, 1, 32, 32));
   const Pins pins = corner_pin(rest, 1);

@@ -17,6 +17,8 @@ bool reaches(RingFill fill, int level, int ring) {
       return ring >= 2 && ring <= level;
     case RingFill::last:
       return ring == level;
+    case RingFill::ends:
+      return ring == 1 || ring == level;
   }
   return false;
 }
@@ -85,7 +87,9 @@ std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rul
   }
   std::size_t expected = 0;
   for (std::size_t level = 1; level < with_level.size(); ++level) {
-    const std::size_t of_one = rule.fill == RingFill::last ? 6 * level : 3 * level * (level + 1);
+    const std::size_t of_one = rule.fill == RingFill::last   ? 6 * level
+                               : rule.fill == RingFill::ends ? 6 * (level + 1)
+                                                             : 3 * level * (level + 1);
     const bool usual = 2 * with_level[level] > levels.size();
     expected += with_level[level] * (usual && !rule.shared_pairs_twice ? of_one / 2 : of_one);
   }

@@ -20,8 +20,9 @@ enum class RingFill {
   all,           ///< rings 1 … L
   beyond_edges,  ///< rings 2 … L: ring 1 is the mesh's own edges
   last,          ///< ring L alone
+  ends,          ///< rings 1 and L
 };
-inline constexpr std::array<std::string_view, 3> ring_fill_names = {"all", "beyond_edges", "last"};
+inline constexpr std::array<std::string_view, 4> ring_fill_names = {"all", "beyond_edges", "last", "ends"};
 
 struct RingRule {
   RingFill fill = RingFill::all;
@@ -69,7 +70,7 @@ inline constexpr std::array ring_fill_parameter = {
               .type = ParameterType::text,
               .default_value = "all",
               .meaning = "which rings of a vertex of level L get springs: 1 … L, 2 … L (ring 1 is the mesh's "
-                         "own edges), or L alone",
+                         "own edges), L alone, or the ends 1 and L",
               .choices = ring_fill_names}};
 RingFill ring_fill(const ParameterValues& values);
 

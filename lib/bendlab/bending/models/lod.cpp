@@ -16,6 +16,10 @@ constexpr std::array own_parameters = {
             "pinned vertices",
         .minimum = 0,
         .maximum = 1000},
+    Parameter{.name = "ring_1",
+              .type = ParameterType::boolean,
+              .default_value = false,
+              .meaning = "also springs to ring 1, the mesh's own edges; the paper names ring t alone"},
 };
 constexpr auto parameters = joined(own_parameters, level_parameters, ring_rule_parameters);
 
@@ -23,7 +27,7 @@ BendingConstraints build(const BendingInput& input) {
   const Levels levels = adaptive_levels(input.rest, input.parameters);
   const int t = static_cast<int>(input.parameters.integer("t"));
   RingRule rule = ring_rule(input.parameters);
-  rule.fill = RingFill::last;
+  rule.fill = input.parameters.boolean("ring_1") ? RingFill::ends : RingFill::last;
   BendingConstraints constraints;
   constraints.distance = ring_springs(
       input.rest, input.pins,
