@@ -115,7 +115,7 @@ BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
       size = larger<Real>(size, dot(d, d));
     }
   }
-  const Pack<Real> one = broadcast<Real>(1), way = change * change * farthest,
+  const Pack<Real> one = broadcast<Real>(1), way = change * farthest * change,
                    most = Real(largest_move * largest_move) * size;
   const auto too_far = way > most;
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
@@ -192,7 +192,7 @@ BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, 
     change = within_reach<Kind>(change, c.gradient, p, rest);
   } else {
     // No corner moves farther than √way: w²|∇C|² is at most the largest w times Σ w|∇C|².
-    const Pack<Real> way = change * change * leverage.weighted * leverage.largest_w;
+    const Pack<Real> way = change * leverage.weighted * change * leverage.largest_w;
     if (any(~c.defined | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
       return false;
   }

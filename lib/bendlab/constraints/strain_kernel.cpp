@@ -81,13 +81,14 @@ struct TriangleLanes {
     constexpr int most_sizes =
         TermOf::overshoots && form == StrainForm::normalised ? largest_published_move : largest_move;
     if constexpr (careful) {
-      const Pack<Real> farthest = change * change * squares.farthest(t),
+      const Pack<Real> farthest = change * squares.farthest(t) * change,
                        most = Real(most_sizes * most_sizes) * t.size_squared(rest_size_squared());
       const auto too_far = farthest > most;
       const Pack<Real> share = too_far ? square_root(most / (too_far ? farthest : one)) : one;
       change = change * share, step = step * share;
     } else {
-      const Pack<Real> squared = change * change * weighted;
+      // In this order, because the square of a small change alone may be subnormal, which is slow.
+      const Pack<Real> squared = change * weighted * change;
       way = larger<Real>(way, squared);
       allowed_way = larger<Real>(allowed_way, squared * (Real(1) / Real(most_sizes * most_sizes)));
     }
