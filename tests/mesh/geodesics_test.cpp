@@ -55,6 +55,22 @@ TEST_CASE("from a row of sources the geodesic is the straight line to the neares
   }
 }
 
+TEST_CASE("far from a full row of sources geodesics are too long by two thousandths at most", "[mesh]") {
+  const RestMesh rest(delaunay(1, 1, 128, 3));
+  std::vector<int> sources;
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (rest.position(v).y() > rest.box_max().y() - 1e-9) sources.push_back(v);
+  REQUIRE(sources.size() > 100);
+  const GeodesicDistances geodesic = geodesic_distances(rest, sources);
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const int source : sources)
+      nearest = std::min(nearest, (rest.position(v) - rest.position(source)).norm());
+    CHECK(geodesic.distance[static_cast<std::size_t>(v)] >= nearest * (1 - 1e-12));
+    CHECK(geodesic.distance[static_cast<std::size_t>(v)] <= nearest * 1.002);
+  }
+}
+
 TEST_CASE("geodesics survive rolling the sheet up", "[mesh]") {
   // Folded at the lines between cells the triangles stay as they are, and so do ways over them.
   TriangleMesh mesh = grid(1, 1, 16, 16);

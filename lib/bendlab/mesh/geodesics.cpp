@@ -41,7 +41,7 @@ class Front {
     while (!front_.empty()) {
       const auto [distance, v, source] = front_.top();
       front_.pop();
-      if (distance > distance_of(v, source)) continue;
+      if (distance != distance_of(v, source)) continue;  // nearer since, or forgotten
       for (const int w : rest_.one_ring()[v]) reach(w, distance + apart(v, w), source);
       for (const int t : triangles_[static_cast<std::size_t>(v)]) {
         const auto corner = rest_.triangles().row(t);
