@@ -177,7 +177,7 @@ class MethodRules {
       refuse_model();
     else if (!why.empty() && model_.name != "none")
       check_compliance("/bending", why);
-    if (!method_.projects) settle_projection_effects();
+    if (!method_.projects) check_projection_effects();
     for (const std::string_view name : names_of(find_section("/solver")->parameters))
       if (!method_.reads(name)) canonical_["solver"].erase(std::string(name));
     if (method_.membrane == Membrane::edges)
@@ -204,20 +204,17 @@ class MethodRules {
       report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }
 
-  // Refuses effects that need projections, and leaves out those that only help them.
-  void settle_projection_effects() {
-    Json& effects = canonical_["effects"];
-    const auto effect_of = [](const Json& entry) -> const Effect& {
-      return *find_effect(entry["type"].get<std::string>());
-    };
+  // Refuses effects that need projections. Those that only help them stay in the list, so that the others keep
+  // their places in it, and do nothing.
+  void check_projection_effects() {
+    const Json& effects = canonical_["effects"];
     for (std::size_t i = 0; i < effects.size(); ++i)
-      if (const Effect& effect = effect_of(effects[i]); effect.needs_projection && !effect.helps_projection)
+      if (const Effect& effect = *find_effect(effects[i]["type"].get<std::string>());
+          effect.needs_projection && !effect.helps_projection)
         report(fmt::format("/effects/{}", i),
                fmt::format(
                    "{} works with the projection of constraints, but this method does not project: remove it",
                    effect.name));
-    std::erase_if(effects.get_ref<Json::array_t&>(),
-                  [&](const Json& entry) { return effect_of(entry).helps_projection; });
   }
 
   void refuse_model() {

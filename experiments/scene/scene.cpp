@@ -215,13 +215,14 @@ QualityThresholds quality_thresholds(const ParameterValues& values) {
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
+  const Effect& effect = *find_effect(settings.type);
+  if (effect.helps_projection && !scene.input.method->projects) return {};
   const bool contacts_used = std::ranges::any_of(
       scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
   std::vector<Pass<Real>> passes;
   try {
-    passes = find_effect(settings.type)
-                 ->compile<Real>(
-                     {settings.values, scene.rest, scene.pins, scene.input.permutation, contacts_used});
+    passes = effect.compile<Real>(
+        {settings.values, scene.rest, scene.pins, scene.input.permutation, contacts_used});
   } catch (const MeshFileError& error) {
     rethrow(error);
   } catch (const std::invalid_argument& error) {

@@ -50,9 +50,11 @@ TEST_CASE("defaults: a config that says nothing gets the recommended settings", 
 }
 
 TEST_CASE("defaults: those of the paper are what its configs write out", "[defaults]") {
+  int compared = 0;
   for (const RunConfig& run : load_experiment(configs / "paper" / "fig7.json").runs) {
     Json written = run.resolved();
     if (*value_at(written, "/effects/1/rate") != 0 || *value_at(written, "/initial/seed") != 1) continue;
+    ++compared;
     written.at("effects").erase(1);
     const int times = *value_at(written, "/bending/adaptive/n_multiplier");
     CHECK(resolved(R"({"name": "t", "defaults": "paper", "mesh": {"cells": 64},
@@ -61,6 +63,7 @@ TEST_CASE("defaults: those of the paper are what its configs write out", "[defau
                    R"(}}, "solver": {"precision": "single"},
                       "initial": {"perturbation": 1e-6}, "output": {"frames_per_second": 15}})") == written);
   }
+  CHECK(compared == 3);  // n once, twice and four times
 }
 
 TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
@@ -78,6 +81,57 @@ TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
   CHECK(check_expectations(both, both.runs[0], {{"springs", 4}}).size() == 1);
   CHECK(check_expectations(both, both.runs[1], {{"springs", 4}}).empty());
   CHECK_FALSE(both.runs[0].resolved().contains("defaults"));  // runs of equal settings are the same run
+}
+
+TEST_CASE("defaults: said by an override they are what the config would say", "[defaults]") {
+  const std::string bare = R"({"name": "t"})", said = R"({"name": "t", "defaults": "paper"})";
+  const std::vector<std::string> paper = {"/defaults=paper"};
+  CHECK(parse_experiment(bare, "test", paper).runs.at(0).resolved() == resolved(said));
+  const std::vector<std::string> both = {R"(/sweep={"/defaults": ["paper", "recommended"]})"};
+  const Experiment swept = parse_experiment(bare, "test", both);
+  REQUIRE(swept.runs.size() == 2);
+  CHECK(swept.runs[0].resolved() == resolved(said));
+  CHECK(swept.runs[1].resolved() == resolved(bare));
+}
+
+TEST_CASE("defaults: an expectation for one of them is for the experiments that have it", "[defaults]") {
+  const auto with = [](const char* defaults) {
+    return std::string(R"({"name": "t", "defaults": ")") + defaults + R"(",
+        "expect": [{"metric": "springs", "min": 1, "why": "it has springs",
+                    "where": {"/defaults": "paper"}}]})";
+  };
+  const Experiment paper = parse_experiment(with("paper"), "test");
+  CHECK(check_expectations(paper, paper.runs.at(0), {{"springs", 4}}).size() == 1);
+  CHECK_THAT(problem_of(with("recommended")), ContainsSubstring("/expect/0/where: matches no run"));
+}
+
+TEST_CASE("defaults: with the paper's, too, a stated stiffness counts", "[defaults]") {
+  const auto of_paper = [](const std::string& section) {
+    return resolved(R"({"name": "t", "defaults": "paper", "bending": )" + section + "}").at("bending");
+  };
+  CHECK(of_paper(R"({"model": "dihedral"})").at("stiffness") == "k");
+  const Json rigid = of_paper(R"({"model": "dihedral", "flexural_rigidity": 1e-3})");
+  CHECK(rigid.at("stiffness") == "physical");
+  CHECK(rigid.at("flexural_rigidity") == 1e-3);
+  CHECK(of_paper(R"({"compliance": 0.1})").at("stiffness") == "compliance");
+}
+
+TEST_CASE("defaults: an override that its stiffness does not use is an error", "[defaults]") {
+  const auto problem = [](const std::string& bending, const std::string& override_text) -> std::string {
+    try {
+      const std::vector<std::string> one = {override_text};
+      parse_experiment(R"({"name": "t", "bending": )" + bending + "}", "test", one);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  CHECK_THAT(problem(R"({"stiffness": "physical"})", "/bending/k=0.3"),
+             ContainsSubstring("/bending/stiffness is physical; set that to k or k_per_step, too"));
+  CHECK_THAT(problem(R"({"stiffness": "k"})", "/bending/compliance=0.3"),
+             ContainsSubstring("set that to compliance, too"));
+  CHECK(problem(R"({"stiffness": "k_per_step"})", "/bending/k=0.3").empty());
+  CHECK(problem("{}", "/bending/k=0.3").empty());
 }
 
 TEST_CASE("defaults: whoever gives a number of a stiffness means that stiffness", "[defaults]") {
@@ -108,12 +162,15 @@ TEST_CASE("defaults: every model gets the same rigidity, springs at the same cur
       5.0);
 }
 
-TEST_CASE("defaults: a method that does not project leaves tethers out, and refuses obstacles",
+TEST_CASE("defaults: with a method that does not project tethers do nothing, and obstacles are refused",
           "[defaults]") {
   const std::string membrane = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}})",
                     method = R"("solver": {"method": "equilibrium"})";
-  CHECK(effects_of(resolved(R"({"name": "t", )" + membrane + ", " + method + "}")) ==
-        std::vector<std::string>{"gravity", "viscous_drag"});
+  // They keep their place, so that /effects/2 is the same effect with any method.
+  const RunConfig still =
+      parse_experiment(R"({"name": "t", )" + membrane + ", " + method + "}", "test").runs.at(0);
+  CHECK(effects_of(still.resolved()) == std::vector<std::string>{"gravity", "tethers", "viscous_drag"});
+  CHECK(idle_effects(build_scene(still)) == std::vector<std::size_t>{1});
   CHECK_THAT(problem_of(R"({"name": "t", )" + membrane + ", " + method +
                         R"(, "effects": [{"type": "tethers"}, {"type": "plane"}]})"),
              ContainsSubstring("/effects/1") && ContainsSubstring("plane works with the projection"));

@@ -35,9 +35,9 @@ struct Effect {
   std::span<const Parameter> parameters;
   /// Its passes act on projected constraints or between projections: only for solver methods that project.
   bool needs_projection = false;
-  bool helps_projection = false;  ///< needs it, and has no other purpose: other methods leave it out
-  bool uses_contacts = false;  ///< reads State::contacts, at Stage::contact
-  bool repeatable = false;     ///< a scene may list it more than once
+  bool helps_projection = false;  ///< needs it, and has no other purpose: in other methods it does nothing
+  bool uses_contacts = false;     ///< reads State::contacts, at Stage::contact
+  bool repeatable = false;        ///< a scene may list it more than once
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);
