@@ -57,8 +57,9 @@ void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigP
 // An expectation that no run can meet checks nothing, which nobody would notice.
 void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
   for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
-    if (std::ranges::none_of(experiment.runs,
-                             [&](const RunConfig& run) { return matches(experiment.expectations[i], run); }))
+    if (std::ranges::none_of(experiment.runs, [&](const RunConfig& run) {
+          return matches(experiment.expectations[i], experiment, run);
+        }))
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
@@ -162,8 +163,13 @@ Json read_document(std::string_view text, std::string_view source_name,
     problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
   if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
   // Written out, so that overrides and axes can name their entries.
-  const Json* axis = value_at(*document, "/sweep/~1defaults");
-  if (!document->contains("effects") && axis == nullptr) (*document)["effects"] = default_effects(*document);
+  // Which effects they are an override may say.
+  if (!document->contains("effects")) {
+    Json chosen = *document;
+    ConfigProblems told_below;
+    apply_overrides(chosen, overrides, told_below);
+    if (value_at(chosen, "/sweep/~1defaults") == nullptr) (*document)["effects"] = default_effects(chosen);
+  }
   apply_overrides(*document, overrides, problems);
   return *std::move(document);
 }
@@ -195,14 +201,15 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
     check_settings(settings, experiment.axes, beside);
     if (!beside.empty()) problems = std::move(beside);
   }
+  experiment.settings = std::move(settings);
   // With overrides the sweep may be a part of the one that the expectations were written for.
   if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
   if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
 
-  experiment.name = settings["name"];
-  experiment.description = settings.value("description", "");
-  if (settings.contains("allow") && settings["allow"].is_array()) experiment.allow = settings["allow"];
-  experiment.settings = std::move(settings);
+  experiment.name = experiment.settings["name"];
+  experiment.description = experiment.settings.value("description", "");
+  if (const Json* allow = value_at(experiment.settings, "/allow"); allow != nullptr && allow->is_array())
+    experiment.allow = *allow;
   check_runs_before(experiment.runs, source_name);
   check_references(experiment.runs, source_name);
   return experiment;

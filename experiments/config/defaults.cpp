@@ -5,6 +5,7 @@
 #include <string>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/effects/effect.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/pointers.hpp"
 
@@ -24,7 +25,6 @@ constexpr std::array paper_settings = {
     PaperSetting{"/pins", "ring", "1"},
     PaperSetting{"/material/strain", "form", R"("normalised")"},
     PaperSetting{"/bending", "model", R"("adaptive")"},
-    PaperSetting{"/bending", "stiffness", R"("k")"},
     PaperSetting{"/solver", "substeps", "1"},
     PaperSetting{"/solver", "iterations", "10"},
 };
@@ -41,7 +41,7 @@ bool given(const Json& section, const char* name) {
 }
 
 // Whoever gives k means k, and whoever gives a compliance means that.
-void choose_stiffness(Json& bending, ConfigProblems& problems) {
+void choose_stiffness(Json& bending, const char* otherwise, ConfigProblems& problems) {
   if (bending.contains("stiffness")) return;
   const bool k = given(bending, "k"), compliance = given(bending, "compliance"),
              physical = given(bending, "flexural_rigidity") || given(bending, "quartic_coefficient");
@@ -52,7 +52,7 @@ void choose_stiffness(Json& bending, ConfigProblems& problems) {
                                     !physical ? "k and compliance"
                                     : k       ? "k and a rigidity"
                                               : "compliance and a rigidity")});
-  bending["stiffness"] = k ? "k" : compliance ? "compliance" : "physical";
+  bending["stiffness"] = k ? "k" : compliance ? "compliance" : physical ? "physical" : otherwise;
 }
 
 // The stated rigidity of a sheet of which only the model is known.
@@ -65,20 +65,21 @@ void state_rigidity(Json& bending) {
     bending["at_curvature"] = default_at_curvature;
 }
 
-Json effect(std::string_view type) {
-  Json entry = Json::object();
-  entry["type"] = type;
-  return entry;
+// A build may lack an effect.
+void append_effect(Json& effects, const char* type, Json settings = Json::object()) {
+  if (find_effect(type) == nullptr) return;
+  settings["type"] = type;
+  effects.push_back(std::move(settings));
 }
 
 }  // namespace
 
 Json default_effects(const Json& settings) {
-  Json effects = Json::array({effect("gravity")});
+  Json effects = Json::array();
+  append_effect(effects, "gravity");
   if (of_the_paper(settings)) return effects;
-  effects.push_back(effect("tethers"));
-  effects.push_back(effect("viscous_drag"));
-  effects.back()["coefficient"] = default_drag_coefficient;
+  append_effect(effects, "tethers");
+  append_effect(effects, "viscous_drag", {{"coefficient", default_drag_coefficient}});
   return effects;
 }
 
@@ -90,7 +91,7 @@ Json with_defaults(const Json& settings, ConfigProblems& problems) {
   if (!filled.contains("effects")) filled["effects"] = default_effects(filled);
   if (!filled.contains("bending")) filled["bending"] = Json::object();
   if (Json& bending = filled["bending"]; bending.is_object()) {
-    choose_stiffness(bending, problems);
+    choose_stiffness(bending, of_the_paper(settings) ? "k" : "physical", problems);
     state_rigidity(bending);
   }
   return filled;

@@ -1,4 +1,4 @@
-// What a config gets that it does not say, where this depends on what it does say.
+// Defaults that depend on other settings of the config.
 #pragma once
 
 #include <array>

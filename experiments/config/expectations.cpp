@@ -96,6 +96,13 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
   return result;
 }
 
+// It is no setting of a run, which has the settings that it stands for.
+Json defaults_of(const Experiment& experiment, const RunConfig& config) {
+  for (const auto& [pointer, value] : config.point)
+    if (pointer == "/defaults") return value;
+  return experiment.settings.value("defaults", Json(defaults_names.front()));
+}
+
 }  // namespace
 
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
@@ -110,13 +117,11 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
   return expectations;
 }
 
-bool matches(const Expectation& expectation, const RunConfig& config) {
+bool matches(const Expectation& expectation, const Experiment& experiment, const RunConfig& config) {
   // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
-    // It is no setting of the run, which has what it stands for.
-    if (entry.key() == "/defaults")
-      return std::ranges::find(config.point, std::pair(entry.key(), entry.value())) != config.point.end();
+    if (entry.key() == "/defaults") return entry.value() == defaults_of(experiment, config);
     if (value_at(config.resolved(), entry.key()) == nullptr) return entry.value().is_null();
     Json changed = config.resolved();
     changed["name"] = "any";
@@ -130,7 +135,7 @@ std::vector<ExpectationResult> check_expectations(const Experiment& experiment, 
                                                   const std::map<std::string, double>& summary) {
   std::vector<ExpectationResult> results;
   for (const Expectation& expectation : experiment.expectations)
-    if (matches(expectation, config)) results.push_back(check(expectation, summary));
+    if (matches(expectation, experiment, config)) results.push_back(check(expectation, summary));
   return results;
 }
 

@@ -14,9 +14,9 @@ namespace bendlab {
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems);
 
-/// Whether the run has every value that `where` asks for. A setting that the run does not depend on matches
+/// Whether the experiment's run has every value that `where` asks for. A setting that the run does not depend on matches
 /// nothing.
-bool matches(const Expectation& expectation, const RunConfig& config);
+bool matches(const Expectation& expectation, const Experiment& experiment, const RunConfig& config);
 
 struct ExpectationResult {
   Expectation expectation;

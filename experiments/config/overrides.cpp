@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "experiments/config/pointers.hpp"
 
@@ -61,9 +62,43 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
   return set_at(document, pointer, std::move(value)) ? "" : "there is no such place in the config";
 }
 
+// Settings that only some kinds of stiffness use.
+struct StiffnessSetting {
+  std::string_view pointer, stiffness, kinds;  ///< kinds: separated by " or "
+};
+constexpr std::array stiffness_settings = {
+    StiffnessSetting{"/bending/k", "/bending/stiffness", "k or k_per_step"},
+    StiffnessSetting{"/bending/compliance", "/bending/stiffness", "compliance"},
+    StiffnessSetting{"/bending/flexural_rigidity", "/bending/stiffness", "physical"},
+    StiffnessSetting{"/bending/quartic_coefficient", "/bending/stiffness", "physical"},
+    StiffnessSetting{"/bending/at_curvature", "/bending/stiffness", "physical"},
+    StiffnessSetting{"/material/strain/compliance", "/material/strain/stiffness", "compliance"},
+};
+
+bool is_kind(std::string_view kinds, const std::string& kind) {
+  return fmt::format(" or {} or ", kinds).find(fmt::format(" or {} or ", kind)) != std::string::npos;
+}
+
+bool lies_in_an_axis(const Json& document, std::string_view pointer) {
+  if (!document.contains("sweep") || !document["sweep"].is_object()) return false;
+  return std::ranges::any_of(document["sweep"].items(),
+                             [&](const auto& axis) { return lies_within(pointer, axis.key()); });
+}
+
+// A config may hold numbers for other kinds of stiffness than its own; whoever sets one means it.
+std::string unused_text(const Json& document, std::string_view pointer) {
+  const auto* const setting = std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer);
+  if (setting == stiffness_settings.end() || lies_in_an_axis(document, setting->stiffness)) return "";
+  const Json* const kind = value_at(document, std::string(setting->stiffness));
+  if (kind == nullptr || !kind->is_string() || is_kind(setting->kinds, kind->get<std::string>())) return "";
+  return fmt::format("has no effect, because {} is {}; set that to {}, too", setting->stiffness,
+                     kind->get<std::string>(), setting->kinds);
+}
+
 }  // namespace
 
 void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems) {
+  std::vector<std::string> pointers;
   for (const std::string& override_text : overrides) {
     const std::size_t equals = override_text.find('=');
     const std::string pointer = override_text.substr(0, equals);
@@ -72,6 +107,7 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
           {"", fmt::format("override '{}' is not of the form /json/pointer=value", override_text)});
       continue;
     }
+    pointers.push_back(pointer);
     try {
       const std::string wrong = apply(document, pointer, override_text.substr(equals + 1));
       if (!wrong.empty())
@@ -81,6 +117,9 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
           {"", fmt::format("override '{}': the part before '=' is no JSON pointer", override_text)});
     }
   }
+  for (const std::string& pointer : pointers)
+    if (const std::string wrong = unused_text(document, pointer); !wrong.empty())
+      problems.push_back({pointer, wrong});
 }
 
 }  // namespace bendlab

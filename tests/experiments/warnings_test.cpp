@@ -134,12 +134,13 @@ TEST_CASE("warnings: nothing can move", "[warnings]") {
 
 TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
   const std::string mesh = R"("mesh": {"cells": 4}, )";
-  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5})") ==
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "k"})") ==
         Codes{"inert_stiffness"});
   CHECK(codes_of(mesh +
                  R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "physical"})")
             .empty());
-  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
+  CHECK(codes_of(mesh +
+                 R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "k": 0.5, "stiffness": "k"},
                            "sweep": {"/bending/stiffness": ["k", "physical"]})")
             .empty());
 }
