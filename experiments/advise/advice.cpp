@@ -141,17 +141,18 @@ class Advisor {
   }
 
   Advice advise() {
-    std::vector<std::string> models = models_that_can();
+    std::vector<Setting> kinds = kinds_that_can();
     choose_reference();
     if (advice_.exit_code != 0) return advice_;
-    const bool reference_model_asked = std::ranges::find(models, question_.reference_model()) != models.end();
-    Search search(std::move(models), options_.demand,
+    const bool reference_model_asked =
+        std::ranges::find(kinds, question_.reference_model(), &Setting::model) != kinds.end();
+    Search search(std::move(kinds), options_.demand,
                   {.most_substeps = most_substeps(), .least_error = 2 * advice_.reference_gap.value_or(0)});
     start_ = Clock::now();
     beside_runs_s_ = 0;
     // The probe is a setting like others, and often the first fit one.
     if (probe_ && reference_model_asked) take(probe_->first, probe_->second, search);
-    while (reference_tells(advice_) && measure_some(search)) {
+    while (reference_tells(advice_) && (measure_some(search) || widen(search))) {
     }
     while (confirm_choice(search)) {
     }
@@ -162,24 +163,46 @@ class Advisor {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // The models that were asked for and can be this cloth; the others are listed as left out.
-  std::vector<std::string> models_that_can() {
-    std::vector<std::string> models;
+  // The models that were asked for and can be this cloth, with the recommended variant, and the config's own
+  // model as the config has it; the others are listed as left out.
+  std::vector<Setting> kinds_that_can() {
+    std::vector<Setting> kinds;
     std::optional<ConfigError> first;
     for (const BendingModel* model : bending_models()) {
       const std::string name(model->name);
       const bool asked =
           options_.models.empty() || std::ranges::find(options_.models, name) != options_.models.end();
       if (asked) try {
-          question_.run_with({name}, Json::object());
-          models.push_back(name);
+          const Setting kind = recommended(name);
+          question_.run_with(kind, Json::object());
+          kinds.push_back(kind);
+          const bool other_variant = !(question_.own_variant() == kind.variant);
+          if (name == question_.scene().bending_model() && other_variant)
+            kinds.push_back({.model = name, .variant = question_.own_variant()});
         } catch (const ConfigError& error) {
           leave_out(name, error.problems().front());
           if (!first) first = error;
         }
     }
-    if (models.empty() && first) throw *first;
-    return models;
+    if (kinds.empty() && first) throw *first;
+    return kinds;
+  }
+
+  Setting recommended(const std::string& model, int substeps = 1) const {
+    return {.model = model, .substeps = substeps, .variant = question_.recommended_variant()};
+  }
+  Setting reference_setting(int substeps) const { return recommended(question_.reference_model(), substeps); }
+
+  // When the kinds so far are known, those that differ in one thing from the kind of the choice. False when
+  // there are no new ones.
+  bool widen(Search& search) {
+    if (advice_.exit_code != 0 || advice_.out_of_time) return false;
+    choose(search);
+    const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
+    if (!choice) return false;
+    bool any = false;
+    for (const Setting& kind : question_.neighbours(choice->setting)) any |= search.consider(kind);
+    return any;
   }
 
   // Lists models with the same reason together.
@@ -244,7 +267,7 @@ class Advisor {
 
   // Finds how the reference itself is stretched: a membrane with a compliance stretches rightly.
   void keep_probe(const Measured& found) {
-    const Setting setting{question_.reference_model(), probe_substeps_};
+    const Setting setting = reference_setting(probe_substeps_);
     probe_ = {setting, found};
     const RunConfig config = question_.run_with(setting, advice_.accuracy);
     if (std::optional<RunConfig> reference = reference_of(config, Against::physical)) {
@@ -282,13 +305,13 @@ class Advisor {
     for (const int substeps : {16, 64, finest}) {
       probe_substeps_ = substeps;
       if (accuracies.size() > 1 && substeps < finest) {
-        found = execute({question_.run_with({question_.reference_model(), substeps}, Json::object())});
+        found = execute({question_.run_with(reference_setting(substeps), Json::object())});
         if (advice_.exit_code != 0) break;
         if (found.front().diverged || found.front().strain.value_or(0) > largest_reference_strain) continue;
       }
       std::vector<RunConfig> runs;
       for (const Json& accuracy : accuracies)
-        runs.push_back(question_.run_with({question_.reference_model(), substeps}, accuracy));
+        runs.push_back(question_.run_with(reference_setting(substeps), accuracy));
       found = execute(std::move(runs));
       if (advice_.exit_code != 0 || !found.front().diverged) break;
     }
@@ -391,10 +414,10 @@ class Advisor {
     if (found.failed) {
       const auto same = std::ranges::find(advice_.left_out, found.why, &LeftOut::why);
       if (same != advice_.left_out.end())
-        same->what += ", " + setting.model;
+        same->what += ", " + kind_text(setting);
       else
-        advice_.left_out.push_back({setting.model, found.why});
-      search.drop(setting.model);
+        advice_.left_out.push_back({kind_text(setting), found.why});
+      search.drop(setting);
       return;
     }
     const Strained stretched = strained(found);

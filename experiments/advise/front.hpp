@@ -9,6 +9,7 @@
 
 #include "experiments/advise/demand.hpp"
 #include "experiments/advise/fitness.hpp"
+#include "experiments/advise/variant.hpp"
 
 namespace bendlab {
 
@@ -16,9 +17,15 @@ struct Setting {
   std::string model;
   int substeps = 1, iterations = 1;
   bool double_precision = false;
+  Variant variant{};
 
   auto operator<=>(const Setting&) const = default;
 };
+
+/// Whether they differ in substeps, iterations and precision only.
+inline bool same_kind(const Setting& a, const Setting& b) {
+  return a.model == b.model && a.variant == b.variant;
+}
 
 struct Rated {
   Setting setting;
@@ -50,7 +57,10 @@ std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand)
 /// one. If none is fit, the one that is least beyond the limits, preferably within the demanded time.
 std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand);
 
-/// "dihedral, 16 substeps, 1 iteration, single".
+/// "dihedral, 16 substeps, 1 iteration, single, tethers, angle shear".
 std::string setting_text(const Setting& setting);
+
+/// "dihedral (tethers, angle shear)".
+std::string kind_text(const Setting& setting);
 
 }  // namespace bendlab

@@ -52,14 +52,31 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
           fmt::format(
               "is {}, which makes another cloth with every model and setting, so that no result is the right "
               "one; state the cloth: \"bending\": {{\"stiffness\": \"physical\", "
-              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5), and \"at_curvature\" in 1/m, too, "
-              "if spring models may be advised",
+              "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5); springs have it at "
+              "\"at_curvature\", 20/m if that is absent",
               stiffness)}});
   if (scene.bending_model() == "none" && !bending.has("flexural_rigidity"))
     throw ConfigError(
         source, {{"/bending/model",
                   "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
                   "spring model that quartic_coefficient is for"}});
+}
+
+bool is_tethers(const Json& effect) {
+  return effect["type"] == "tethers";
+}
+
+Variant variant_of(const RunConfig& scene) {
+  return {.tethers = std::ranges::any_of(scene.resolved()["effects"], is_tethers),
+          .shear = scene.section("/material/strain").text("form"),
+          .flight_limit = scene.section("/solver").has("flight_limit")
+                              ? scene.section("/solver").number("flight_limit")
+                              : 0};
+}
+
+bool is_held(const RunConfig& scene) {
+  const ParameterValues pins = scene.section("/pins");
+  return !pins.texts("vertices").empty() || !pins.numbers("indices").empty();
 }
 
 Json without_effects(const Json& effects, auto left_out) {
@@ -119,6 +136,12 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
                                               experiment.runs.size(), open_axes(experiment))}});
   scene_ = experiment.runs.front();
   name_ = experiment.name;
+  written_effects_ = experiment.settings.value("effects", scene_.resolved()["effects"]);
+  effects_swept_ = std::ranges::any_of(experiment.axes,
+                                       [](const Axis& axis) { return lies_within(axis.first, "/effects"); });
+  own_ = variant_of(scene_);
+  const Json& bending = experiment.settings.value("bending", Json::object());
+  rigidity_is_default_ = !bending.contains("flexural_rigidity") && !bending.contains("quartic_coefficient");
   check_states_a_cloth(scene_, file_.string());
   reference_model_ = reference_model_of(scene_);
   const ParameterValues accuracy = scene_.section("/accuracy");
@@ -142,13 +165,17 @@ ErrorOf Question::natural_error() const {
   const auto still = [&](const char* velocity) {
     return std::ranges::all_of(initial.numbers(velocity), [](double v) { return v == 0; });
   };
-  const ParameterValues pins = scene_.section("/pins");
-  const bool held = !pins.texts("vertices").empty() || !pins.numbers("indices").empty();
-  return held && damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
+  return is_held(scene_) && damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
 }
 
 Json Question::accuracy(ErrorOf what, bool start_from_end) const {
-  if (what == ErrorOf::own) return scene_.resolved()["accuracy"];
+  if (what == ErrorOf::own) {
+    Json accuracy = scene_.resolved()["accuracy"];
+    std::vector<std::string> changes = own_changes();
+    for (const Json& change : accuracy["physical"]) changes.push_back(change);
+    accuracy["physical"] = changes;
+    return accuracy;
+  }
   Json accuracy = Json::object();
   if (what == ErrorOf::motion) {
     accuracy["physical"] = motion_changes();
@@ -185,8 +212,11 @@ std::vector<std::string> Question::rest_changes() const {
   const Json& strain = scene_.resolved()["material"]["strain"];
   Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
-  std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})", "/duration=20",
-                                      "/settled_speed=0", "/output/frames_per_second=1",
+  std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})",
+                                      "/duration=20",
+                                      "/settled_speed=0",
+                                      "/output/frames_per_second=1",
+                                      set("/material/strain/form", own_.shear),
                                       set("/bending", bending)};
   if (strain["stiffness"] != "compliance" || strain["compliance"].get<double>() == 0) {
     changes.emplace_back("/material/strain/stiffness=compliance");
@@ -201,13 +231,63 @@ std::vector<std::string> Question::rest_changes() const {
 std::vector<std::string> Question::motion_changes() const {
   Json bending = scene_.resolved()["bending"];
   bending["model"] = reference_model_;
-  return {"/settled_speed=0",
-          "/solver/method=pbd",
-          fmt::format("/solver/substeps={}", reference_substeps()),
-          "/solver/iterations=1",
-          "/solver/sweep=symmetric",
-          "/solver/precision=double",
-          set("/bending", bending)};
+  std::vector<std::string> changes = own_changes();
+  changes.insert(changes.end(),
+                 {"/settled_speed=0", "/solver/method=pbd",
+                  fmt::format("/solver/substeps={}", reference_substeps()), "/solver/iterations=1",
+                  "/solver/sweep=symmetric", "/solver/precision=double", set("/bending", bending)});
+  return changes;
+}
+
+std::vector<std::string> Question::own_changes() const {
+  std::vector<std::string> changes = {set("/effects", scene_.resolved()["effects"]),
+                                      set("/material/strain/form", own_.shear)};
+  if (scene_.section("/solver").has("flight_limit"))
+    changes.push_back(fmt::format("/solver/flight_limit={}", own_.flight_limit));
+  const Json& bending = scene_.resolved()["bending"];
+  if (const auto own = bending.find(scene_.bending_model()); own != bending.end())
+    changes.push_back(set("/bending/" + scene_.bending_model(), *own));
+  return changes;
+}
+
+Variant Question::recommended_variant() const {
+  Variant variant = own_;
+  variant.tethers |= may_tether();
+  variant.shear = "angle";
+  return variant;
+}
+
+// An entry of a swept list has the place that its axis names.
+bool Question::may_tether() const {
+  return is_held(scene_) && !effects_swept_;
+}
+
+// Springs of 2, 4 and 8 edges, as long as they are short beside the sheet.
+VariantChoices Question::choices(const std::string& model) const {
+  VariantChoices choices{.tethers = may_tether()};
+  const auto& parameters = find_bending_model(model)->parameters;
+  if (std::ranges::find(parameters, "radius", &Parameter::name) == parameters.end()) return choices;
+  constexpr double longest = 0.15;  // sizes
+  const AcceptedMesh accepted = rest_mesh_of(scene_);
+  const RestMesh rest(accepted.mesh);
+  for (const int edges : {2, 4, 8})
+    if (const double radius = edges * rest.mean_edge_length(); radius <= longest * rest.size())
+      choices.radii.push_back(std::stod(fmt::format("{:.3g}", radius)));
+  return choices;
+}
+
+std::vector<Setting> Question::neighbours(const Setting& setting) const {
+  std::vector<Setting> found;
+  for (const Variant& variant : bendlab::neighbours(setting.variant, choices(setting.model)))
+    found.push_back({.model = setting.model, .substeps = setting.substeps, .variant = variant});
+  return found;
+}
+
+Json Question::effects_with(bool tethers) const {
+  if (!tethers) return without_effects(written_effects_, is_tethers);
+  Json effects = written_effects_;
+  effects.push_back({{"type", "tethers"}});
+  return effects;
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
@@ -217,6 +297,13 @@ std::vector<std::string> Question::changes(const Setting& setting) const {
       fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single")};
   if (scene_.section("/solver").text("method") != "pbd")
     changes.insert(changes.begin(), "/solver/method=pbd");
+  const Variant& variant = setting.variant;
+  if (variant.tethers != own_.tethers) changes.push_back(set("/effects", effects_with(variant.tethers)));
+  if (variant.shear != own_.shear) changes.push_back("/material/strain/form=" + variant.shear);
+  if (variant.flight_limit != own_.flight_limit)
+    changes.push_back(fmt::format("/solver/flight_limit={}", variant.flight_limit));
+  if (variant.radius > 0)
+    changes.push_back(fmt::format("/bending/{}/radius={}", setting.model, variant.radius));
   return changes;
 }
 

@@ -31,6 +31,19 @@ class Question {
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
 
+  /// Whether the config states none, so that the cloth is a light cotton.
+  bool rigidity_is_default() const { return rigidity_is_default_; }
+
+  /// What the config itself says.
+  const Variant& own_variant() const { return own_; }
+
+  /// With the recommended remedies (configs/recommended.json): tethers where something is pinned, and shear
+  /// measured by its angle.
+  Variant recommended_variant() const;
+
+  /// The same model with each variant that differs in one thing.
+  std::vector<Setting> neighbours(const Setting& setting) const;
+
   /// `own` if the config has an /accuracy; `rest` if nothing but loads and damping acts on a pinned cloth
   /// that starts at rest; else `motion`.
   ErrorOf natural_error() const;
@@ -49,7 +62,8 @@ class Question {
   /// The scene's run with that setting. Throws ConfigError if the model cannot be this cloth.
   RunConfig run_with(const Setting& setting, const Json& accuracy) const;
 
-  /// The changes that give the config that setting: "/json/pointer=value" each.
+  /// The changes that give the config that setting: "/json/pointer=value" each. What the config says already
+  /// is left out, but for model, work and precision.
   std::vector<std::string> changes(const Setting& setting) const;
 
   /// The config with that setting, without /accuracy and without expectations of other settings, to be kept
@@ -59,11 +73,20 @@ class Question {
  private:
   std::vector<std::string> rest_changes() const;
   std::vector<std::string> motion_changes() const;
+  /// A reference is the same whatever the variant of the run.
+  std::vector<std::string> own_changes() const;
+  bool may_tether() const;
+  VariantChoices choices(const std::string& model) const;
+  Json effects_with(bool tethers) const;
 
   std::filesystem::path file_;
   std::vector<std::string> overrides_;
   RunConfig scene_;
+  Json written_effects_;        ///< as the config has them, or the default ones
+  bool effects_swept_ = false;  ///< an axis points into the list
+  bool rigidity_is_default_ = false;
   std::string name_, reference_model_;
+  Variant own_;
 };
 
 }  // namespace bendlab

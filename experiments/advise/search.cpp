@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -26,21 +27,34 @@ Setting with_substeps(Setting setting, int substeps) {
   return setting;
 }
 
+Setting of_kind(const Setting& kind, int substeps, int iterations, bool double_precision) {
+  return {kind.model, substeps, iterations, double_precision, kind.variant};
+}
+
 double work_of(const Setting& setting) {
   return static_cast<double>(setting.substeps) * setting.iterations;
 }
 
 }  // namespace
 
-Search::Search(std::vector<std::string> models, const Demand& demand, const Limits& limits)
-    : models_(std::move(models)), demand_(demand), limits_(limits) {
+Search::Search(std::vector<Setting> kinds, const Demand& demand, const Limits& limits)
+    : kinds_(std::move(kinds)), demand_(demand), limits_(limits) {
   if (demand_.error) demand_.error = std::min(*demand_.error, largest_error);
+}
+
+bool Search::consider(const Setting& setting) {
+  const auto known = [&](const Setting& kind) { return same_kind(kind, setting); };
+  if (std::ranges::any_of(kinds_, known) || std::ranges::any_of(dropped_, known)) return false;
+  constexpr int coarser = 4;
+  const auto substeps = std::bit_floor(static_cast<unsigned>(std::max(1, setting.substeps / coarser)));
+  kinds_.push_back(of_kind(setting, static_cast<int>(substeps), 1, false));
+  return true;
 }
 
 std::vector<Search::Next> Search::next() const {
   std::vector<Next> found;
-  for (const std::string& model : models_)
-    for (const Setting& setting : all_settings(model))
+  for (const Setting& kind : kinds_)
+    for (const Setting& setting : all_settings(kind))
       if (!find(setting) && is_next(setting) && worth(setting)) found.push_back({setting, cost(setting)});
   std::ranges::stable_sort(found, {}, [](const Next& next) { return next.cpu_s.value_or(0); });
   if (front_.empty())
@@ -61,28 +75,29 @@ void Search::add(const Setting& setting, std::optional<double> error, double cpu
 
 bool Search::may_be_stretched(const Setting& setting) const {
   for (const auto& [other, result] : results_)
-    if (result.timed && !stretched(result) && other.model == setting.model &&
+    if (result.timed && !stretched(result) && same_kind(other, setting) &&
         other.substeps <= setting.substeps && other.iterations <= setting.iterations)
       return false;
   return true;
 }
 
-void Search::drop(const std::string& model) {
-  std::erase(models_, model);
+void Search::drop(const Setting& setting) {
+  std::erase_if(kinds_, [&](const Setting& kind) { return same_kind(kind, setting); });
+  dropped_.push_back(setting);
 }
 
 std::vector<Rated> Search::predicted() const {
   constexpr int farthest = 4;
   constexpr double allowance = 0.25;  // errors tend to fall ever more slowly than a law says
   std::vector<Rated> points;
-  for (const std::string& model : models_)
+  for (const Setting& kind : kinds_)
     for (const int iterations : iteration_levels)
       for (const bool double_precision : {false, true}) {
         std::vector<Worked> known;
         std::vector<Setting> measured;
         int last = 0;
         for (const int substeps : substep_levels) {
-          const Setting setting{model, substeps, iterations, double_precision};
+          const Setting setting = of_kind(kind, substeps, iterations, double_precision);
           const Result* result = find(setting);
           if (result == nullptr) continue;
           last = substeps;
@@ -95,7 +110,7 @@ std::vector<Rated> Search::predicted() const {
         const auto law = fit_power_law(std::span(known).subspan(first));
         if (!law) continue;
         for (const int substeps : substep_levels) {
-          const Setting setting{model, substeps, iterations, double_precision};
+          const Setting setting = of_kind(kind, substeps, iterations, double_precision);
           if (substeps <= last || substeps > std::min(farthest * last, limits_.most_substeps)) continue;
           const double error =
               law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
@@ -132,12 +147,12 @@ std::optional<double> Search::error_of(const Setting& setting) const {
   return result && !stretched(*result) ? result->error : std::nullopt;
 }
 
-// From the runs of its model in its precision, or else in the other. Runs that diverged do not count.
+// From the runs of its kind in its precision, or else in the other. Runs that diverged do not count.
 std::optional<double> Search::cost(const Setting& setting) const {
   for (const bool same : {true, false}) {
     std::vector<Timed> timed;
     for (const auto& [other, result] : results_)
-      if (result.timed && other.model == setting.model &&
+      if (result.timed && same_kind(other, setting) &&
           (other.double_precision == setting.double_precision) == same)
         timed.push_back({other.substeps, other.iterations, result.cpu_s});
     const double factor = same ? 1 : setting.double_precision ? double_cost : 1 / double_cost;
@@ -146,13 +161,13 @@ std::optional<double> Search::cost(const Setting& setting) const {
   return std::nullopt;
 }
 
-// The least error that the model's coarser runs leave possible; 0 if they had none. Beyond nowhere_near the
+// The least error that the kind's coarser runs leave possible; 0 if they had none. Beyond nowhere_near the
 // size of an error means nothing.
 double Search::optimistic(const Setting& setting) const {
   constexpr double nowhere_near = 0.25;
   double least = infinity;
   for (const auto& [other, result] : results_)
-    if (other.model == setting.model && other.substeps <= setting.substeps &&
+    if (same_kind(other, setting) && other.substeps <= setting.substeps &&
         other.iterations <= setting.iterations && result.error)
       least = std::min(
           least, std::min(*result.error, nowhere_near) * std::pow(work_of(other) / work_of(setting), 2));
@@ -164,7 +179,7 @@ bool Search::on_front(const Setting& setting) const {
 }
 
 bool Search::is_next(const Setting& setting) const {
-  if (setting == Setting{setting.model}) return true;
+  if (std::ranges::find(kinds_, setting) != kinds_.end()) return true;
   if (!doubled(setting.substeps)) return between(setting);
   if (setting.double_precision) return rounding_suspected(setting);
   return setting.iterations == 1 ? continues(setting) : more_iterations(setting);
@@ -190,7 +205,7 @@ bool Search::more_iterations(const Setting& setting) const {
   if (!on_front(less)) return false;
   int in_vain = 0;
   for (const auto& [other, result] : results_)  // by rising substeps
-    if (other.model == setting.model && other.iterations == setting.iterations && !other.double_precision)
+    if (same_kind(other, setting) && other.iterations == setting.iterations && !other.double_precision)
       in_vain = on_front(other) ? 0 : in_vain + 1;
   return in_vain < 2;
 }
@@ -253,13 +268,13 @@ bool Search::worth(const Setting& setting) const {
   return optimistic(setting) < (on_the_way ? 2 : 1) * least;
 }
 
-std::vector<Setting> Search::all_settings(const std::string& model) const {
+std::vector<Setting> Search::all_settings(const Setting& kind) const {
   std::vector<Setting> settings;
   for (const int iterations : iteration_levels)
     for (const bool double_precision : {false, true})
       for (const int substeps : substep_levels)
         if (substeps <= limits_.most_substeps)
-          settings.push_back({model, substeps, iterations, double_precision});
+          settings.push_back(of_kind(kind, substeps, iterations, double_precision));
   return settings;
 }
 

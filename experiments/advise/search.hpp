@@ -5,6 +5,9 @@
 //   iterations 1 2 4 10             if the next fewer is on the front
 //   precision  single, double       double if rounding seems to hold single back
 //
+// A kind is a model with a variant (variant.hpp). The search starts with every model in one variant; others are
+// considered when asked for.
+//
 // A setting is worth a run if it could be on the front: an error falls at best with the square of the work
 // (substeps × iterations), and what is known to cost more than a setting that already meets the demand need
 // not be run. Since the cheapest come first, a tighter demand measures what a looser one did, and more. Unfit
@@ -30,10 +33,15 @@ class Search {
   };
   struct Next {
     Setting setting;
-    std::optional<double> cpu_s = std::nullopt;  ///< expected per frame; nothing before the model's first run
+    std::optional<double> cpu_s = std::nullopt;  ///< expected per frame; nothing before the kind's first run
   };
 
-  Search(std::vector<std::string> models, const Demand& demand, const Limits& limits);
+  /// The coarsest setting of each kind to begin with.
+  Search(std::vector<Setting> kinds, const Demand& demand, const Limits& limits);
+
+  /// One more kind, that of this setting, from a quarter of its substeps on. False if it is among the kinds
+  /// already, or was dropped.
+  bool consider(const Setting& setting);
 
   /// What is worth a run now, the cheapest first; empty when the search is over.
   std::vector<Next> next() const;
@@ -42,16 +50,16 @@ class Search {
   /// strain is unfit.
   void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
 
-  /// No further run of the model.
-  void drop(const std::string& model);
+  /// No further run of this setting's kind.
+  void drop(const Setting& setting);
 
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Whether a run with it may be stretched beyond what is fit: no coarser run of its model was less
+  /// Whether a run with it may be stretched beyond what is fit: no coarser run of its kind was less
   /// stretched.
   bool may_be_stretched(const Setting& setting) const;
 
-  /// Finer settings of models with at least three measured ones that follow a law, up to 4 times as much
+  /// Finer settings of kinds with at least three measured ones that follow a law, up to 4 times as much
   /// work. Their strain is that of the finest measured one, or less where it follows a law, too.
   std::vector<Rated> predicted() const;
 
@@ -77,10 +85,11 @@ class Search {
   bool between(const Setting& setting) const;
   double longest() const;
   bool worth(const Setting& setting) const;
-  std::vector<Setting> all_settings(const std::string& model) const;
+  std::vector<Setting> all_settings(const Setting& kind) const;
   Strained predicted_strain(const std::vector<Setting>& measured, const Setting& setting) const;
 
-  std::vector<std::string> models_;
+  std::vector<Setting> kinds_;  ///< of each its coarsest setting
+  std::vector<Setting> dropped_;
   Demand demand_;
   Limits limits_;
   std::map<Setting, Result> results_;

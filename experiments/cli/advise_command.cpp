@@ -14,6 +14,7 @@
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/nearest_name.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
@@ -96,6 +97,11 @@ std::string point_text(const Rated& point, const Advice& advice) {
   return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point));
 }
 
+// For a shell.
+std::string quoted(const std::string& change) {
+  return change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'";
+}
+
 // Unfit settings stand above the fit ones, and are marked.
 std::vector<Rated> rows_of(const Advice& advice) {
   std::vector<Rated> rows = unfit_front_of(advice.points);
@@ -104,13 +110,13 @@ std::vector<Rated> rows_of(const Advice& advice) {
 }
 
 std::string front_text(const Advice& advice) {
-  Table table(
-      {"model", "substeps", "iterations", "precision", "error (%)", "strain (%)", "ms per frame", ""});
+  Table table({"model", "with", "substeps", "iterations", "precision", "error (%)", "strain (%)",
+               "ms per frame", ""});
   for (const Rated& point : rows_of(advice)) {
     const auto strain = strain_of(point, advice);
     const Unfit why = unfit(point);
-    table.add_row({point.setting.model, std::to_string(point.setting.substeps),
-                   std::to_string(point.setting.iterations),
+    table.add_row({point.setting.model, variant_text(point.setting.variant),
+                   std::to_string(point.setting.substeps), std::to_string(point.setting.iterations),
                    point.setting.double_precision ? "double" : "single",
                    std::isfinite(point.error) ? percent_number(point.error) : "-",
                    strain ? percent_number(*strain) : "", fmt::format("{:.3g}", 1e3 * point.cpu_s),
@@ -153,6 +159,9 @@ void print_text(const Advice& advice, const Question& question, const AdviceOpti
   else
     print_none(advice, question, options);
   fmt::print("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+  if (question.rigidity_is_default())
+    fmt::print("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
+               default_flexural_rigidity);
   if (!unfit_front_of(advice.points).empty()) fmt::print("{}\n", limits_text());
   fmt::print("\n{}", front_text(advice));
   constexpr double at_rest = 0.02;  // sizes per second
@@ -167,7 +176,8 @@ void print_text(const Advice& advice, const Question& question, const AdviceOpti
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
       fmt::print("\nThe reference's own error is more than a tenth of this error.\n");
     fmt::print("\nto use {}:\n", advice.best ? "it" : "the nearest");
-    for (const std::string& change : question.changes(point->setting)) fmt::print("  --set {}\n", change);
+    for (const std::string& change : question.changes(point->setting))
+      fmt::print("  --set {}\n", quoted(change));
   }
   if (!advice.left_out.empty()) fmt::print("\nnot in this table:\n");
   for (const LeftOut& each : advice.left_out) fmt::print("  {}: {}\n", each.what, each.why);
@@ -181,7 +191,12 @@ Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   if (!point) return nullptr;
   const auto strain = strain_of(*point, advice);
   const Unfit why = unfit(*point);
+  const Variant& variant = point->setting.variant;
   return {{"model", point->setting.model},
+          {"tethers", variant.tethers},
+          {"shear", variant.shear},
+          {"flight_limit", variant.flight_limit},
+          {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
           {"substeps", point->setting.substeps},
           {"iterations", point->setting.iterations},
           {"precision", point->setting.double_precision ? "double" : "single"},

@@ -32,6 +32,8 @@ Rated stretched(const std::string& model, double error, double cpu_s, double str
   return {{model}, error, cpu_s, false, {strain, stretch}};
 }
 
+const std::vector<Setting> model_a = {Setting{"a"}}, models_a_and_b = {Setting{"a"}, Setting{"b"}};
+
 constexpr double not_compared = std::numeric_limits<double>::infinity();
 
 std::string models_of(const std::vector<Rated>& points) {
@@ -315,7 +317,7 @@ TEST_CASE("advise: what a step costs is told apart into substeps and iterations"
 TEST_CASE("advise: the search finds what trying everything finds, in fewer runs", "[advise]") {
   for (const double error : {0.4, 0.2, 0.1, 0.05, 0.02, 0.01, 0.001}) {
     INFO("error " << error);
-    Search search({"a", "b"}, {.error = error}, {});
+    Search search(models_a_and_b, {.error = error}, {});
     CHECK(machine.run(search) < 40);  // of 144
     const auto found = chosen(search.measured(), {.error = error}),
                best = chosen(everything(), {.error = error});
@@ -324,7 +326,7 @@ TEST_CASE("advise: the search finds what trying everything finds, in fewer runs"
   }
   for (const double cpu_s : {5e-4, 1e-3, 2.5e-3, 0.01, 0.04}) {
     INFO("time " << cpu_s);
-    Search search({"a", "b"}, {.cpu_s = cpu_s}, {});
+    Search search(models_a_and_b, {.cpu_s = cpu_s}, {});
     machine.run(search);
     const auto found = chosen(search.measured(), {.cpu_s = cpu_s}),
                best = chosen(everything(), {.cpu_s = cpu_s});
@@ -334,14 +336,14 @@ TEST_CASE("advise: the search finds what trying everything finds, in fewer runs"
       CHECK(point.cpu_s <= cpu_s * 1.001 + 1e-9 + 4e-4);  // but the first
   }
   // A time that suffices for nothing fit: the fastest fit setting is found, which is 4 substeps of b.
-  Search search({"a", "b"}, {.cpu_s = 2e-4}, {});
+  Search search(models_a_and_b, {.cpu_s = 2e-4}, {});
   machine.run(search);
   CHECK_FALSE(chosen(search.measured(), {.cpu_s = 2e-4}));
   CHECK(nearest(search.measured(), {.cpu_s = 2e-4})->setting == Setting{"b", 4});
 }
 
 TEST_CASE("advise: what takes too long is predicted from a law, and only there", "[advise]") {
-  Search search({"a", "b"}, {.error = 0.001}, {});
+  Search search(models_a_and_b, {.error = 0.001}, {});
   machine.run(search, 2e-4 * 16);  // a: up to 16 substeps
   for (const Rated& point : search.predicted()) {
     INFO(setting_text(point.setting));
@@ -358,18 +360,18 @@ TEST_CASE("advise: what takes too long is predicted from a law, and only there",
   // Truly 2 / 48² = 0.00087 already; with √√3 of allowance 0.0012.
   CHECK(chosen(search.predicted(), {.error = 0.001})->setting.substeps == 64);
 
-  Search known_to({"a"}, {.error = 0.001}, {.least_error = 0.005});
+  Search known_to(model_a, {.error = 0.001}, {.least_error = 0.005});
   machine.run(known_to, 2e-4 * 16);
   CHECK_FALSE(chosen(known_to.predicted(), {.error = 0.0049}));
 
-  Search two({"a"}, {.error = 0.001}, {});
+  Search two(model_a, {.error = 0.001}, {});
   machine.run(two, 2e-4 * 2);
   CHECK(two.predicted().empty());
 }
 
 TEST_CASE("advise: a model that fails is left, and one that diverges is tried finer", "[advise]") {
-  Search search({"a", "b"}, {.error = 0.02}, {});
-  search.drop("b");
+  Search search(models_a_and_b, {.error = 0.02}, {});
+  search.drop({"b"});
   Imaginary late = machine;
   late.error = [](const Setting& s) { return s.substeps < 8 ? std::nullopt : machine.error(s); };
   late.run(search);
@@ -386,7 +388,7 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
   };
   torn.strained = [](const Setting& s) { return Strained{s.substeps < 16 ? 50.0 / s.substeps : 0.01}; };
   for (const Demand& demand : {Demand{.error = 0.02}, Demand{.error = 0.9}, Demand{.cpu_s = 0.02}}) {
-    Search search({"a", "b"}, demand, {});
+    Search search(models_a_and_b, demand, {});
     CHECK(torn.run(search) < 60);  // of 144
     const auto found = chosen(search.measured(), demand);
     REQUIRE(found);
@@ -401,7 +403,7 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
   // The same where ruins are not compared; what is between a ruin and a fit one is tried for the time it
   // saves.
   torn.error = [](const Setting& s) { return s.substeps < 16 ? std::optional<double>() : machine.error(s); };
-  Search search({"a"}, {.error = 0.1}, {});
+  Search search(model_a, {.error = 0.1}, {});
   CHECK(search.may_be_stretched({"a", 8}));
   torn.run(search);
   CHECK(chosen(search.measured(), {.error = 0.1})->setting == Setting{"a", 16});
@@ -411,7 +413,7 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
 
   // Nothing is ever fit: it ends, without a choice.
   torn.strained = [](const Setting&) { return Strained{3}; };
-  Search hopeless({"a", "b"}, {.error = 0.1}, {});
+  Search hopeless(models_a_and_b, {.error = 0.1}, {});
   torn.run(hopeless);
   CHECK_FALSE(chosen(hopeless.measured(), {.error = 0.99}));
   CHECK(nearest(hopeless.measured(), {.error = 0.1}));
@@ -420,7 +422,7 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
 TEST_CASE("advise: a prediction takes the strain along", "[advise]") {
   Imaginary soft = machine;
   soft.strained = [](const Setting& s) { return Strained{3.0 / s.substeps}; };
-  Search search({"a"}, {.error = 0.001}, {});
+  Search search(model_a, {.error = 0.001}, {});
   soft.run(search, 2e-4 * 16);  // up to 16 substeps, of a strain of 0.19
   const std::vector<Rated> predicted = search.predicted();
   REQUIRE(predicted.size() == 4);  // 24, 32, 48, 64
