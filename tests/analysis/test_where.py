@@ -1,0 +1,200 @@
+"""Where a cloth is stretched: σ₁ on deformations whose stretches are known, distances, and a whole run."""
+import json
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[2]
+sys.path.insert(0, str(ROOT / "analysis"))
+
+import fig_where  # noqa: E402
+import load  # noqa: E402
+import stretch  # noqa: E402
+
+ROUNDING = 1e-14  # relative; a few operations in double precision
+TURN = np.linalg.qr(np.random.default_rng(7).normal(size=(3, 3)))[0]  # any rotation, or one mirrored
+
+
+def grid(cells, size=1.0):
+    """(V, 3) and (T, 3) of a square of `size` in cells × cells, split along one diagonal."""
+    x = np.linspace(0, size, cells + 1)
+    rest = np.array([[a, b, 0] for b in x for a in x])
+    corner = np.array([i + j * (cells + 1) for j in range(cells) for i in range(cells)])
+    right, up, both = corner + 1, corner + cells + 1, corner + cells + 2
+    return rest, np.concatenate([np.stack([corner, right, both], 1), np.stack([corner, both, up], 1)])
+
+
+def by_svd(rest, positions, triangles):
+    """(T) σ₁ by numpy's singular values, from the rest edges in the plane z = 0."""
+    edges = lambda x: np.stack([x[triangles[:, i]] - x[triangles[:, 0]] for i in (1, 2)], axis=2)
+    gradient = edges(positions) @ np.linalg.inv(edges(rest)[:, :2])
+    return np.linalg.svd(gradient, compute_uv=False)[:, 0]
+
+
+class PrincipalStretch(unittest.TestCase):
+    rest, triangles = grid(5)
+
+    def test_a_uniform_stretch_is_the_same_in_every_triangle(self):
+        for factor in (1, 1.7, 40):
+            found = stretch.principal_stretch(self.rest, self.rest * [factor, 1, 1], self.triangles)
+            np.testing.assert_allclose(found - 1, factor - 1, rtol=0, atol=ROUNDING * factor)
+
+    def test_a_cloth_that_is_only_compressed_has_less_than_one(self):
+        found = stretch.principal_stretch(self.rest, self.rest * [0.25, 0.5, 1], self.triangles)
+        np.testing.assert_allclose(found, 0.5, rtol=ROUNDING)
+
+    def test_simple_shear(self):
+        # x += g y: σ₁ − 1/σ₁ = g, so that σ₁ = (g + √(g² + 4)) / 2
+        for g in (0.1, 1, 30):
+            sheared = self.rest @ np.array([[1, 0, 0], [g, 1, 0], [0, 0, 1]])
+            found = stretch.principal_stretch(self.rest, sheared, self.triangles)
+            np.testing.assert_allclose(found, (g + np.sqrt(g * g + 4)) / 2, rtol=10 * ROUNDING)
+
+    def test_turning_the_rest_shape_or_the_cloth_changes_nothing(self):
+        cloth = self.rest @ np.array([[1.2, 0.3, 0], [-0.4, 0.8, 0.5], [0, 0, 1]])
+        expected = by_svd(self.rest, cloth, self.triangles)
+        for rest, positions in ((self.rest @ TURN, cloth), (self.rest, cloth @ TURN),
+                                (self.rest @ TURN + 3, cloth @ TURN.T - 5)):
+            found = stretch.principal_stretch(rest, positions, self.triangles)
+            np.testing.assert_allclose(found, expected, rtol=100 * ROUNDING)  # the shift by 3 costs digits
+
+    def test_frames_at_once_and_units(self):
+        frames = np.stack([self.rest, self.rest * [2, 3, 1]])
+        for metre in (1, 1000):
+            found = stretch.principal_stretch(self.rest * metre, frames * metre, self.triangles)
+            np.testing.assert_allclose(found, np.outer([1, 3], np.ones(50)), rtol=ROUNDING)
+
+    def test_a_triangle_without_area_at_rest_has_none(self):
+        rest = np.array([[0, 0, 0], [1, 0, 0], [3, 0, 0], [0, 1, 0]], float)
+        found = stretch.principal_stretch(rest, rest, np.array([[0, 1, 2], [0, 1, 3], [1, 1, 3]]))
+        np.testing.assert_array_equal(np.isnan(found), [True, False, True])
+
+
+class Distance(unittest.TestCase):
+    def test_from_the_nearest_of_two_pins(self):
+        rest = np.array([[0, 0, 0], [3, 0, 0], [0, 3, 0], [9, 0, 0], [12, 0, 0], [9, 3, 0]], float)
+        triangles = np.array([[0, 1, 2], [3, 4, 5]])  # their middles: (1, 1) and (10, 1)
+        pinned = np.array([1, 0, 0, 0, 0, 1], bool)  # (0, 0) and (9, 3)
+        np.testing.assert_allclose(stretch.distance_from_pins(rest, triangles, pinned),
+                                   [np.sqrt(2), np.sqrt(5)], rtol=ROUNDING)
+        self.assertTrue(np.isinf(stretch.distance_from_pins(rest, triangles, np.zeros(6, bool))).all())
+
+    def test_bins_hold_every_distance_and_agree_between_meshes(self):
+        fine, coarse = stretch.bin_edges(0.0037, 1.41), stretch.bin_edges(0.0295, 1.4)
+        self.assertLessEqual(fine[0], 0.0037)
+        self.assertGreater(fine[-1], 1.41)
+        self.assertLessEqual(set(coarse), set(fine))
+
+
+class WholeRun(unittest.TestCase):
+    """A sheet of 8² cells that hangs from a corner and is torn three cells away from it."""
+
+    cells, frames = 8, 16
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.rest, self.triangles = grid(self.cells)
+        self.trajectory = self.positions().astype("f4")
+        self.told = np.array([by_svd(self.rest, x.astype(float), self.triangles) for x in self.trajectory])
+        self.run = load.load_run(self.written(Path(folder.name) / "run.vtkhdf"))
+
+    def positions(self):
+        """(F, V, 3): every edge some percent too long, another in each frame, and one vertex pulled out."""
+        noise = np.random.default_rng(3).normal(scale=0.05 / self.cells,
+                                                size=(self.frames, len(self.rest), 3))
+        frames = self.rest @ TURN + noise
+        torn = np.flatnonzero((np.abs(self.rest - [5 / 8, 5 / 8, 0]) < 1e-9).all(axis=1))
+        frames[:, torn] += np.array([0, 0, 0.4]) * np.linspace(1, 2, self.frames)[:, None, None]
+        return frames
+
+    def written(self, path):
+        pinned = np.zeros(len(self.rest), bool)
+        pinned[-1] = True
+        with h5py.File(path, "w") as file:
+            file.attrs.update(status=np.bytes_("complete"), id=np.bytes_("0"), name=np.bytes_("torn"))
+            file["VTKHDF/Points"] = self.trajectory.reshape(-1, 3)
+            file["rest/positions"], file["rest/triangles"] = self.rest, self.triangles.astype("i4")
+            file["rest/pinned"] = pinned.astype("u1")
+            file["metrics/time"] = np.arange(self.frames) / 10  # 1.5 s: the last second is frames 6 … 15
+            file["metrics/max_stretch"] = self.told.max(axis=1)
+            file["provenance/config"] = json.dumps({"mesh": {"cells": self.cells, "width": 1}})
+        return path
+
+    def test_the_largest_is_that_of_the_metric(self):
+        part = stretch.stretched(self.run)
+        self.assertEqual(part.excess.shape, (10, len(self.triangles)))
+        self.assertLess(part.disagreement, 1e-13)  # two ways to the same singular value
+        self.assertAlmostEqual(part.largest(), np.median(self.told[6:].max(axis=1)) - 1, places=12)
+
+    def test_another_metric_is_noticed(self):
+        self.run.metrics["max_stretch"][7] *= 1.25
+        self.assertAlmostEqual(stretch.stretched(self.run).disagreement, 0.2, places=12)
+
+    def test_the_tear_is_where_it_was_made(self):
+        part = stretch.stretched(self.run)
+        # The six triangles of the vertex three cells off in both directions, three edges along diagonals:
+        # their middles are within 0.75 of a cell of it
+        np.testing.assert_array_less(part.distance[part.worst] * self.cells, 3 * np.sqrt(2) + 0.75)
+        np.testing.assert_array_less(3 * np.sqrt(2) - 0.75, part.distance[part.worst] * self.cells)
+        self.assertLessEqual(set(part.ring[part.worst]), {3, 4})
+        self.assertGreater(part.largest(~part.at_pin), 2)
+        self.assertLess(part.largest(part.at_pin), 0.3)
+
+    def test_bins_give_the_largest_and_the_usual_of_their_triangles(self):
+        part = stretch.stretched(self.run)
+        edges = stretch.bin_edges(part.distance.min(), part.distance.max())
+        for share in (1.0, 0.5):
+            for i, value in enumerate(part.over_distance(edges, share)):
+                inside = (part.distance >= edges[i]) & (part.distance < edges[i + 1])
+                expected = [np.quantile(frame[inside], share) for frame in part.excess] if inside.any() else [
+                    np.nan]
+                np.testing.assert_allclose(value, np.median(expected), rtol=1e-12)
+
+    def test_a_group_is_drawn_and_tabled(self):
+        one = stretch.measure([self.run, self.run])
+        self.assertEqual((one.near.count, one.status), (2, {"complete": 2}))
+        self.assertEqual(max(one.near.median, one.far.median), one.whole.median)
+        self.assertAlmostEqual(np.nanmax([s.median for s in one.worst]), one.whole.median, places=12)
+        cases = {fig_where.MENDED: {self.cells: one}, fig_where.ADAPTIVE: {self.cells: one}}
+        with tempfile.TemporaryDirectory() as folder:
+            name = fig_where._panels(cases, folder, "where", "title")
+            self.assertTrue((Path(folder) / name).exists())
+        table = fig_where._table(cases, "Torn")
+        self.assertEqual([row[:2] for row in table.rows], [[fig_where.MENDED, 8], [fig_where.ADAPTIVE, 8]])
+        self.assertTrue(all(len(row) == len(table.columns) for row in table.rows))
+
+
+class Claims(unittest.TestCase):
+    @staticmethod
+    def group(n, near, far, ring=1.0, reach=np.nan):
+        one = lambda value: load.spread([value])
+        return stretch.Group(n, 1 / n, {}, one(near), one(far), one(max(near, far)), one(ring / n),
+                             (ring / n,) * 2, ring, (ring, ring), reach, [], np.array([]), np.array([]), 0)
+
+    def verdicts(self, adaptive, crossover=(), others=()):
+        by_n = lambda groups: {one.n: one for one in groups}
+        return [claim.holds for claim in fig_where._claims(by_n(adaptive), by_n(crossover), list(others))]
+
+    def test_no_runs(self):
+        self.assertEqual(self.verdicts([]), [None, None, None])
+
+    def test_sound_cloth(self):
+        self.assertEqual(self.verdicts([self.group(16, 0.2, 0.1, 1, 3)], [self.group(16, 0.5, 0.3)]),
+                         [True, None, True])
+
+    def test_a_failure_that_moved(self):
+        moved = self.group(64, 0.8, 5.5, 6, 5)
+        self.assertEqual(self.verdicts([moved], [self.group(64, 4.5, 4.1)]), [False, True, False])
+        self.assertEqual(self.verdicts([moved], [self.group(64, 4.5, 6)]), [False, True, True])
+        for elsewhere in (self.group(64, 0.8, 2, 7, 5), self.group(64, 0.8, 2, 4, 5),
+                          self.group(64, 3, 2, 6, 5)):
+            self.assertFalse(self.verdicts([moved], [], [elsewhere])[1])
+
+
+if __name__ == "__main__":
+    unittest.main()
