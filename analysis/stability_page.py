@@ -9,8 +9,8 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import group, models
 from report import Table, rounded, write_objects
-from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,
-                             STRAIN_CEILING, STRAIN_FLOOR)
+from stability_cases import (AMBER, APART, CASES, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
+                             SECTIONS, STRAIN_CEILING, STRAIN_FLOOR)
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
 UNKNOWN = "not known"
@@ -41,7 +41,8 @@ def body(section, pin):
     cells = section.cells
     parts = ["<h1>What is stable?</h1>", "<p class='lead'>Starts, loads, time steps and meshes on which "
              "cloth solvers fail, each with every bending model in both precisions. Each is compared with "
-             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING)]
+             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING),
+             folded_html(cells)]
     for title, cases in SECTIONS.items():
         parts.append(section_of(title, cases, section))
     parts.append(section_html(pin, EVERYTHING))
@@ -92,6 +93,24 @@ def plain_grid(cells):
             f"run itself, the plain grid, stretched by half and released, is amber for {amber} of "
             f"{len(seen)} models, in one precision or both. So amber for the flaws and meshes compared with "
             "it shows nothing about them.</p>")
+
+
+def folded_html(cells):
+    """The cases that the picture folds away because all their runs have one colour, by name."""
+    alike = fig_stability.folded(cells, CASES)[1]
+    if not alike:
+        return ""
+    rows = "".join(f"<li><span class='verdict {KIND[verdict]}'>all {verdict}</span>: "
+                   f"{escape('; '.join(_full_title(case) for case in alike[verdict]))}</li>"
+                   for verdict in VERDICTS if verdict in alike)
+    return (f"<details><summary>The {sum(map(len, alike.values()))} cases in which all runs have one "
+            f"colour</summary><ul>{rows}</ul></details>")
+
+
+def _full_title(case):
+    """A case's section and title: 'start poses: mirrored'."""
+    section = next(title for title, cases in SECTIONS.items() if case in cases)
+    return f"{section.lower()}: {case.title}"
 
 
 def section_of(title, cases, section):

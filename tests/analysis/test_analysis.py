@@ -561,6 +561,22 @@ class StabilityTest(unittest.TestCase):
         np.testing.assert_array_equal(stability_reasons.flawed_triangles(run), [True, False])
         self.assertAlmostEqual(stability_reasons.flawed_strain(run), 75)
 
+    def test_only_cases_that_tell_runs_apart_are_rows_and_the_others_are_named(self):
+        cases = [stability_cases.CASES[i] for i in range(4)]
+        verdicts = ["green green", "amber red", "red red", ""]  # in single and in double precision
+        cells = {(case.name, "none", precision): SimpleNamespace(verdict=verdict)
+                 for case, both in zip(cases, verdicts)
+                 for precision, verdict in zip(("single", "double"), both.split())}
+        telling, alike = fig_stability.folded(cells, cases)
+        self.assertEqual(telling, [cases[1]])
+        self.assertEqual(alike, {"green": [cases[0]], "red": [cases[2]]})  # the last one has no runs
+        self.assertEqual(fig_stability.alike_text(alike), "not shown: 1 all green, 1 all red")
+        text = stability_page.folded_html(cells)
+        self.assertIn("The 2 cases in which all runs have one colour", text)
+        self.assertIn(f"all red</span>: start poses: {cases[2].title}<", text)
+        self.assertNotIn(cases[1].title, text)
+        self.assertEqual(stability_page.folded_html({}), "")
+
     def test_models_that_share_a_reason_share_a_row(self):
         case = SimpleNamespace(title="a case")
         worst = lambda value: stability_cases.Criterion("mean strain", value, 0.2, "1", "amber")
