@@ -78,7 +78,7 @@ def _pictures(groups, out):
 
 
 def _curves(groups, out):
-    figure, axes = plt.subplots(1, 2, figsize=(9.6, 3.4), layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(11.4, 3.6), layout="constrained")
     columns = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain")]
     for panel, (metric, offset, label) in zip(axes, columns):
         for (model, n), group in groups.items():
@@ -87,16 +87,18 @@ def _curves(groups, out):
                 continue
             curves = np.array([run.metrics[metric][1:length] - offset for run in group])
             time = group[0].metrics["time"][1:length]
-            look = dict(color=style.MODEL_COLOURS[model], linestyle="-" if n == CELLS[-1] else "--")
-            panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}", **look)
-            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=look["color"], alpha=0.15,
+            colour = style.MODEL_COLOURS[model]
+            panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}",
+                       color=colour, linestyle="-" if n == CELLS[-1] else "--")
+            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=colour, alpha=0.15,
                                linewidth=0)
         panel.set_ylim(bottom=1e-3)
         style.plain_log(panel)
         panel.set_title(label)
         panel.set_xlabel("time (s)")
     axes[0].axhline(WRONG, color=style.GREY, linewidth=0.8, zorder=0)
-    style.legend_below(figure, axes[0], 4)
+    for panel in axes:
+        style.label_ends(panel)
     return style.save(figure, out, "fig_1_time")
 
 

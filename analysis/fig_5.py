@@ -117,15 +117,15 @@ def _pin_text(sample):
 
 
 def _numbers(grid, out, name):
-    figure, axes = plt.subplots(2, 2, figsize=(9.6, 6.6), layout="constrained")
+    figure, axes = plt.subplots(2, 2, figsize=(10.8, 6.6), layout="constrained")
     for panel, (metric, offset, label) in zip(axes.flat, METRICS):
         for i, model in enumerate(MODELS):
             for ring in (0, 1):
                 style.with_range(panel, grid.cells, grid.over_cells(model, ring, metric, offset),
                                  label=f"{style.model_name(model)}, {PINS[ring]}",
-                                 shift=1.02 ** (2 * i + ring - 2.5), color=style.MODEL_COLOURS[model],
-                                 linestyle="-" if ring else "--", marker="o",
-                                 markerfacecolor=style.MODEL_COLOURS[model] if ring else "white")
+                                 shift=1.02 ** (2 * i + ring - 2.5),
+                                 **style.look(model, linestyle="-" if ring else "--",
+                                              **{} if ring else {"markerfacecolor": "white"}))
         style.plain_log(panel)
         style.resolution_axis(panel, grid.cells)
         panel.set_title(label)
@@ -133,7 +133,8 @@ def _numbers(grid, out, name):
             panel.axhline(1, color=style.GREY, linewidth=0.8, zorder=0)
             panel.annotate("twice as long", (0.99, 1), xycoords=panel.get_yaxis_transform(), xytext=(0, -3),
                            va="top", ha="right", textcoords="offset points", fontsize=7.5, color=style.GREY)
-    style.legend_below(figure, axes[0, 0], 3)
+    for panel in axes[:, 1]:
+        style.label_ends(panel)
     return style.save(figure, out, name)
 
 

@@ -209,35 +209,39 @@ def elastica(weight, length, rigidity, points=400):
 def _strip(experiment, out):
     kinds = group(experiment.runs, lambda run: run.get("/bending/stiffness"))
     order = [entry["model"] for entry in experiment.sweep["/bending"]]
-    figure, axes = plt.subplots(1, 2, figsize=(11.6, 5.2), layout="constrained", sharex=True, sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2), layout="constrained", sharex=True, sharey=True)
     truth = _truth(kinds.get("compliance", []))
     k = next((run.get("/bending/k") for run in kinds.get("k", [])), np.nan)
     rigidity = rigidity_of(kinds.get("compliance", [])) or np.nan
     for panel, (kind, title) in zip(axes, (("k", f"k = {k:g} for all: projections decide the stiffness"),
                                            ("compliance", f"matched: flexural rigidity {1e3 * rigidity:g} mN "
                                             "m"))):
-        for run in sorted(kinds.get(kind, []), key=lambda run: order.index(run.model)):
+        for i, run in enumerate(sorted(kinds.get(kind, []), key=lambda run: order.index(run.model))):
             line = 100 * profile(run)
-            panel.plot(*line.T, color=style.MODEL_COLOURS[run.model], linestyle=_dash(run.model),
-                       label=f"{name_of(run)}  {-line[-1, 1]:.1f} cm")
+            panel.plot(*line.T, markevery=(i % 6, 6), label=f"{name_of(run)}: {-line[-1, 1]:.1f}",
+                       **style.look(run.model))
         panel.set_title(title)
         panel.set_aspect("equal")
         panel.set_xlabel("distance from the clamp (cm)")
     if truth is not None:
         axes[1].plot(*(100 * truth).T, color=style.INK, linewidth=3.5, alpha=0.25, zorder=0,
-                     label=f"heavy elastica  {-100 * truth[-1, 1]:.1f} cm")
-    for panel in axes:
-        panel.legend(title="tip below the clamp", loc="upper left", bbox_to_anchor=(1.0, 1.0),
-                     alignment="left", fontsize=8)
+                     label=f"heavy elastica: {-100 * truth[-1, 1]:.1f}")
     axes[0].set_ylabel("height (cm)")
     figure.suptitle(strip_title(kinds, truth), x=0.01, ha="left", fontsize=11.5)
+    _label_tips(axes)
     return style.save(figure, out, "fig_models_cantilever")
 
 
-def _dash(model):
-    """Springs have dashed lines, so that coinciding lines stay visible."""
-    return {"none": ":", "dihedral": "-", "bridson": (0, (5, 2)), "discrete_shells": (0, (1, 1.6)),
-            "isometric": "-"}.get(model, "-.")
+def _label_tips(axes):
+    """Labels each tip; those that hang near the clamp have their labels in the panel."""
+    for panel in axes:
+        middle = np.mean(panel.get_xlim())
+        tips = {line.get_label(): line.get_xdata()[-1] for line in panel.lines}
+        style.label_ends(panel, x=0.36, only=lambda label: tips[label] < 0.6 * middle)
+        style.label_ends(panel, x=1.0 if panel is axes[0] else 0.7,
+                         only=lambda label: tips[label] >= 0.6 * middle)
+        panel.text(1, 1, "name: tip below the clamp (cm)", transform=panel.transAxes, ha="right", va="top",
+                   fontsize=8, color=style.GREY)
 
 
 def rigidity_of(runs):

@@ -221,8 +221,8 @@ def _remedies(stories, out):
         for place, model in enumerate(MODELS):
             some = [s for s in shown if s.run.model == model]
             panel.plot([value(s) for s in some],
-                       [names.index(remedy(s.run)) + 0.2 * (place - 1) for s in some], "o",
-                       color=style.MODEL_COLOURS[model], markersize=5, label=style.model_name(model))
+                       [names.index(remedy(s.run)) + 0.2 * (place - 1) for s in some],
+                       label=style.model_name(model), **style.look(model, linestyle="", markersize=5))
         if bound:
             panel.axvline(bound, color=style.GREY, linewidth=0.8, linestyle="--")
         panel.set_xscale("log")

@@ -1,4 +1,8 @@
-"""The look of every figure: fonts, sizes, colours, number formats, and how a cloth is drawn in a panel."""
+"""The look of every figure: fonts, colours, marks, labels, number formats, and how cloth is drawn in a panel.
+
+A family of bending models has a kind of mark: springs are filled circles, hinges are open polygons, springs
+that push a filled plus, no bending a cross. Within a family the colours differ for the colour-blind too.
+"""
 from pathlib import Path
 
 import matplotlib
@@ -20,13 +24,22 @@ class Colours(dict):
         return "#000000"
 
 
-# Palette of Okabe and Ito: the colour-blind can tell the colours apart.
+FAMILIES = {"no bending": ("none",),
+            "springs": ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "choi_ko"),
+            "springs that push": ("prestressed",),
+            "hinges": ("dihedral", "bridson", "discrete_shells", "isometric")}
+# Springs have the palette of Okabe and Ito, hinges colours between which all kinds of sight distinguish.
 MODEL_COLOURS = Colours({
-    "none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
-    "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
-    "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
+    "none": "#7f7f7f", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
+    "lod": "#cc79a7", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#000000",
+    "bridson": "#8a4b08", "discrete_shells": "#5b3fa0", "isometric": "#a3a500",
     "prestressed": "#c2185b",
 })
+# Hinges often coincide: their marks are nested and their lines are dashes over a solid one.
+MODEL_MARKS = {"none": ("X", 5), "prestressed": ("P", 6), "dihedral": ("s", 8), "bridson": ("D", 5.5),
+               "discrete_shells": ("^", 4), "isometric": ("v", 6)}  # marker, size in points
+MODEL_DASHES = {"none": ":", "prestressed": "-.", "bridson": (0, (4, 8)), "discrete_shells": (6, (4, 8)),
+                "isometric": "--"}
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
 
@@ -51,6 +64,92 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 def model_name(model, k=None):
     """The label of a bending model; of springs to rings 1 … `k` with k."""
     return MODEL_LABELS[model] + (f", k = {k}" if model == "k_ring" and k else "")
+
+
+def marker(model):
+    """The mark of a model in a scatter plot."""
+    return MODEL_MARKS.get(model, ("o", 4))[0]
+
+
+def look(model, **other):
+    """How a model's curve is drawn: colour, line and marks, as keywords of `plot`; `other` replaces some."""
+    colour, (mark, size) = MODEL_COLOURS[model], MODEL_MARKS.get(model, ("o", 4))
+    inside = "none" if model in FAMILIES["hinges"] else colour
+    return dict(color=colour, marker=mark, markersize=size, markerfacecolor=inside, linewidth=1.3,
+                linestyle=MODEL_DASHES.get(model, "-")) | other
+
+
+def spread(places, heights, low=-np.inf, high=np.inf):
+    """The places nearest to `places` (least squares) at which labels of these heights don't overlap.
+
+    Their order stays, and they lie between low and high if they fit there.
+    """
+    order = np.argsort(places, kind="stable")
+    wanted, tall = np.asarray(places, float)[order], np.asarray(heights, float)[order]
+    above_first = np.concatenate([[0], np.cumsum((tall[:-1] + tall[1:]) / 2)])
+    blocks = []  # (mean, count): labels that touch move as one
+    for value in wanted - above_first:
+        mean, count = value, 1
+        while blocks and blocks[-1][0] > mean:
+            other, more = blocks.pop()
+            mean, count = (mean * count + other * more) / (count + more), count + more
+        blocks.append((mean, count))
+    first = np.concatenate([np.full(count, mean) for mean, count in blocks])
+    least = low + tall[0] / 2
+    result = np.empty(len(order))
+    result[order] = np.clip(first, least, max(least, high - tall[-1] / 2 - above_first[-1])) + above_first
+    return result
+
+
+def label_ends(axes, x=1.02, only=None, size=8):
+    """Writes the label of each curve beside its end, in its colour; curves that coincide share one label.
+
+    Call it when everything is drawn, for it reads the limits. `x`: where the labels begin, as a share of the
+    width. `only`: a test of labels.
+    """
+    axes.figure.draw_without_rendering()  # the layout decides how tall the axes are
+    curves = [(handle[0] if isinstance(handle, tuple) else handle, label)
+              for handle, label in zip(*axes.get_legend_handles_labels()) if only is None or only(label)]
+    groups = coinciding([(_drawn(axes, line), line, label) for line, label in curves])
+    if not groups:
+        return
+    tall = axes.get_window_extent().height * 72 / axes.figure.dpi  # points
+    ends = [np.clip(_share(axes, some[0][0][-1]), 0, 1) for some in groups]
+    line = 1.3 * size / tall
+    for some, end, place in zip(groups, ends, spread([y for _, y in ends],
+                                                     [line * len(some) for some in groups], 0, 1)):
+        for i, (_, curve, label) in enumerate(some):
+            colour = curve.get_color()
+            axes.annotate("= " * (i > 0) + label, end, xytext=(x, place + line * ((len(some) - 1) / 2 - i)),
+                          xycoords="axes fraction", textcoords="axes fraction", color=colour, fontsize=size,
+                          va="center", annotation_clip=False,
+                          arrowprops=dict(arrowstyle="-", color=colour, linewidth=0.6, alpha=0.7, shrinkA=0,
+                                          shrinkB=4, relpos=(0, 0.5)) if i == (len(some) - 1) // 2 else None)
+
+
+def coinciding(curves, tolerance=2.0):
+    """Groups of curves (points, …) that lie on one another: within `tolerance` in each of their points."""
+    groups = []
+    for curve in curves:
+        like = lambda other: (other[0].shape == curve[0].shape
+                              and np.abs(other[0] - curve[0]).max(initial=0) <= tolerance)
+        home = next((some for some in groups if like(some[0])), None)
+        if home:
+            home.append(curve)
+        elif len(curve[0]):
+            groups.append([curve])
+    return groups
+
+
+def _drawn(axes, line):
+    """(n, 2) finite points of a curve, in points of the page."""
+    places = axes.transData.transform(np.asarray(line.get_xydata(), float)) * 72 / axes.figure.dpi
+    return places[np.isfinite(places).all(axis=1)]
+
+
+def _share(axes, place):
+    """A place in points of the page as shares of the axes' width and height."""
+    return axes.transAxes.inverted().transform(place * axes.figure.dpi / 72)
 
 
 def stretch_colours(excess):

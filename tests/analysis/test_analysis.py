@@ -495,6 +495,66 @@ class FigureTest(unittest.TestCase):
         self.assertEqual(shades[1].max(), 255)
         np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
 
+    def test_labels_that_would_overlap_are_spread_and_others_stay(self):
+        spread = lambda places, heights, *limits: style.spread(places, heights, *limits).tolist()
+        self.assertEqual(spread([5, 1], [1, 1]), [5, 1])
+        self.assertEqual(spread([0, 0, 0], [1, 1, 1]), [-1, 0, 1])  # about their mean
+        self.assertEqual(spread([0, 0], [3, 1]), [-1, 1])  # half of both heights apart
+        self.assertEqual(spread([9, 9.5], [1, 1], 0, 10), [8.5, 9.5])  # the upper one ends at 10
+        rng = np.random.default_rng(3)
+        places, heights = rng.random(30), rng.uniform(0.01, 0.2, 30)
+        found = style.spread(places, heights)
+        order = np.argsort(places)
+        gaps, least = np.diff(found[order]), (heights[order][1:] + heights[order][:-1]) / 2
+        self.assertTrue((gaps >= least - 1e-12).all())
+        # A least squares answer does not improve if labels that touch move together
+        blocks = np.split(order, np.flatnonzero(gaps > least + 1e-9) + 1)
+        for block in blocks:
+            self.assertAlmostEqual(np.mean(found[block] - places[block]), 0)
+
+    def test_curves_that_lie_on_one_another_share_a_label(self):
+        figure, axes = style.plt.subplots(layout="constrained")
+        x = np.arange(1, 6)
+        for name, y in (("a", x), ("b", x + 1e-4), ("c", 9 - x), ("d", np.r_[x[:4], 9])):
+            axes.plot(x, y, label=name)
+        style.label_ends(axes)
+        self.assertEqual([text.get_text() for text in axes.texts], ["a", "= b", "c", "d"])
+        figure.draw_without_rendering()
+        boxes = sorted((text.get_window_extent() for text in axes.texts), key=lambda box: box.y0)
+        for low, high in zip(boxes, boxes[1:]):
+            self.assertLessEqual(low.y1, high.y0 + 1)
+        self.assertLessEqual(max(box.x1 for box in boxes), figure.bbox.x1)  # the layout made room
+        style.plt.close(figure)
+
+    def test_the_colour_blind_tell_the_models_of_a_family_apart(self):
+        # Machado, Oliveira and Fernandes 2009, severity 1, on linear RGB: red, green and blue blind
+        sights = [np.eye(3), [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
+                              [-0.003882, -0.048116, 1.051998]],
+                  [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+                   [-0.011820, 0.042940, 0.968881]],
+                  [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602],
+                   [0.004733, 0.691367, 0.303900]]]
+        to_xyz = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+
+        def lab(colour, sight):
+            shade = np.array([int(colour[i:i + 2], 16) for i in (1, 3, 5)]) / 255
+            linear = np.clip(sight @ np.where(shade > 0.04045, ((shade + 0.055) / 1.055)**2.4, shade / 12.92),
+                             0, 1)
+            ratio = to_xyz @ linear / to_xyz.sum(axis=1)
+            x, y, z = np.where(ratio > 0.008856, np.cbrt(ratio), 7.787 * ratio + 16 / 116)
+            return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+        self.assertEqual({model for family in style.FAMILIES.values() for model in family},
+                         set(style.MODEL_COLOURS))
+        for family, sight in itertools.product(style.FAMILIES.values(), map(np.array, sights)):
+            for one, other in itertools.combinations(family, 2):
+                apart = np.linalg.norm(lab(style.MODEL_COLOURS[one], sight)
+                                       - lab(style.MODEL_COLOURS[other], sight))
+                self.assertGreater(apart, 15, (one, other))  # 2.3 is just noticeable
+        kinds = [{style.marker(model) for model in family} for family in style.FAMILIES.values()]
+        for one, other in itertools.combinations(kinds, 2):
+            self.assertFalse(one & other)
+
     def test_numbers_are_written_for_readers(self):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
                          ["0.123", "12.3", "1234", "0", "∞", "–"])
