@@ -20,7 +20,8 @@ MISSING = "#eceff1"
 MARKS = {AMBER: "–", RED: "×"}  # for readers who can't distinguish the colours
 PRECISIONS = ("single", "double")
 ROW = 0.172  # inches
-STILL, HEAD, FOOT, GAP = 220, 49, 40, 14  # pixels: picture, text above, text below, gap
+# Pixels: picture, text above, text below, gap, colour bar
+STILL, HEAD, FOOT, GAP, BAR = 220, 49, 40, 14, 64
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
@@ -110,7 +111,7 @@ def _matrix(cells, out):
             colours.append(COLOURS[cell.verdict] if cell else MISSING)
             if cell and cell.verdict in MARKS:
                 _mark(axes, column, place, precision, cell.verdict)
-    axes.add_collection(PolyCollection(halves, facecolors=colours, linewidths=0))
+    axes.add_collection(PolyCollection(halves, facecolors=colours, edgecolors="face", linewidths=0.3))
     for place, title in heads:
         axes.text(-0.15, place + 0.5, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
     for place, note in notes:
@@ -181,12 +182,16 @@ def _stills(title, failed, out):
     columns = min(COLUMNS, len(failed))
     rows = -(-len(failed) // columns)
     height, width = rows * (HEAD + STILL + FOOT), columns * (STILL + GAP)
-    figure = plt.figure(figsize=(width / DPI, height / DPI))
-    axes = figure.add_axes([0, 0, 1, 1])
+    figure = plt.figure(figsize=(width / DPI, (height + BAR) / DPI))
+    axes = figure.add_axes([0, BAR / (height + BAR), 1, height / (height + BAR)])
+    beside = (width - STILL) / 2 / width
+    style.stretch_bar(figure, None, orientation="horizontal",
+                      cax=figure.add_axes([beside, 44 / (height + BAR), 1 - 2 * beside, 9 / (height + BAR)]))
     sheet = np.ones((height, width, 3))
     for place, cell in enumerate(failed):
         row, column = divmod(place, columns)
-        _still(axes, sheet, cell, column * (STILL + GAP) + GAP // 2, row * (HEAD + STILL + FOOT) + HEAD)
+        _still(axes, sheet, cell, column * (STILL + GAP) + GAP // 2,
+               row * (HEAD + STILL + FOOT) + HEAD)
     axes.imshow(sheet, interpolation="none", extent=(0, width, height, 0))
     axes.set_axis_off()
     name = "fig_stability_" + title.lower().replace(" ", "_")
@@ -205,6 +210,9 @@ def _still(axes, sheet, cell, left, top):
     drawn_out = excess > 1
     axes.add_collection(_slivers(places, triangles[drawn_out], colours[drawn_out]))
     axes.scatter(*places[run.pinned].T, s=4, c="#111418", edgecolors="white", linewidths=0.25, zorder=3)
+    corner = style.free_corner(places - [left, top], (STILL, STILL))
+    axes.text(left + corner["xy"][0] * STILL, top + 5, style.time_text(run, frame), ha=corner["ha"], va="top",
+              fontsize=TEXT, bbox=style.LABEL)
     axes.text(left, top - 4, f"{textwrap.fill(cell.case.title, 38)}\n{style.model_name(cell.model)}, "
               f"{cell.precision}", va="bottom", fontsize=TEXT)
     axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "

@@ -303,6 +303,20 @@ def statuses(runs):
     return dict(Counter(run.status for run in runs))
 
 
+def typical_run(runs, metric="pin_max_stretch"):
+    """(run, its last frame) of the run whose median over the last second is nearest to that of all runs.
+
+    None without any. The last frame and not a typical one: all panels of a figure show the same time.
+    """
+    middles = [(np.median(seen), run) for run in runs
+               if len(seen := run.metrics[metric][run.last_second()]) and np.isfinite(np.median(seen))]
+    if not middles:
+        return None
+    middle = np.median([value for value, _ in middles])
+    _, run = min(middles, key=lambda entry: abs(entry[0] - middle))
+    return run, run.frames - 1
+
+
 def typical_frame(runs, metric="pin_max_stretch"):
     """(run, frame) of the last simulated second whose metric is nearest to the median over all these runs and
     frames.

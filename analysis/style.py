@@ -49,6 +49,9 @@ STRETCH = LinearSegmentedColormap.from_list("stretch",
                                             ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
 
+LEFT, RIGHT = dict(xy=(0.03, 0.975), ha="left"), dict(xy=(0.97, 0.975), ha="right")  # corners for the time
+TORN = 0.5  # mean strain; a sheet with more is no cloth
+REST = 0.01  # sizes per second (root mean square of the vertices' speeds); a slower cloth is at rest
 LABEL = dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72)  # behind text on a picture
 
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9,
@@ -169,8 +172,22 @@ def camera_of(samples, **how):
     return render.camera_for([run.positions(frame) for run, frame in samples], pin, runs[0].size, **how)
 
 
+def cameras_of(samples, **how):
+    """A camera for each sample (run, frame): one scale, at which the largest sheet that holds fills a panel.
+
+    Each is centred on its sheet. Of a torn one it shows what is within an unstretched sheet's reach.
+    """
+    holds = [bool(sample) and sample[0].metrics["mean_strain"][sample[1]] < TORN for sample in samples]
+    found = [camera_of([sample], reach=1.25 if held else 1.02, **how)
+             for sample, held in zip(samples, holds)]
+    half = lambda camera: (camera.extent[3] - camera.extent[2]) / 2
+    most = max((half(camera) for camera, held in zip(found, holds) if held),
+               default=max((half(camera) for camera in found if camera), default=1))
+    return [camera and render.scaled(camera, most) for camera in found]
+
+
 def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
-    """Draws a cloth and its pins in a panel. `sample` is (run, frame), or None if the run is missing.
+    """Draws a cloth, its pins and the time in a panel. `sample`: (run, frame), or None without a run.
 
     `whole`: the camera shows the whole cloth, so that the panel states the share outside the frame.
     """
@@ -185,13 +202,41 @@ def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
     height = image.shape[0]
     axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
     _mark_pins(axes, run, positions, camera, (height, width))
+    corner = free_corner(camera.project(positions, (height, width))[0], (height, width))
+    stamp(axes, run, frame, corner)
     if text:
         caption(axes, text)
     outside = share_outside(positions, camera, (height, width))
     if whole and outside > 0.005:
-        share = f"{100 * outside:.0f}" if outside < 0.995 else "over 99"
-        axes.text(0.97, 0.975, f"{share} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5,
-                  ha="right", va="top", color="#8a1538", bbox=LABEL)
+        share = f"{100 * outside:.0f}" if outside < 0.995 else "> 99"
+        axes.annotate(f"{share} % outside", corner["xy"], xycoords="axes fraction", xytext=(0, -15),
+                      textcoords="offset points", fontsize=7.5, color="#8a1538", bbox=LABEL,
+                      ha=corner["ha"], va="top")
+
+
+def stamp(axes, run, frame, corner=LEFT):
+    """Writes the time of a frame into an upper corner of a picture."""
+    axes.annotate(time_text(run, frame), xycoords="axes fraction", fontsize=8, va="top", bbox=LABEL, **corner)
+
+
+def free_corner(places, shape):
+    """The upper corner of a picture of this shape in which fewer of the places (n, 2) lie, in pixels."""
+    height, width = shape
+    x, y = places.T
+    high = (y > 0) & (y < 0.13 * height)
+    left, right = (x > 0) & (x < 0.45 * width), (x > 0.55 * width) & (x < width)
+    return RIGHT if (high & left).sum() > (high & right).sum() else LEFT
+
+
+def time_text(run, frame):
+    """'t = 4.0 s' of a frame, or 'at rest, t = 4.0 s' if the cloth is no faster than REST."""
+    time = run.metrics["time"][frame]
+    text = f"t = {time:.1f} s" if abs(time - round(time, 1)) < 1e-6 else f"t = {time:.2f} s"
+    if frame == 0:
+        return text
+    moved = run.positions(frame) - run.positions(frame - 1)
+    speed = np.sqrt((moved**2).sum(axis=1).mean()) / (time - run.metrics["time"][frame - 1])
+    return f"at rest, {text}" if speed <= REST * run.size else text
 
 
 def caption(axes, text):

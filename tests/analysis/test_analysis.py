@@ -199,9 +199,13 @@ class LoadTest(unittest.TestCase):
         self.assertEqual((s.median, s.low, s.high, s.count), (1, 0, 4, 3))
         self.assertFalse(load.spread([]).known)
 
-    def test_the_typical_frame_is_the_one_nearest_to_the_median(self):
-        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of()))
-        self.assertEqual(load.typical_frame([run])[1], 1)  # 1, 2, 3: the middle one
+    def test_the_typical_run_is_the_one_nearest_to_the_median_and_all_show_the_same_time(self):
+        times = {"time": np.array([0, 0.5, 1.0, 1.5, 2.0])}
+        runs = [SimpleNamespace(frames=5, last_second=lambda: np.array([2, 3, 4]),
+                                metrics={**times, "pin_max_stretch": np.array([0, 0, *last])})
+                for last in ([9, 9, 9], [3, 4, 99], [1, 1, 4])]
+        self.assertEqual(load.typical_run(runs), (runs[1], 4))  # medians of the last second: 9, 4 and 1
+        self.assertIsNone(load.typical_run([]))
 
 
 class DistanceTest(unittest.TestCase):
@@ -494,6 +498,49 @@ class FigureTest(unittest.TestCase):
         self.assertLessEqual(np.abs(shades[1] - shades[0]).max(), 1.001)
         self.assertEqual(shades[1].max(), 255)
         np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
+
+    def test_a_panel_says_its_time_and_whether_the_cloth_rests(self):
+        speed = {3: 1.1 * style.REST * 2**0.5, 4: 0.9 * style.REST * 2**0.5}  # m/s; the square's size is √2
+        run = SimpleNamespace(metrics={"time": np.array([0, 0.5, 1.0, 1.5, 2.0])}, size=2**0.5,
+                              positions=lambda frame: SQUARE + [0, 0, 0.5 * speed.get(frame, 0)])
+        self.assertEqual(style.time_text(run, 0), "t = 0.0 s")
+        self.assertEqual(style.time_text(run, 3), "t = 1.5 s")
+        run.positions = lambda frame: SQUARE + [0, 0, 0.5 * speed[4] * (frame == 4)]
+        self.assertEqual(style.time_text(run, 4), "at rest, t = 2.0 s")
+        run.metrics["time"] = np.array([0, 1 / 15])
+        self.assertEqual(style.time_text(run, 1), "at rest, t = 0.07 s")
+
+    def test_the_time_stands_where_no_cloth_is(self):
+        left, low = np.array([[10.0, 5.0], [20, 8], [np.nan, 1]]), np.array([[10.0, 90.0]])
+        self.assertIs(style.free_corner(left, (100, 100)), style.RIGHT)
+        self.assertIs(style.free_corner(100 - left, (100, 100)), style.LEFT)  # below
+        self.assertIs(style.free_corner(low, (100, 100)), style.LEFT)
+
+    def test_every_cloth_has_its_time_in_the_corner(self):
+        square = SimpleNamespace(metrics={"time": np.array([3.0])}, size=2**0.5, rest_positions=SQUARE,
+                                 triangles=TRIANGLES, pinned=np.array([True, False, False, False]),
+                                 pin_seeds=np.array([0]), positions=lambda frame: SQUARE,
+                                 cell=lambda name, frame: np.ones(2))
+        figure, axes = style.plt.subplots()
+        style.draw_cloth(axes, (square, 0), style.camera_of([(square, 0)]), width=40)
+        self.assertIn("t = 3.0 s", [text.get_text() for text in axes.texts])
+        style.plt.close(figure)
+
+    def test_cloths_have_one_scale_and_the_largest_that_holds_fills_its_panel(self):
+        def sample(height, strain, shift=0.0):
+            cloth = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0, -height], [0, 0, -height]]) + [0, 0, shift]
+            return SimpleNamespace(metrics={"mean_strain": [strain]}, size=1.0, rest_positions=SQUARE,
+                                   pin_seeds=np.array([0]), positions=lambda frame: cloth), 0
+        samples = [sample(0.5, 0.1), sample(1.0, 0.1, shift=7.0), None, sample(40.0, 5.0)]
+        cameras = style.cameras_of(samples, elevation=0.0, azimuth=-90.0)
+        self.assertIsNone(cameras[2])
+        heights = []
+        for camera, (run, _) in zip(cameras[:2], samples[:2]):
+            y = camera.project(run.positions(0), (100, 80))[0][:, 1]
+            self.assertAlmostEqual((y.min() + y.max()) / 2, 50, delta=3)  # in the middle
+            heights.append(np.ptp(y))
+        self.assertAlmostEqual(heights[1] / 100, 1 / 1.12, places=2)  # but for the margin
+        self.assertAlmostEqual(heights[0] / heights[1], 0.5, places=2)
 
     def test_labels_that_would_overlap_are_spread_and_others_stay(self):
         spread = lambda places, heights, *limits: style.spread(places, heights, *limits).tolist()
