@@ -315,18 +315,3 @@ def typical_run(runs, metric="pin_max_stretch"):
     middle = np.median([value for value, _ in middles])
     _, run = min(middles, key=lambda entry: abs(entry[0] - middle))
     return run, run.frames - 1
-
-
-def typical_frame(runs, metric="pin_max_stretch"):
-    """(run, frame) of the last simulated second whose metric is nearest to the median over all these runs and
-    frames.
-
-    Sheets are chaotic: the last frame may differ from what the medians say, this frame does not.
-    """
-    samples = [(run, frame, run.metrics[metric][frame]) for run in runs for frame in run.last_second()]
-    samples = [sample for sample in samples if np.isfinite(sample[2])]
-    if not samples:
-        return None
-    middle = np.median([value for _, _, value in samples])
-    run, frame, _ = min(samples, key=lambda sample: abs(sample[2] - middle))
-    return run, int(frame)
