@@ -166,14 +166,18 @@ def _mark(axes, column, place, precision, verdict):
 
 
 def shown(cells, cases):
-    """The cells to draw: one red cell per case and model. A case without any gets its worst amber cell."""
+    """(cell, number of models that fail alike) to draw: the worst cell of each way in which a case turns red.
+
+    A case without any red cell has its worst amber cell.
+    """
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
-        of_case.sort(key=lambda cell: models().index(cell.model))
-        red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
-        found += [some[0]
-                  for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
+        red = [cell for cell in of_case if cell.verdict == RED]
+        ways = group(red, lambda cell: cell.worst.name) if red else {"": of_case} if of_case else {}
+        for some in ways.values():
+            worst = max(some, key=lambda cell: np.nan_to_num(cell.worst.excess, nan=np.inf))
+            found.append((worst, len({cell.model for cell in some})))
     return found
 
 
@@ -188,9 +192,9 @@ def _stills(title, failed, out):
     style.stretch_bar(figure, None, orientation="horizontal",
                       cax=figure.add_axes([beside, 44 / (height + BAR), 1 - 2 * beside, 9 / (height + BAR)]))
     sheet = np.ones((height, width, 3))
-    for place, cell in enumerate(failed):
+    for place, (cell, alike) in enumerate(failed):
         row, column = divmod(place, columns)
-        _still(axes, sheet, cell, column * (STILL + GAP) + GAP // 2,
+        _still(axes, sheet, cell, alike, column * (STILL + GAP) + GAP // 2,
                row * (HEAD + STILL + FOOT) + HEAD)
     axes.imshow(sheet, interpolation="none", extent=(0, width, height, 0))
     axes.set_axis_off()
@@ -198,8 +202,11 @@ def _stills(title, failed, out):
     return style.save(figure, out, name, dpi=DPI, tight=False)
 
 
-def _still(axes, sheet, cell, left, top):
-    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below."""
+def _still(axes, sheet, cell, alike, left, top):
+    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below.
+
+    `alike`: how many models fail in the same way.
+    """
     run, frame = cell.run, cell.run.frames - 1
     positions, size = run.positions(frame), run.size
     camera = render.camera_around(positions, size / 2)
@@ -214,7 +221,7 @@ def _still(axes, sheet, cell, left, top):
     axes.text(left + corner["xy"][0] * STILL, top + 5, style.time_text(run, frame), ha=corner["ha"], va="top",
               fontsize=TEXT, bbox=style.LABEL)
     axes.text(left, top - 4, f"{textwrap.fill(cell.case.title, 38)}\n{style.model_name(cell.model)}, "
-              f"{cell.precision}", va="bottom", fontsize=TEXT)
+              f"{cell.precision}{f' (1 of {alike} models)' if alike > 1 else ''}", va="bottom", fontsize=TEXT)
     axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "
               "sizes across", va="top", fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")
 

@@ -130,9 +130,10 @@ def section_of(title, cases, section):
         parts.append(failed_html(failed))
     if title in section.stills:
         parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that "
-                     "fail'><figcaption>Last good frames of the red runs, and of the worst amber run of a "
-                     "case without red runs; coloured by stretch. Each picture shows the whole cloth; the "
-                     "text below states its extent (one size at rest).</figcaption></figure>")
+                     "fail'><figcaption>Last good frame of the worst run of each way in which a case "
+                     "turns red, and of the worst amber run of a case without red runs; coloured by "
+                     "stretch. Each picture shows the whole cloth; the text below states its extent (one "
+                     "size at rest).</figcaption></figure>")
     return "\n".join(parts)
 
 

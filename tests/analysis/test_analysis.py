@@ -644,6 +644,22 @@ class StabilityTest(unittest.TestCase):
             self.assertEqual(self.judged(mean_strain=strain), ("amber", "mean strain"))
         self.assertEqual(self.judged(mean_strain=1e6, stability_reach_end=3)[0], "red")
 
+    def test_one_still_per_way_to_fail(self):
+        cases, cells = stability_cases.CASES[:3], {}
+        for case, model, verdict, name, value in ((0, "none", "red", "reach", 7),
+                                                  (0, "lod", "red", "reach", 9),
+                                                  (0, "k_ring", "red", "energy", 2),
+                                                  (0, "adaptive", "amber", "mean strain", 99),
+                                                  (1, "none", "amber", "mean strain", 3),
+                                                  (1, "lod", "amber", "mean strain", np.nan),
+                                                  (2, "none", "green", "mean strain", 1)):
+            worst = stability_cases.Criterion(name, value, 1.0, "1", verdict)
+            cell = SimpleNamespace(case=cases[case], model=model, verdict=verdict, worst=worst)
+            cells[cases[case].name, model, "single"] = cell
+        found = [(cell.case.name, cell.model, alike) for cell, alike in fig_stability.shown(cells, cases)]
+        self.assertEqual(found, [(cases[0].name, "lod", 2), (cases[0].name, "k_ring", 1),
+                                 (cases[1].name, "lod", 2)])
+
     def test_a_cloth_of_any_extent_fits_the_frame_of_its_still(self):
         size, rng = 2**0.5, np.random.default_rng(7)
         for extent in ((0, 0, 0), (1, 0, 0), (0, 0, 400), (1e-6, 1e-6, 1e-6), (100, 1, 1), (3, 300, 20)):
