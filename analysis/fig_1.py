@@ -71,9 +71,8 @@ def _pictures(groups, out):
             style.draw_cloth(pin, sample, close, whole=False)
             if sample:
                 run, frame = sample
-                style.caption(pin,
-                              "at the pin: σ₁ − 1 = "
-                              f"{style.number(run.metrics['pin_max_stretch'][frame] - 1)}")
+                stretch = style.number(run.metrics["pin_max_stretch"][frame] - 1)
+                style.caption(pin, f"at the pin:\nσ₁ − 1 = {stretch}", style.RIGHT)
             whole.set_title(f"{style.model_name(model)}, N = {n}")
     style.stretch_bar(figure, axes, shrink=0.7, pad=0.01)
     return style.save(figure, out, "fig_1")

@@ -57,9 +57,9 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     """One camera for all cloths of a figure, (V, 3) each, pinned at `pin`.
 
     It frames all points within `reach` sizes of the pin, by default those that an unstretched sheet reaches.
-    A sheet that has flown apart leaves the frame and does not make the others small. `zoom` (a fraction of
-    size) frames the pin instead. `aspect` is width over height of the picture; None takes that of the cloth,
-    from 0.5 to 2.
+    A sheet that has flown apart leaves the frame and does not make the others small. `zoom` frames what is
+    below the pin instead, to `zoom` sizes on either side of it. `aspect` is width over height of the picture;
+    None takes that of the cloth, from 0.5 to 2.
     """
     axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
@@ -69,7 +69,7 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
-                                             for sz in (-1.2, 0.2)])
+                                             for sz in (0.2 - 2 / aspect, 0.2)])
     return _framing(near, axes, size, floor, aspect)
 
 

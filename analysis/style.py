@@ -41,7 +41,7 @@ MODEL_MARKS = {"none": ("X", 5), "prestressed": ("P", 6), "dihedral": ("s", 8), 
 MODEL_DASHES = {"none": ":", "prestressed": "-.", "bridson": (0, (4, 8)), "discrete_shells": (6, (4, 8)),
                 "isometric": "--"}
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
-SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
+SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b6b6b"]
 
 LARGE = 290_000  # bytes; a larger picture gets a palette
 SHADES = 3  # of 255; invisible steps that make a file a third smaller
@@ -203,20 +203,22 @@ def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
     axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
     _mark_pins(axes, run, positions, camera, (height, width))
     corner = free_corner(camera.project(positions, (height, width))[0], (height, width))
-    stamp(axes, run, frame, corner)
+    time = stamp(axes, run, frame, corner)
     if text:
         caption(axes, text)
     outside = share_outside(positions, camera, (height, width))
     if whole and outside > 0.005:
         share = f"{100 * outside:.0f}" if outside < 0.995 else "> 99"
-        axes.annotate(f"{share} % outside", corner["xy"], xycoords="axes fraction", xytext=(0, -15),
+        below = -15 - 11 * time.get_text().count("\n")  # points
+        axes.annotate(f"{share} % outside", corner["xy"], xycoords="axes fraction", xytext=(0, below),
                       textcoords="offset points", fontsize=7.5, color="#8a1538", bbox=LABEL,
                       ha=corner["ha"], va="top")
 
 
 def stamp(axes, run, frame, corner=LEFT):
-    """Writes the time of a frame into an upper corner of a picture."""
-    axes.annotate(time_text(run, frame), xycoords="axes fraction", fontsize=8, va="top", bbox=LABEL, **corner)
+    """Writes the time of a frame into an upper corner of a picture; returns the text."""
+    return axes.annotate(time_text(run, frame).replace(", ", "\n"), xycoords="axes fraction", fontsize=8,
+                         va="top", bbox=LABEL, **corner)
 
 
 def free_corner(places, shape):
@@ -239,10 +241,10 @@ def time_text(run, frame):
     return f"at rest, {text}" if speed <= REST * run.size else text
 
 
-def caption(axes, text):
-    """Writes text in the lower left corner of a picture."""
-    axes.text(0.03, 0.025, text, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35,
-              bbox=LABEL)
+def caption(axes, text, corner=LEFT):
+    """Writes text in the lower left or right corner of a picture."""
+    axes.text(corner["xy"][0], 0.025, text, transform=axes.transAxes, fontsize=8, ha=corner["ha"],
+              va="bottom", linespacing=1.35, bbox=LABEL)
 
 
 def share_outside(positions, camera, shape):

@@ -267,6 +267,15 @@ class RasterTest(unittest.TestCase):
         self.assertEqual(style.share_outside(SQUARE, both, (100, 80)), 0)
         self.assertEqual(style.share_outside(blown, both, (100, 80)), 0.25)
 
+    def test_a_close_up_shows_what_is_below_the_pin(self):
+        for aspect in (0.5, 0.8, 2.0):
+            camera = render.camera_for([SQUARE], np.zeros(3), 1.0, elevation=0.0, aspect=aspect, zoom=0.1)
+            beside = camera.axes[0] * 0.1
+            (x, y), *sides = camera.project(np.array([0 * beside, beside, -beside]), (100, 100))[0]
+            self.assertAlmostEqual(x, 50, delta=2)  # perspective
+            self.assertTrue(0 < y < 35, (aspect, y))
+            self.assertTrue(all(0 < side[0] < 100 for side in sides))
+
     def test_an_obstacle_hides_the_cloth_behind_it_and_is_grey(self):
         camera = render.Camera(np.array([0.5, 0.5, 5.0]), np.eye(3), (-0.2, 0.2, -0.2, 0.2), -9.0, 1.0)
         red = np.array([[1.0, 0, 0]] * 2)
