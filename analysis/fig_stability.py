@@ -220,8 +220,9 @@ def _still(axes, sheet, cell, alike, left, top):
     corner = style.free_corner(places - [left, top], (STILL, STILL))
     axes.text(left + corner["xy"][0] * STILL, top + 5, style.time_text(run, frame), ha=corner["ha"], va="top",
               fontsize=TEXT, bbox=style.LABEL)
+    others = f" (worst of {alike} models)" if alike > 1 else ""
     axes.text(left, top - 4, f"{textwrap.fill(cell.case.title, 38)}\n{style.model_name(cell.model)}, "
-              f"{cell.precision}{f' (1 of {alike} models)' if alike > 1 else ''}", va="bottom", fontsize=TEXT)
+              f"{cell.precision}{others}", va="bottom", fontsize=TEXT)
     axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "
               "sizes across", va="top", fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")
 
