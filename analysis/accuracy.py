@@ -79,7 +79,7 @@ def work(run):
 
 def settings(run):
     """Solver settings as text."""
-    flight = f", flight limit {run.get('/solver/flight_limit'):g}" if run.get("/solver/flight_limit") else ""
+    flight = f", flight_limit {run.get('/solver/flight_limit'):g}" if run.get("/solver/flight_limit") else ""
     stiffness = f", k = {run.get('/bending/k'):g}" if run.get(
         "/bending/stiffness") == "k" and run.model != "none" else ""
     sweep = " symmetric" if run.get("/solver/sweep") == "symmetric" else ""

@@ -19,8 +19,9 @@ def main(results, out):
     groups = {(model, n): select(runs, bending__model=model, mesh__cells=n) for model in MODELS
               for n in CELLS}
     if runs:
-        section.pictures.append((_pictures(groups, out), "The first frame with a triangle at the pin (dot) "
-                                 "that is more than twice its length at rest: the whole sheet, and the pin."))
+        section.pictures.append((_pictures(groups, out), "The first frame by which each sheet has had a "
+                                 "triangle at the pin (dot) that is more than twice its length at rest: the "
+                                 "whole sheet, and the pin."))
         section.pictures.append((_curves(groups, out), "The same runs over time: median and range over "
                                  "seeds. Without bending springs the failure spreads from the pin over the "
                                  "whole sheet."))
@@ -56,7 +57,9 @@ def _onset(run):
 
 
 def _pictures(groups, out):
-    samples = {key: (group[0], _onset(group[0])) if group else None for key, group in groups.items()}
+    onset = max(_onset(group[0]) for group in groups.values() if group)  # all panels show the same time
+    samples = {key: (group[0], min(onset, group[0].frames - 1)) if group else None
+               for key, group in groups.items()}
     camera = style.camera_of(samples.values(), elevation=20, aspect=None)
     close = style.camera_of(samples.values(), zoom=0.1, aspect=camera.aspect, elevation=20)
     figure, axes = plt.subplots(len(MODELS), 2 * len(CELLS), figsize=(10.4, 6.4), layout="compressed")
@@ -68,17 +71,15 @@ def _pictures(groups, out):
             style.draw_cloth(pin, sample, close, whole=False)
             if sample:
                 run, frame = sample
-                style.caption(whole, f"t = {run.metrics['time'][frame]:.2f} s")
-                style.caption(pin,
-                              "at the pin: σ₁ − 1 = "
-                              f"{style.number(run.metrics['pin_max_stretch'][frame] - 1)}")
+                stretch = style.number(run.metrics["pin_max_stretch"][frame] - 1)
+                style.caption(pin, f"at the pin:\nσ₁ − 1 = {stretch}", style.RIGHT)
             whole.set_title(f"{style.model_name(model)}, N = {n}")
     style.stretch_bar(figure, axes, shrink=0.7, pad=0.01)
     return style.save(figure, out, "fig_1")
 
 
 def _curves(groups, out):
-    figure, axes = plt.subplots(1, 2, figsize=(9.6, 3.4), layout="constrained")
+    figure, axes = plt.subplots(1, 2, figsize=(11.4, 3.6), layout="constrained")
     columns = [("pin_max_stretch", 1, "stretch − 1 at the pin"), ("mean_strain", 0, "mean strain")]
     for panel, (metric, offset, label) in zip(axes, columns):
         for (model, n), group in groups.items():
@@ -87,16 +88,18 @@ def _curves(groups, out):
                 continue
             curves = np.array([run.metrics[metric][1:length] - offset for run in group])
             time = group[0].metrics["time"][1:length]
-            look = dict(color=style.MODEL_COLOURS[model], linestyle="-" if n == CELLS[-1] else "--")
-            panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}", **look)
-            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=look["color"], alpha=0.15,
+            colour = style.MODEL_COLOURS[model]
+            panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}",
+                       color=colour, linestyle="-" if n == CELLS[-1] else "--")
+            panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=colour, alpha=0.15,
                                linewidth=0)
         panel.set_ylim(bottom=1e-3)
         style.plain_log(panel)
         panel.set_title(label)
         panel.set_xlabel("time (s)")
     axes[0].axhline(WRONG, color=style.GREY, linewidth=0.8, zorder=0)
-    style.legend_below(figure, axes[0], 4)
+    for panel in axes:
+        style.label_ends(panel)
     return style.save(figure, out, "fig_1_time")
 
 

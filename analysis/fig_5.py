@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import statuses, summary_spread, typical_frame
+from load import statuses, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 
@@ -85,23 +85,26 @@ def factors(grid, n, metric, offset=1):
 
 
 def _pictures(grid, out):
-    samples = {(model, ring, n): typical_frame(grid.runs.get((model, ring, n), []))
+    samples = {(model, ring, n): typical_run(grid.runs.get((model, ring, n), []))
                for model, ring in PAPER + CONTROLS for n in grid.cells}
-    camera = style.camera_of(samples.values())
-    return [(_sheets(samples, camera, PAPER, grid.cells, out, "fig_5"), "Crossover springs with one pinned "
-             "vertex (Fig. 5a), and adaptive springs with its 1-ring pinned too (Fig. 5b); typical frames of "
-             "the last second."), (_sheets(samples, camera, CONTROLS, grid.cells, out, "fig_5_controls"),
-                                   "Not in the paper: crossover springs with the 1-ring pinned, adaptive "
-                                   "springs with the pin alone, and springs on the mesh's edges only.")]
+    cameras = dict(zip(samples, style.cameras_of(list(samples.values()), aspect=0.7)))
+    paper = _sheets(samples, cameras, PAPER, grid.cells, out, "fig_5")
+    controls = _sheets(samples, cameras, CONTROLS, grid.cells, out, "fig_5_controls")
+    return [(paper, "Crossover springs with one pinned vertex (Fig. 5a), and adaptive springs with its "
+             "1-ring pinned too (Fig. 5b). The last frame of the seed nearest to the median; one "
+             "scale."),
+            (controls, "Not in the paper: crossover springs with the 1-ring pinned, adaptive springs with "
+             "the pin alone, and springs on the mesh's edges only.")]
 
 
-def _sheets(samples, camera, rows, cells, out, name):
+def _sheets(samples, cameras, rows, cells, out, name):
     figure, axes = plt.subplots(len(rows), len(cells), figsize=(2.45 * len(cells) + 1, 3.05 * len(rows)),
                                 squeeze=False, layout="compressed")
     for row, (model, ring) in enumerate(rows):
         for column, n in enumerate(cells):
             sample = samples[model, ring, n]
-            style.draw_cloth(axes[row, column], sample, camera, width=360, text=_pin_text(sample))
+            style.draw_cloth(axes[row, column], sample, cameras[model, ring, n], width=360,
+                             text=_pin_text(sample))
             axes[row, column].set_title(f"N = {n}")
         axes[row, 0].text(-0.03, 0.5, f"{style.model_name(model)}, {PINS[ring]}",
                           transform=axes[row, 0].transAxes, rotation=90, ha="right", va="center", fontsize=10)
@@ -117,15 +120,15 @@ def _pin_text(sample):
 
 
 def _numbers(grid, out, name):
-    figure, axes = plt.subplots(2, 2, figsize=(9.6, 6.6), layout="constrained")
+    figure, axes = plt.subplots(2, 2, figsize=(10.8, 6.6), layout="constrained")
     for panel, (metric, offset, label) in zip(axes.flat, METRICS):
         for i, model in enumerate(MODELS):
             for ring in (0, 1):
                 style.with_range(panel, grid.cells, grid.over_cells(model, ring, metric, offset),
                                  label=f"{style.model_name(model)}, {PINS[ring]}",
-                                 shift=1.02 ** (2 * i + ring - 2.5), color=style.MODEL_COLOURS[model],
-                                 linestyle="-" if ring else "--", marker="o",
-                                 markerfacecolor=style.MODEL_COLOURS[model] if ring else "white")
+                                 shift=1.02 ** (2 * i + ring - 2.5),
+                                 **style.look(model, linestyle="-" if ring else "--",
+                                              **{} if ring else {"markerfacecolor": "white"}))
         style.plain_log(panel)
         style.resolution_axis(panel, grid.cells)
         panel.set_title(label)
@@ -133,7 +136,8 @@ def _numbers(grid, out, name):
             panel.axhline(1, color=style.GREY, linewidth=0.8, zorder=0)
             panel.annotate("twice as long", (0.99, 1), xycoords=panel.get_yaxis_transform(), xytext=(0, -3),
                            va="top", ha="right", textcoords="offset points", fontsize=7.5, color=style.GREY)
-    style.legend_below(figure, axes[0, 0], 3)
+    for panel in axes[:, 1]:
+        style.label_ends(panel)
     return style.save(figure, out, name)
 
 

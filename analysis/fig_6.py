@@ -8,7 +8,7 @@ import matplotlib.pyplot as plt
 
 import style
 from distance import between_runs
-from load import group, select, summary_spread, typical_frame
+from load import group, select, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 
@@ -82,13 +82,13 @@ def _pictures(cases, out):
         samples.append([(f"full, N = {case.n}", case.full, 0.0),
                         (f"LOD, {level_name(0)}", case.lod.get(0, []), case.fewer.get(0)),
                         (f"LOD, {level_name(t)}", case.lod.get(t, []), case.fewer.get(t))])
-    frames = [[typical_frame(some, "mean_strain") if some else None for _, some, _ in row] for row in samples]
-    camera = style.camera_of([frame for row in frames for frame in row])
+    frames = [[typical_run(some, "mean_strain") if some else None for _, some, _ in row] for row in samples]
+    cameras = iter(style.cameras_of([frame for row in frames for frame in row]))
     figure, axes = plt.subplots(len(rows), 3, figsize=(8.6, 3.5 * len(rows)), squeeze=False,
                                 layout="compressed")
     for row in range(len(rows)):
         for panel, (title, some, fewer), frame in zip(axes[row], samples[row], frames[row]):
-            style.draw_cloth(panel, frame, camera)
+            style.draw_cloth(panel, frame, next(cameras))
             if some:
                 change = f" ({-100 * fewer:+.0f} %)" if fewer else ""
                 style.caption(panel, f"{summary_spread(some, 'springs').median:,.0f} springs{change}")

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import style
 from distance import between_runs
 from fig_6 import damping_rate
-from load import group, summary_spread, typical_frame
+from load import group, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 
@@ -22,7 +22,8 @@ def main(results, out):
     rates = sorted({rate for rate, _ in cases})
     if runs:
         section.pictures.append((_pictures(cases, rates, out),
-                                 "n × 1, 2 and 4; typical frames of the last second."))
+                                 "n × 1, 2 and 4; the last frame of the seed nearest to the median, at one "
+                                 "scale."))
         section.pictures.append((_numbers(cases, rates, out), "Medians over the last second and over seeds; "
                                  "bars: smallest and largest seed."))
     rows = [[f"{rate:g}", f"× {k:g}", style.number(summary_spread(some, "model_n").median),
@@ -37,15 +38,15 @@ def main(results, out):
 
 
 def _pictures(cases, rates, out):
-    samples = {key: typical_frame(some) for key, some in cases.items()}
-    camera = style.camera_of(samples.values())
+    samples = {key: typical_run(some) for key, some in cases.items()}
+    cameras = dict(zip(samples, style.cameras_of(list(samples.values()))))
     figure, axes = plt.subplots(len(rates), 3, figsize=(8.6, 3.5 * len(rates)), squeeze=False,
                                 layout="compressed")
     for row, rate in enumerate(rates):
         for panel, k in zip(axes[row], MULTIPLIERS):
             some = cases.get((rate, k), [])
             text = f"n = {summary_spread(some, 'model_n').median:g}" if some else None
-            style.draw_cloth(panel, samples.get((rate, k)), camera, text=text)
+            style.draw_cloth(panel, samples.get((rate, k)), cameras.get((rate, k)), text=text)
             panel.set_title(f"n × {k}, " + (f"damping {rate:g} s⁻¹" if rate else "no damping"))
     style.stretch_bar(figure, axes, shrink=0.75, pad=0.01)
     return style.save(figure, out, "fig_7")

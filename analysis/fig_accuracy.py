@@ -42,12 +42,13 @@ def main(results, out):
     if scenes:
         gaps = ", ".join(f"{scene} {style.number(100 * accuracy.gap(stated), 2)} %"
                          for scene, (stated, _) in scenes.items())
-        section.pictures.append((_fronts(scenes, out), "Every run is a dot. The line is the front: no run "
+        section.pictures.append((_fronts(scenes, out), "Every run is a mark. The line is the front: no run "
                                  f"is both cheaper and nearer. Stars are the paper's setting ({PAPER}), "
                                  "which states no cloth and has no solver error. The dotted line is the "
                                  f"distance between the reference and one on half as many cells ({gaps}); "
-                                 "dots below it are hollow, because their order is not known. Models without "
-                                 "an equilibrium from Newton's method (Choi-Ko) have no solver error."))
+                                 "marks below it are hollow, because their order is not known. Models "
+                                 "without an equilibrium from Newton's method (Choi-Ko) have no solver "
+                                 "error."))
         section.pictures.append((_levels(scenes, out), "CPU time per frame of each model's cheapest run "
                                  "within an error from the stated cloth. A model without a mark has no such "
                                  "run in the sweep. Levels below the uncertainty of the reference are left "
@@ -184,10 +185,11 @@ def _front(panel, stated, against):
         points = [point for point in points if np.isfinite(point).all()]
         if points:
             colour = style.MODEL_COLOURS[model]
-            panel.scatter(*zip(*points), s=15,
+            panel.scatter(*zip(*points), s=17, marker=style.marker(model),
                           color=["white" if error < 100 * gap else colour for _, error in points],
                           edgecolors=colour, linewidths=0.8)
-            panel.scatter([], [], s=15, color=colour, label=accuracy.name_of(model))
+            panel.scatter([], [], s=17, marker=style.marker(model), color=colour,
+                          label=accuracy.name_of(model))
     best = accuracy.front(stated, against=against)
     panel.step([accuracy.cost(run) for run in best],
                [100 * accuracy.error(run, against=against) for run in best], where="post", color=style.INK,

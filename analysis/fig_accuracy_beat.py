@@ -28,10 +28,10 @@ def main(results, out):
     section.text = text(rest, line, star)
     section.checks = [_check("time for the same error", rest, star, "time"),
                       _check("error in the same time", rest, star, "error")]
-    section.pictures.append((_picture(rest, paper, line, star, out), "Dots: models that are given the stated "
-                             "cloth. Stars: the paper's setting; a line joins its adaptive model on 8 to 64 "
-                             "cells. Numbers are cells along a side. The reference is the stated cloth on 96 "
-                             "cells."))
+    section.pictures.append((_picture(rest, paper, line, star, out), "Small marks: models that are given the "
+                             "stated cloth. Stars: the paper's setting; a line joins its adaptive model on "
+                             "8 to 64 cells. Numbers are cells along a side. The reference is the stated "
+                             "cloth on 96 cells."))
     section.tables += [_control_table(rest, line),
                        Table("The front, and the paper's setting", ["model", "cells", *COLUMNS],
                              [[accuracy.name_of(run.model), cells(run), *_numbers(run)]
@@ -118,8 +118,9 @@ def _control_table(rest, line):
 def _picture(rest, paper, line, star, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
     for model, some in by_model(rest).items():
-        axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], s=14,
-                     color=style.MODEL_COLOURS[model], label=accuracy.name_of(model), linewidths=0)
+        axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], s=16,
+                     marker=style.marker(model), color=style.MODEL_COLOURS[model],
+                     label=accuracy.name_of(model), linewidths=0)
     best = accuracy.front(rest)
     axes.step(*_places(best), where="post", color=style.INK, linewidth=1, zorder=0)
     axes.plot(*_places(line), "--", color=style.MODEL_COLOURS["adaptive"], linewidth=1, zorder=1)

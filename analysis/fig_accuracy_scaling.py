@@ -59,10 +59,10 @@ def _growth(runs, out):
         for cells, of_size in sorted(group(some, lambda run: run.get("/mesh/cells")).items()):
             of_size = sorted(of_size, key=lambda run: run.get("/solver/substeps"))
             left.plot([run.get("/solver/substeps") for run in of_size],
-                      [100 * accuracy.error(run, against="solver") for run in of_size], looks.get(cells, "-"),
-                      marker="o", markersize=4, color=style.MODEL_COLOURS[model])
+                      [100 * accuracy.error(run, against="solver") for run in of_size],
+                      **style.look(model, linestyle=looks.get(cells, "-")))
             line.append((of_size[0].summary["vertices"], cost_at(of_size, LEVEL)))
-        right.plot(*zip(*line), "o-", color=style.MODEL_COLOURS[model], label=accuracy.name_of(model))
+        right.plot(*zip(*line), label=accuracy.name_of(model), **style.look(model))
         slopes[model] = accuracy.slope(*zip(*line))
     left.axhline(100 * LEVEL, color=style.GREY, linewidth=0.8)
     left.set_xscale("log", base=4), left.set_yscale("log")
@@ -73,13 +73,13 @@ def _growth(runs, out):
     right.set_xlabel("vertices"), right.set_ylabel(f"CPU time per frame to {100 * LEVEL:g} % (ms)")
     left.legend(handles=[Line2D([], [], color=style.INK, linestyle=look, label=f"{cells} cells")
                          for cells, look in looks.items()])
-    right.legend()
     found = {model: p for model, p in slopes.items() if np.isfinite(p)}
     text = ", ".join(f"{accuracy.name_of(model)} V^{p:.1f}" for model, p in found.items())
     figure.suptitle(f"Time for an error of {100 * LEVEL:g} % "
                     f"{'grows faster than' if min(found.values()) > 1 else 'over'} the number V of vertices: "
                     f"{text}" if found else f"Time for an error of {100 * LEVEL:g} % over the size of the "
                     "mesh", x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(right)
     return style.save(figure, out, "fig_accuracy_scaling")
 
 
@@ -94,19 +94,18 @@ def _motion(runs, out):
         colour = style.MODEL_COLOURS[model]
         axes.scatter([accuracy.cost(run) for run in some],
                      [100 * accuracy.error(run, against="solver") for run in some], s=18,
-                     color=[colour if known(run) else "white" for run in some], edgecolors=colour, zorder=2)
+                     marker=style.marker(model), edgecolors=colour, zorder=2,
+                     color=[colour if known(run) else "white" for run in some])
         best = accuracy.front(some, against="solver")
         axes.plot([accuracy.cost(run) for run in best],
                   [100 * accuracy.error(run, against="solver") for run in best],
-                  color=style.MODEL_COLOURS[model], linewidth=1)
-        axes.axhline(100 * accuracy.gap(some, "solver"), color=style.MODEL_COLOURS[model], linewidth=0.7,
-                     linestyle=":")
+                  color=colour, linewidth=1, label=accuracy.name_of(model))
+        axes.axhline(100 * accuracy.gap(some, "solver"), color=colour, linewidth=0.7, linestyle=":")
     axes.set_xscale("log"), axes.set_yscale("log")
     axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel(
         "distance from its motion (% of size)")
-    axes.legend(handles=[Line2D([], [], marker="o", linewidth=1, color=style.MODEL_COLOURS[model],
-                                label=accuracy.name_of(model)) for model in by_model(runs)])
     figure.suptitle(motion_message(runs), x=0.01, ha="left", fontsize=11)
+    style.label_ends(axes)
     return style.save(figure, out, "fig_accuracy_motion")
 
 

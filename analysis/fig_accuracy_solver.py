@@ -8,10 +8,6 @@ from load import by_model, group
 from report import Section, Table, figure_main
 
 EQUAL = (16, 64, 256)  # substeps × iterations
-# The three hinges on angles have nearly equal errors: their marks must be seen on top of each other.
-MARKS = {"discrete_shells": dict(marker="o", markersize=4),
-         "dihedral": dict(marker="s", markersize=8, markerfacecolor="none"),
-         "bridson": dict(marker="x", markersize=7)}
 
 
 def main(results, out):
@@ -68,17 +64,16 @@ def _substeps(stated, out):
         for model, some in by_model(stated).items():
             line = along(some, work)
             if len(line) > 1:
-                panel.plot([s for s, _ in line], [100 * e for _, e in line], linewidth=1.2,
-                           color=style.MODEL_COLOURS[model], label=accuracy.name_of(model),
-                           **MARKS.get(model, dict(marker="o", markersize=4)))
+                panel.plot([s for s, _ in line], [100 * e for _, e in line], label=accuracy.name_of(model),
+                           **style.look(model))
             if np.isfinite(gain(some, work)):
                 gains[model, work], between[model, work] = gain(some, work), best_between(line)
         panel.set_xscale("log", base=4), panel.set_yscale("log")
         panel.xaxis.set_major_formatter("{x:.0f}")
         panel.set_xlabel(f"substeps; times iterations: {work}")
     axes[0].set_ylabel("distance from its equilibrium (% of size)")
-    style.legend_below(figure, axes[0], 6)
     figure.suptitle(message(gains, between), x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(axes[-1])
     return style.save(figure, out, "fig_accuracy_substeps")
 
 
@@ -111,31 +106,30 @@ def _steps_and_precision(time_step, precision, out):
     for model, some in by_model(time_step).items():
         some = sorted(some, key=lambda run: -run.get("/solver/dt"))
         left.plot([1 / run.get("/solver/dt") for run in some],
-                  [100 * accuracy.error(run, against="solver") for run in some], "o-",
-                  color=style.MODEL_COLOURS[model], label=accuracy.name_of(model))
+                  [100 * accuracy.error(run, against="solver") for run in some],
+                  label=accuracy.name_of(model), **style.look(model))
     left.set_xscale("log"), left.set_yscale("log")
     rates = sorted({round(1 / run.get("/solver/dt")) for run in time_step})
     left.set_xticks(rates, labels=rates), left.minorticks_off()
     left.set_xlabel("time steps per second, 3840 iterations in all")
     left.set_ylabel("distance from its equilibrium (% of size)")
-    left.legend()
     worst = 1.0
     for model, some in by_model(precision).items():
         found = {(run.get("/solver/precision"),
                   run.get("/solver/substeps")): accuracy.error(run, against="solver") for run in some}
         substeps = sorted({s for _, s in found})
-        for kind, look in (("single", "o-"), ("double", "s:")):
-            right.plot(substeps, [100 * found.get((kind, s), np.nan) for s in substeps], look,
-                       color=style.MODEL_COLOURS[model], label=f"{accuracy.name_of(model)}, {kind}")
+        for kind, line in (("single", "-"), ("double", ":")):
+            right.plot(substeps, [100 * found.get((kind, s), np.nan) for s in substeps],
+                       label=f"{accuracy.name_of(model)}, {kind}", **style.look(model, linestyle=line))
         worst = max([worst, *(found[("single", s)] / found[("double", s)] for s in substeps
                               if ("single", s) in found and ("double", s) in found)])
     right.set_xscale("log", base=4), right.set_yscale("log")
     right.xaxis.set_major_formatter("{x:.0f}")
     right.set_xlabel("substeps of one symmetric iteration")
-    right.legend(ncol=2, fontsize=7)
     figure.suptitle("At equal work the smallest time step has the smallest error for "
                     f"{finest_best(time_step)} models; the error in single precision is up to × "
                     f"{style.number(worst, 2)} that in double", x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(left), style.label_ends(right)
     return style.save(figure, out, "fig_accuracy_precision")
 
 

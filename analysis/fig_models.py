@@ -1,27 +1,28 @@
 """Every bending model on the same two scenes: the hanging sheet of Fig. 5 and a clamped strip."""
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.collections import PolyCollection
 
 import style
-from load import group, summary_spread, typical_frame
+from load import group, summary_spread, typical_run
 from report import Section, Table, figure_main
 from sweeps import load_experiment
 
+SCREEN = (14, 7.4)  # inches of 100 pixels
 HOLDS, TORN = 0.1, 1  # mean strain; below HOLDS a sheet is cloth, above TORN it is more than twice as long
 PASSES = [("strain", style.SEQUENCE[5]), ("bending", style.SEQUENCE[1]), ("rest", style.SEQUENCE[6])]
 
 
 def main(results, out):
-    """Draws cloth, strain and cost of every model, and the side view of the clamped strip."""
+    """Draws cloth and cost of every model, and the side view of the clamped strip."""
     section = Section("Every bending model on the same scenes", "models")
     sheet = load_experiment(results, "models/hanging_sheet")
     strip = load_experiment(results, "models/cantilever")
     section.text = sheet.settings["description"]
     if section.uses(sheet):
-        section.pictures.append((_sheet(sheet, out), "Typical frames of the last second; strain drawn on the "
-                                 "rest shape, the pin at the upper right; cost of one step of 1/60 s on one "
-                                 "thread, minimum over seeds."))
+        section.pictures.append((_sheet(sheet, out), "The last frame of the seed nearest to the median; "
+                                 "cloths of a row have one scale. Number on the cloth: mean strain, median "
+                                 "of the last second. Cost of one step of 1/60 s on one thread, minimum "
+                                 "over seeds."))
     if section.uses(strip):
         section.pictures.append((_strip(strip, out), strip.settings["description"]))
     section.tables += [_sheet_table(sheet), _strip_table(strip)]
@@ -69,34 +70,52 @@ def _grid(experiment):
 
 
 def _sheet(experiment, out):
+    """One column per model: the cloth with each number of substeps, and below it what a step costs."""
     substeps, models, runs = _grid(experiment)
-    samples = {key: typical_frame(some, "mean_strain") for key, some in runs.items()}
-    whole = [sample for sample in samples.values() if sample[0].metrics["mean_strain"][sample[1]] < TORN]
-    camera = style.camera_of(whole or samples.values())
-    figure, axes = plt.subplots(len(models), 2 * len(substeps) + 1,
-                                figsize=(4.0 * len(substeps) + 3.2, 2.2 * len(models)), squeeze=False,
-                                layout="constrained", width_ratios=[0.8, 1] * len(substeps) + [1.3])
-    costs = {key: cost(some) for key, some in runs.items()}
+    figure, axes = plt.subplots(len(substeps) + 1, len(models), figsize=SCREEN, layout="constrained",
+                                squeeze=False, height_ratios=[1] * len(substeps) + [0.62])
+    for row, s in zip(axes, substeps):
+        _cloths(row, [runs.get((model, s), []) for model in models])
+        row[0].text(-0.08, 0.5, f"{s} substep{'s' if s > 1 else ''}", transform=row[0].transAxes, rotation=90,
+                    ha="right", va="center", fontweight="bold")
+    for panel, model in zip(axes[0], models):
+        panel.set_title(name_of(next(some[0] for (name, _), some in runs.items() if name == model)),
+                        loc="center", fontweight="bold", fontsize=9)
+    style.stretch_bar(figure, axes[:-1], aspect=30, pad=0.008, fraction=0.03)
+    _costs(figure, axes[-1], models, substeps, {key: cost(some) for key, some in runs.items()})
+    figure.suptitle(sheet_title(substeps, models, runs), x=0.01, ha="left", fontsize=11.5)
+    return style.save(figure, out, "fig_models", dpi=100)
+
+
+def _cloths(row, groups):
+    """Draws one run of each group."""
+    samples = [typical_run(some, "mean_strain") for some in groups]
+    for panel, sample, camera, some in zip(row, samples, style.cameras_of(samples, aspect=0.45), groups):
+        strain = style.number(summary_spread(some, "mean_strain").median, 2)
+        style.draw_cloth(panel, sample, camera, width=220, text=f"strain {strain}")
+
+
+def _costs(figure, row, models, substeps, costs):
+    """Draws ms per step by pass below each model, one bar per number of substeps."""
     most = max(sum(c[name] for name, _ in PASSES) for c in costs.values())
-    for row, model in enumerate(models):
-        some = next(runs[key] for key in runs if key[0] == model)
-        axes[row, 0].text(-0.05, 0.5, name_of(some[0]), transform=axes[row, 0].transAxes, rotation=90,
-                          ha="right", va="center", fontsize=10.5, fontweight="bold")
-        for column, s in enumerate(substeps):
-            sample, spread = samples.get((model, s)), summary_spread(runs.get((model, s), []), "mean_strain")
-            style.draw_cloth(axes[row, 2 * column], sample, camera, width=320)
-            _strain_map(axes[row, 2 * column + 1], sample, f"mean strain {style.number(spread.median, 2)}")
-        _cost_bars(axes[row, -1], {s: costs.get((model, s)) for s in substeps}, 1.32 * most,
-                   row == len(models) - 1)
-    for column, s in enumerate(substeps):
-        axes[0, 2 * column].set_title(f"{s} substep{'s' if s > 1 else ''}", fontweight="bold")
-        axes[0, 2 * column + 1].set_title("its strain", fontweight="bold")
-    axes[0, -1].set_title("cost", fontweight="bold")
-    axes[0, -1].legend(loc="lower right", bbox_to_anchor=(1.02, 1.0), ncol=3, fontsize=8, columnspacing=0.9,
-                       handlelength=1)
-    style.stretch_bar(figure, axes[:, :-1], location="bottom", shrink=0.5, aspect=44, pad=0.008)
-    figure.suptitle(sheet_title(substeps, models, runs), x=0.01, ha="left", fontsize=12.5)
-    return style.save(figure, out, "fig_models")
+    for panel, model in zip(row, models):
+        known = [(s, costs[model, s]) for s in substeps if (model, s) in costs]
+        for x, (_, c) in enumerate(known):
+            base = 0
+            for name, colour in PASSES:
+                panel.bar(x, c[name], 0.6, bottom=base, color=colour,
+                          label=name.replace("rest", "other") if x == 0 else None)
+                base += c[name]
+            panel.annotate(f"{base:.1f}", (x, base), xytext=(0, 2), textcoords="offset points", ha="center",
+                           fontsize=8)
+        panel.set_xticks(range(len(known)), labels=[str(s) for s, _ in known])
+        panel.set_xlim(-0.6, len(substeps) - 0.4), panel.set_ylim(0, 1.12 * most)
+        panel.grid(axis="x", visible=False)
+        panel.tick_params(axis="x", length=0)
+        panel.tick_params(axis="y", length=0, labelleft=panel is row[0])
+    row[0].set_ylabel("ms per step of 1/60 s")
+    row[len(row) // 2].set_xlabel("substeps")
+    figure.legend(*row[0].get_legend_handles_labels(), title="cost of", loc="lower right", fontsize=8)
 
 
 def sheet_title(substeps, models, runs):
@@ -112,45 +131,6 @@ def sheet_title(substeps, models, runs):
         lines.append(text + (f"; it exceeds 100 % with {', '.join(torn)}" if torn
                              else "; none exceeds 100 %"))
     return "\n".join(lines)
-
-
-def _strain_map(axes, sample, text):
-    """Draws the largest stretch of each triangle on the rest shape."""
-    axes.set_axis_off()
-    axes.set_aspect("equal")
-    if sample is None:
-        return
-    run, frame = sample
-    corners = run.rest_positions[run.triangles][:, :, :2]
-    axes.add_collection(PolyCollection(corners,
-                                       facecolors=style.stretch_colours(run.cell("max_stretch", frame) - 1),
-                                       edgecolors="face", linewidths=0.2, rasterized=True))
-    axes.set_xlim(corners[..., 0].min(), corners[..., 0].max())
-    axes.set_ylim(corners[..., 1].min(), corners[..., 1].max())
-    style.caption(axes, text)
-
-
-def _cost_bars(axes, costs, limit, last):
-    """Draws ms per step by pass, one bar per number of substeps."""
-    known = {s: c for s, c in costs.items() if c}
-    for y, (s, c) in enumerate(known.items()):
-        left = 0
-        for name, colour in PASSES:
-            axes.barh(y, c[name], 0.55, left=left, color=colour, label=name if y == 0 else None)
-            left += c[name]
-        axes.annotate(f"{left:.1f} ms", (left, y), xytext=(3, 0), textcoords="offset points", va="center",
-                      fontsize=8)
-    axes.set_yticks(range(len(known)), labels=[f"{s} substep{'s' if s > 1 else ''}" for s in known])
-    axes.set_ylim(len(known) + 0.35, -0.6)
-    axes.set_xlim(0, limit)
-    axes.grid(axis="y", visible=False)
-    axes.tick_params(axis="y", length=0)
-    if last:
-        axes.set_xlabel("ms per step of 1/60 s")
-    c = next(iter(known.values()))
-    note = f"{c['per_vertex']:.1f} bending constraints per vertex" + (f", {c['ns']:.1f} ns each"
-                                                                      if c["per_vertex"] else "")
-    axes.text(0.02 * limit, len(known) - 0.05, note, fontsize=8, color=style.GREY, va="center")
 
 
 def _sheet_table(experiment):
@@ -209,35 +189,39 @@ def elastica(weight, length, rigidity, points=400):
 def _strip(experiment, out):
     kinds = group(experiment.runs, lambda run: run.get("/bending/stiffness"))
     order = [entry["model"] for entry in experiment.sweep["/bending"]]
-    figure, axes = plt.subplots(1, 2, figsize=(11.6, 5.2), layout="constrained", sharex=True, sharey=True)
+    figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2), layout="constrained", sharex=True, sharey=True)
     truth = _truth(kinds.get("compliance", []))
     k = next((run.get("/bending/k") for run in kinds.get("k", [])), np.nan)
     rigidity = rigidity_of(kinds.get("compliance", [])) or np.nan
     for panel, (kind, title) in zip(axes, (("k", f"k = {k:g} for all: projections decide the stiffness"),
                                            ("compliance", f"matched: flexural rigidity {1e3 * rigidity:g} mN "
                                             "m"))):
-        for run in sorted(kinds.get(kind, []), key=lambda run: order.index(run.model)):
+        for i, run in enumerate(sorted(kinds.get(kind, []), key=lambda run: order.index(run.model))):
             line = 100 * profile(run)
-            panel.plot(*line.T, color=style.MODEL_COLOURS[run.model], linestyle=_dash(run.model),
-                       label=f"{name_of(run)}  {-line[-1, 1]:.1f} cm")
+            panel.plot(*line.T, markevery=(i % 6, 6), label=f"{name_of(run)}: {-line[-1, 1]:.1f}",
+                       **style.look(run.model))
         panel.set_title(title)
         panel.set_aspect("equal")
         panel.set_xlabel("distance from the clamp (cm)")
     if truth is not None:
         axes[1].plot(*(100 * truth).T, color=style.INK, linewidth=3.5, alpha=0.25, zorder=0,
-                     label=f"heavy elastica  {-100 * truth[-1, 1]:.1f} cm")
-    for panel in axes:
-        panel.legend(title="tip below the clamp", loc="upper left", bbox_to_anchor=(1.0, 1.0),
-                     alignment="left", fontsize=8)
+                     label=f"heavy elastica: {-100 * truth[-1, 1]:.1f}")
     axes[0].set_ylabel("height (cm)")
     figure.suptitle(strip_title(kinds, truth), x=0.01, ha="left", fontsize=11.5)
+    _label_tips(axes)
     return style.save(figure, out, "fig_models_cantilever")
 
 
-def _dash(model):
-    """Springs have dashed lines, so that coinciding lines stay visible."""
-    return {"none": ":", "dihedral": "-", "bridson": (0, (5, 2)), "discrete_shells": (0, (1, 1.6)),
-            "isometric": "-"}.get(model, "-.")
+def _label_tips(axes):
+    """Labels each tip; those that hang near the clamp have their labels in the panel."""
+    for panel in axes:
+        middle = np.mean(panel.get_xlim())
+        tips = {line.get_label(): line.get_xdata()[-1] for line in panel.lines}
+        style.label_ends(panel, x=0.36, only=lambda label: tips[label] < 0.6 * middle)
+        style.label_ends(panel, x=1.0 if panel is axes[0] else 0.7,
+                         only=lambda label: tips[label] >= 0.6 * middle)
+        panel.text(1, 1, "name: tip below the clamp (cm)", transform=panel.transAxes, ha="right", va="top",
+                   fontsize=8, color=style.GREY)
 
 
 def rigidity_of(runs):

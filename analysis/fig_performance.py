@@ -144,8 +144,10 @@ def _draw(table, out):
     style.plain_log(axes, "y")
     axes.set_xlabel("vertices")
     axes.set_ylabel("ns per constraint and iteration")
-    axes.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
+    oracles = [line for line in axes.lines if "oracle" in line.get_label()]
+    axes.legend(handles=oracles, loc="upper right")
     figure.suptitle(title(table), x=0.01, ha="left", fontsize=11)
+    style.label_ends(axes, only=lambda label: "oracle" not in label)
     return style.save(figure, out, "fig_performance")
 
 

@@ -1,7 +1,7 @@
 """The paper's promise: Fig. 5 a third time, with the recommended settings, and the table of what it asks for.
 
-All three rows hang at rest in the same medium: crossover springs with the pin alone, the paper's adaptive
-springs with the pin's 1-ring, and the recommended settings with the pin alone.
+All three rows hang in the same medium for 4 s, after which most rest: crossover springs with the pin alone,
+the paper's adaptive springs with the pin's 1-ring, and the recommended settings with the pin alone.
 """
 import matplotlib.pyplot as plt
 import numpy as np
@@ -40,8 +40,9 @@ def main(results, out):
     corner = {CROSSOVER: crossover, PAPER: _in_scene(floor, "one corner"),
               OURS: _in_scene(ours, "one corner")}
     if any(corner.values()):
-        section.pictures.append((_sheets(corner, out), "Sheets at rest after 4 s in a medium with about the "
-                                 "drag of air; all panels have the same camera. Back faces are bluish."))
+        section.pictures.append((_sheets(corner, out), "Sheets after 4 s in a medium with about the drag of "
+                                 "air; the corner says which are at rest. All panels have the same camera. "
+                                 "Back faces are bluish."))
         section.pictures.append((_close_ups(corner, out), "The pin (dot) and its triangles in the same "
                                  "frames, a twentieth of the sheet wide."))
     section.tables += [_goals_table(ours, paper), _numbers_table(ours, OURS), _numbers_table(paper, PAPER)]
@@ -58,54 +59,49 @@ def _by_cells(runs):
 
 
 def _sheets(rows, out):
-    samples = {(name, n): (run, run.frames - 1) for name, runs in rows.items()
-               for n, run in _by_cells(runs).items() if n <= 128}
-    cells = sorted({n for _, n in samples})
+    samples = _last_frames(rows)
     camera = style.camera_of([samples[key] for key in samples if key[0] == OURS] or samples.values(),
                              aspect=None)
-    height = 2.3 / (camera.aspect if camera else 1) + 0.25
-    figure, axes = plt.subplots(len(rows), len(cells), figsize=(2.3 * len(cells) + 1, height * len(rows)),
-                                squeeze=False, layout="compressed")
-    for i, name in enumerate(rows):
-        for j, n in enumerate(cells):
-            sample = samples.get((name, n))
-            style.draw_cloth(axes[i, j], sample, camera, width=360, text=_stretch_text(sample))
-            if i == 0:
-                axes[i, j].set_title(f"N = {n}")
-        axes[i, 0].text(-0.03, 0.5, ROWS[name], transform=axes[i, 0].transAxes, rotation=90, ha="right",
-                        va="center", fontsize=9.5)
-    style.stretch_bar(figure, axes, shrink=0.6, pad=0.01, aspect=30)
-    return style.save(figure, out, "fig_5_promise")
+    return _panels(samples, camera, "max_stretch", out, "fig_5_promise")
 
 
 def _close_ups(rows, out):
-    samples = {(name, n): (run, run.frames - 1) for name, runs in rows.items()
-               for n, run in _by_cells(runs).items() if n <= 128}
-    cells = sorted({n for _, n in samples})
+    samples = _last_frames(rows)
     camera = style.camera_of(samples.values(), zoom=0.05)
-    figure, axes = plt.subplots(len(rows), len(cells), figsize=(2.3 * len(cells) + 1, 2.9 * len(rows)),
+    return _panels(samples, camera, "pin_max_stretch", out, "fig_5_promise_pin")
+
+
+def _last_frames(rows):
+    """(name of a row, N) → (run, its last frame), up to N = 128."""
+    return {(name, n): (run, run.frames - 1) for name, runs in rows.items()
+            for n, run in _by_cells(runs).items() if n <= 128}
+
+
+def _panels(samples, camera, metric, out, picture):
+    """Draws a row per setting and a column per N, and writes the metric into each panel."""
+    cells = sorted({n for _, n in samples})
+    height = 2.3 / (camera.aspect if camera else 1) + 0.25
+    figure, axes = plt.subplots(len(ROWS), len(cells), figsize=(2.3 * len(cells) + 1, height * len(ROWS)),
                                 squeeze=False, layout="compressed")
-    for i, name in enumerate(rows):
-        for j, n in enumerate(cells):
+    for row, (name, title) in zip(axes, ROWS.items()):
+        for panel, n in zip(row, cells):
             sample = samples.get((name, n))
-            style.draw_cloth(axes[i, j], sample, camera, width=360, text=_stretch_text(sample, True),
-                             whole=False)
-            if i == 0:
-                axes[i, j].set_title(f"N = {n}")
-        axes[i, 0].text(-0.03, 0.5, ROWS[name], transform=axes[i, 0].transAxes, rotation=90, ha="right",
-                        va="center", fontsize=9.5)
+            style.draw_cloth(panel, sample, camera, width=360, text=_stretch_text(sample, metric),
+                             whole=metric == "max_stretch")
+        row[0].text(-0.03, 0.5, title, transform=row[0].transAxes, rotation=90, ha="right", va="center",
+                    fontsize=9.5)
+    for panel, n in zip(axes[0], cells):
+        panel.set_title(f"N = {n}")
     style.stretch_bar(figure, axes, shrink=0.6, pad=0.01, aspect=30)
-    return style.save(figure, out, "fig_5_promise_pin")
+    return style.save(figure, out, picture)
 
 
-def _stretch_text(sample, at_pin=False):
+def _stretch_text(sample, metric):
     if not sample:
         return None
     run, frame = sample
-    metric = "pin_max_stretch" if at_pin else "max_stretch"
-    where = "pin" if at_pin else "largest"
-    return f"t = {run.metrics['time'][frame]:.1f} s, {where} σ₁ − 1 = " \
-        f"{style.number(run.metrics[metric][frame] - 1, 2)}"
+    where = "pin" if metric == "pin_max_stretch" else "largest"
+    return f"{where} σ₁ − 1 = {style.number(run.metrics[metric][frame] - 1, 2)}"
 
 
 def _worst(runs, metric, offset):

@@ -105,6 +105,7 @@ def _sheet(experiments, out):
                 continue
             run, frame = samples[model]
             panel.imshow(picture(run, frame, camera, view), interpolation="lanczos")
+            style.stamp(panel, run, frame, style.RIGHT)
             style.caption(panel, caption(run, frame))
     for panel, model in zip(axes[0], models):
         panel.set_title(style.model_name(model), fontweight="bold")
@@ -113,9 +114,8 @@ def _sheet(experiments, out):
 
 
 def caption(run, frame):
-    """Time and stretch of a frame as text."""
-    time, stretch = run.metrics["time"][frame], run.metrics["max_stretch"][frame]
-    text = f"{time:.1f} s, σ₁ up to {style.number(stretch)}"
+    """Stretch of a frame as text."""
+    text = f"σ₁ up to {style.number(run.metrics['max_stretch'][frame])}"
     if run.status == "implausible":
         text += ", implausible"
     return text if run.complete else f"{run.status} at {run.metrics['time'][-1]:.1f} s"

@@ -1,5 +1,6 @@
 """Hard cases × bending models: a matrix of verdicts, and pictures of runs that failed."""
 import itertools
+import textwrap
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -10,7 +11,7 @@ import render
 import style
 from load import group, models
 from report import Section, Table, figure_main
-from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS, judge
+from stability_cases import AMBER, CASES, FOLDER, GREEN, MOVES_LIMITED, RED, SECTIONS, judge
 from stability_reasons import explain
 from sweeps import load_experiment
 
@@ -18,7 +19,9 @@ COLOURS = {GREEN: "#4da57c", AMBER: "#f0bf4f", RED: "#c8402f"}
 MISSING = "#eceff1"
 MARKS = {AMBER: "–", RED: "×"}  # for readers who can't distinguish the colours
 PRECISIONS = ("single", "double")
-STILL, HEAD, FOOT, GAP = 220, 36, 40, 14  # pixels: picture, text above, text below, gap
+ROW = 0.172  # inches
+# Pixels: picture, text above, text below, gap, colour bar
+STILL, HEAD, FOOT, GAP, BAR = 220, 49, 40, 14, 64
 COLUMNS, DPI, TEXT = 4, 100, 8
 
 
@@ -72,21 +75,33 @@ def count(cells, verdict, model=None):
 def caption(cells):
     return (f"{len(cells)} runs: {count(cells, GREEN)} green (pass), {count(cells, AMBER)} amber (stable, "
             f"but not recovered), {count(cells, RED)} red (not a number, flown apart, or momentum or energy "
-            "gained). Each cell has two halves: single precision upper left, double precision lower right.")
+            "gained). Each cell has two halves: single precision upper left, double precision lower right. "
+            f"Cases in which all runs have one colour are counted in grey and listed below. {MOVES_LIMITED}")
+
+
+def folded(cells, cases):
+    """(cases that tell runs apart, verdict → cases all of whose runs have it). Cases without runs are left
+    out."""
+    telling, alike = [], {}
+    for case in cases:
+        verdicts = {cell.verdict for key, cell in cells.items() if key[0] == case.name}
+        if len(verdicts) > 1:
+            telling.append(case)
+        elif verdicts:
+            alike.setdefault(verdicts.pop(), []).append(case)
+    return telling, alike
+
+
+def alike_text(alike):
+    """'not shown: 2 all green, 1 all red' of the cases that are folded away."""
+    return "not shown: " + ", ".join(f"{len(alike[verdict])} all {verdict}"
+                                     for verdict in (GREEN, AMBER, RED) if verdict in alike)
 
 
 def _matrix(cells, out):
-    rows = [(title, case) for title, cases in SECTIONS.items() for case in cases
-            if any(key[0] == case.name for key in cells)]
-    y, places, heads, last = 0.0, [], [], None
-    for title, case in rows:
-        if title != last:
-            y += 1.25 if last else 0.6
-            heads.append((y - 0.28, title))
-            last = title
-        places.append((y, case))
-        y += 1
-    figure, axes = plt.subplots(figsize=(9.6, 0.205 * y + 1.5), layout="constrained")
+    """Draws a row for each case that tells runs apart, and below each section how many are folded away."""
+    places, notes, heads, height = _rows(cells)
+    figure, axes = plt.subplots(figsize=(9.3, ROW * height + 1.2), layout="constrained")
     halves, colours = [], []
     for place, case in places:
         axes.text(-0.15, place + 0.5, case.title, ha="right", va="center", fontsize=8)
@@ -96,12 +111,34 @@ def _matrix(cells, out):
             colours.append(COLOURS[cell.verdict] if cell else MISSING)
             if cell and cell.verdict in MARKS:
                 _mark(axes, column, place, precision, cell.verdict)
-    axes.add_collection(PolyCollection(halves, facecolors=colours, linewidths=0))
+    axes.add_collection(PolyCollection(halves, facecolors=colours, edgecolors="face", linewidths=0.3))
     for place, title in heads:
-        axes.text(-0.15, place + 0.12, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
-    axes.set_xlim(0, len(models())), axes.set_ylim(y + 0.1, -0.1)
-    axes.set_xticks(np.arange(len(models())) + 0.5,
-                    [style.model_name(model) for model in models()],
+        axes.text(-0.15, place + 0.5, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
+    for place, note in notes:
+        axes.text(0.04, place + 0.5, note, va="center", fontsize=8, color=style.GREY)
+    _label_matrix(axes, height)
+    return style.save(figure, out, "fig_stability")
+
+
+def _rows(cells):
+    """(place, case), (place, note on folded cases) and (place, section) from the top, and the height."""
+    y, places, notes, heads = 0.0, [], [], []
+    for title, cases in SECTIONS.items():
+        telling, alike = folded(cells, cases)
+        if not telling and not alike:
+            continue
+        heads.append((y, title))
+        if alike:
+            notes.append((y, alike_text(alike) + ("" if telling else "; none tells the models apart")))
+        places += [(y + 1 + i, case) for i, case in enumerate(telling)]
+        y += len(telling) + 1.35
+    return places, notes, heads, y
+
+
+def _label_matrix(axes, height):
+    """Names the columns and the colours."""
+    axes.set_xlim(0, len(models())), axes.set_ylim(height, -0.1)
+    axes.set_xticks(np.arange(len(models())) + 0.5, [style.model_name(model) for model in models()],
                     rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.tick_params(length=0)
@@ -113,7 +150,6 @@ def _matrix(cells, out):
     axes.legend(handles=[Patch(color=COLOURS[verdict], label=f"{MARKS.get(verdict, '')} {name}".strip())
                          for verdict, name in names.items()], ncol=3, loc="upper center",
                 bbox_to_anchor=(0.4, 0.0), fontsize=8.5)
-    return style.save(figure, out, "fig_stability")
 
 
 def _half(column, place, precision):
@@ -130,14 +166,18 @@ def _mark(axes, column, place, precision, verdict):
 
 
 def shown(cells, cases):
-    """The cells to draw: one red cell per case and model. A case without any gets its worst amber cell."""
+    """(cell, number of models that fail alike) to draw: the worst cell of each way in which a case turns red.
+
+    A case without any red cell has its worst amber cell.
+    """
     found = []
     for case in cases:
         of_case = [cell for key, cell in cells.items() if key[0] == case.name and cell.verdict != GREEN]
-        of_case.sort(key=lambda cell: models().index(cell.model))
-        red = group([cell for cell in of_case if cell.verdict == RED], lambda cell: cell.model)
-        found += [some[0]
-                  for some in red.values()] or sorted(of_case, key=lambda cell: -cell.worst.excess)[:1]
+        red = [cell for cell in of_case if cell.verdict == RED]
+        ways = group(red, lambda cell: cell.worst.name) if red else {"": of_case} if of_case else {}
+        for some in ways.values():
+            worst = max(some, key=lambda cell: np.nan_to_num(cell.worst.excess, nan=np.inf))
+            found.append((worst, len({cell.model for cell in some})))
     return found
 
 
@@ -146,20 +186,27 @@ def _stills(title, failed, out):
     columns = min(COLUMNS, len(failed))
     rows = -(-len(failed) // columns)
     height, width = rows * (HEAD + STILL + FOOT), columns * (STILL + GAP)
-    figure = plt.figure(figsize=(width / DPI, height / DPI))
-    axes = figure.add_axes([0, 0, 1, 1])
+    figure = plt.figure(figsize=(width / DPI, (height + BAR) / DPI))
+    axes = figure.add_axes([0, BAR / (height + BAR), 1, height / (height + BAR)])
+    beside = (width - STILL) / 2 / width
+    style.stretch_bar(figure, None, orientation="horizontal",
+                      cax=figure.add_axes([beside, 44 / (height + BAR), 1 - 2 * beside, 9 / (height + BAR)]))
     sheet = np.ones((height, width, 3))
-    for place, cell in enumerate(failed):
+    for place, (cell, alike) in enumerate(failed):
         row, column = divmod(place, columns)
-        _still(axes, sheet, cell, column * (STILL + GAP) + GAP // 2, row * (HEAD + STILL + FOOT) + HEAD)
+        _still(axes, sheet, cell, alike, column * (STILL + GAP) + GAP // 2,
+               row * (HEAD + STILL + FOOT) + HEAD)
     axes.imshow(sheet, interpolation="none", extent=(0, width, height, 0))
     axes.set_axis_off()
     name = "fig_stability_" + title.lower().replace(" ", "_")
     return style.save(figure, out, name, dpi=DPI, tight=False)
 
 
-def _still(axes, sheet, cell, left, top):
-    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below."""
+def _still(axes, sheet, cell, alike, left, top):
+    """Draws a run's last frame at (left, top) of the sheet; name above, worst number and extent below.
+
+    `alike`: how many models fail in the same way.
+    """
     run, frame = cell.run, cell.run.frames - 1
     positions, size = run.positions(frame), run.size
     camera = render.camera_around(positions, size / 2)
@@ -170,8 +217,12 @@ def _still(axes, sheet, cell, left, top):
     drawn_out = excess > 1
     axes.add_collection(_slivers(places, triangles[drawn_out], colours[drawn_out]))
     axes.scatter(*places[run.pinned].T, s=4, c="#111418", edgecolors="white", linewidths=0.25, zorder=3)
-    axes.text(left, top - 4, f"{cell.case.title}\n{style.model_name(cell.model)}, "
-              f"{cell.precision}", va="bottom", fontsize=TEXT)
+    corner = style.free_corner(places - [left, top], (STILL, STILL))
+    axes.text(left + corner["xy"][0] * STILL, top + 5, style.time_text(run, frame), ha=corner["ha"], va="top",
+              fontsize=TEXT, bbox=style.LABEL)
+    others = f" (worst of {alike} models)" if alike > 1 else ""
+    axes.text(left, top - 4, f"{textwrap.fill(cell.case.title, 38)}\n{style.model_name(cell.model)}, "
+              f"{cell.precision}{others}", va="bottom", fontsize=TEXT)
     axes.text(left, top + STILL + 4, f"{number_text(cell.worst)}\n{style.number(_across(positions) / size)} "
               "sizes across", va="top", fontsize=TEXT, color="#8a1538" if cell.verdict == RED else "#6d5200")
 

@@ -154,7 +154,8 @@ def _frames(stories, out):
     """Draws stretch, shape and correction by frame: one column per model, one line per remedy."""
     shown = [s for s in stories if s.run.model in MODELS]
     remedies = sorted({remedy(s.run) for s in shown}, key=lambda name: (name != "as published", name))
-    colours = dict(zip(remedies, [style.INK, *style.SEQUENCE, "#a6761d", "#7570b3", "#e7298a", "#66a61e"]))
+    looks = dict(zip(remedies, [dict(color=colour, linestyle=line) for line in ("-", (0, (3, 1)))
+                                for colour in (style.INK, *style.SEQUENCE)]))
     rows = [("stretch", "stretch − 1", STRETCHED), ("ratio", "longest / shortest edge", NEEDLE),
             ("correction", "correction (edges)", 1)]
     figure, axes = plt.subplots(len(rows), len(MODELS), figsize=(12.6, 8), layout="constrained", sharex=True,
@@ -163,8 +164,8 @@ def _frames(stories, out):
         for s in (s for s in shown if s.run.model == model):
             name = remedy(s.run)
             for row, (field, _, _) in enumerate(rows):
-                axes[row, column].plot(s.time, np.maximum(getattr(s, field), 1e-3), color=colours[name],
-                                       linewidth=2.2 if name == "as published" else 1, label=name)
+                axes[row, column].plot(s.time, np.maximum(getattr(s, field), 1e-3), label=name,
+                                       linewidth=2.2 if name == "as published" else 1, **looks[name])
         axes[0, column].set_title(style.model_name(model))
         axes[-1, column].set_xlabel("time (s)")
     for row, (_, label, bound) in enumerate(rows):
@@ -173,8 +174,9 @@ def _frames(stories, out):
             panel.set_yscale("log")
             panel.axhline(bound, color=style.GREY, linewidth=0.8, linestyle="--")
     axes[0, 1].set_ylim(1e-2, 1e3), axes[1, 1].set_ylim(1, 1e3), axes[2, 1].set_ylim(1e-2, 1e3)
-    style.legend_below(figure, axes[0, 0], 6)
     figure.suptitle(message(stories), x=0.01, ha="left", fontsize=11.5)
+    for panel in axes[:, -1]:
+        style.label_ends(panel)
     return style.save(figure, out, "fig_stability_pin_frames")
 
 
@@ -221,8 +223,8 @@ def _remedies(stories, out):
         for place, model in enumerate(MODELS):
             some = [s for s in shown if s.run.model == model]
             panel.plot([value(s) for s in some],
-                       [names.index(remedy(s.run)) + 0.2 * (place - 1) for s in some], "o",
-                       color=style.MODEL_COLOURS[model], markersize=5, label=style.model_name(model))
+                       [names.index(remedy(s.run)) + 0.2 * (place - 1) for s in some],
+                       label=style.model_name(model), **style.look(model, linestyle="", markersize=5))
         if bound:
             panel.axvline(bound, color=style.GREY, linewidth=0.8, linestyle="--")
         panel.set_xscale("log")
@@ -245,9 +247,10 @@ def _force(stories, out):
     models = list(dict.fromkeys(s.run.model for s in stories))
     for s in stories:
         place = settings.index((s.run.get("/pins/ring"), s.run.get("/solver/substeps")))
-        axes.plot(models.index(s.run.model) + 0.16 * (place - 1.5), s.worst, "o", color=style.SEQUENCE[place])
+        axes.plot(models.index(s.run.model) + 0.16 * (place - 1.5), s.worst, "os^D"[place],
+                  color=style.SEQUENCE[place])
     for place, (ring, substeps) in enumerate(settings):
-        axes.plot([], [], "o", color=style.SEQUENCE[place],
+        axes.plot([], [], "os^D"[place], color=style.SEQUENCE[place],
                   label=f"{'1-ring pinned' if ring else 'bare pin'}, {substeps} "
                   f"substep{'s' if substeps > 1 else ''}")
     axes.axhline(STRETCHED, color=style.GREY, linewidth=0.8, linestyle="--")

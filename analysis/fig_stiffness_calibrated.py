@@ -1,6 +1,7 @@
 """Calibrated stiffness: measured over stated physical stiffness, and the paper's rule beside it."""
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.lines import Line2D
 
 import strips
 import style
@@ -146,16 +147,16 @@ def _picture(runs, before, out):
                           key=strips.cells)
             values = np.array([strips.rigidity(run) for run in some])
             if len(values):
-                left.plot([strips.cells(run) for run in some], values / values[0], look, marker="o",
-                          markersize=4, color=style.MODEL_COLOURS[model])
+                left.plot([strips.cells(run) for run in some], values / values[0],
+                          **style.look(model, linestyle=look))
                 ratios["before"].append(strips.largest_ratio(values))
             some = sorted((run for run in runs if name(run) == model and strips.family(run) == family),
                           key=strips.cells)
             if some:
                 for panel in (right, zoom):
-                    panel.plot([strips.cells(run) for run in some], [share(run) for run in some], look,
-                               marker="o", markersize=4, color=style.MODEL_COLOURS[model],
-                               label=style.model_name(model) if family == "equilateral" else None)
+                    panel.plot([strips.cells(run) for run in some], [share(run) for run in some],
+                               label=style.model_name(model) if family == "equilateral" else None,
+                               **style.look(model, linestyle=look))
                 ratios["after"].append(strips.largest_ratio(map(share, some)))
     for panel in (left, right, zoom):
         style.resolution_axis(panel, sorted({strips.cells(run) for run in [*runs, *before]}))
@@ -168,14 +169,14 @@ def _picture(runs, before, out):
     left.set_ylabel("stiffness over that at 12 cells"), right.set_ylabel("stiffness, measured / stated")
     left.set_title("the paper's rule: k = 0.5, eq. 6"), right.set_title("calibrated"), zoom.set_title(
         "calibrated, enlarged")
-    for family, look in LOOKS.items():
-        zoom.plot([], [], look, color=style.GREY, label=strips.MESH_NAMES[family])
-    zoom.legend(loc="upper left", bbox_to_anchor=(1, 1))
+    left.legend(handles=[Line2D([], [], linestyle=look, color=style.GREY, label=strips.MESH_NAMES[family])
+                         for family, look in LOOKS.items()], loc="lower left")
     old, new = ([value for value in ratios[key] if np.isfinite(value)] for key in ("before", "after"))
     if old and new:
         figure.suptitle(f"Refinement changes the stiffness by factors of {style.number(min(old), 2)} to "
                         f"{style.number(max(old), 2)} with the paper's rule, of {min(new):.2f} to "
                         f"{max(new):.2f} if calibrated", x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(zoom)
     return style.save(figure, out, "fig_stiffness_calibrated")
 
 
@@ -188,8 +189,9 @@ def _membrane_picture(runs, out):
             for cells, look in ((12, "--"), (24, "-")):
                 line = sorted((run for run in some if strips.cells(run) == cells), key=alpha)
                 x = [alpha(run) for run in line]
-                panel.plot(x, list(map(share, line)), look, color=style.MODEL_COLOURS[model],
-                           label=style.model_name(model) if cells == 24 else None)
+                panel.plot(x, list(map(share, line)),
+                           label=f"{style.model_name(model)}, {cells} cells",
+                           **style.look(model, linestyle=look))
                 panel.plot(x, list(map(share_of_droop, line)), "x", color=style.MODEL_COLOURS[model],
                            markersize=4, alpha=0.6)
                 extremes.setdefault(family, []).extend(map(share, line))
@@ -199,13 +201,13 @@ def _membrane_picture(runs, out):
         panel.set_xlabel("compliance of the membrane α (m/N)")
     axes[0].set_ylabel("stiffness, measured / stated")
     axes[0].set_ylim(0.6, 2)
-    for label, look in (("12 cells", "--"), ("24 cells", "-"), ("from H/W", "x")):
-        axes[1].plot([], [], look, color=style.GREY, markersize=4, label=label)
-    axes[1].legend()
+    axes[1].legend(handles=[Line2D([], [], marker="x", linestyle="", color=style.GREY, markersize=4,
+                                   label="from H/W, in the model's colour")])
     text = [f"{strips.MESH_NAMES[family]} {min(values):.2f} to {max(values):.2f}"
             for family, values in extremes.items()]
     figure.suptitle("The membrane reduces or increases the stiffness. Measured over stated: "
                     f"{', '.join(text)}", x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(axes[1])
     return style.save(figure, out, "fig_stiffness_membrane")
 
 

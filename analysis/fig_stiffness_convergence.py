@@ -83,9 +83,9 @@ def _approach(series, cheap, out):
     for (model, cells), (static, some) in sorted(series.items()):
         some = sorted(some, key=substeps)
         error = [abs(strips.droop(run) / strips.droop(static) - 1) for run in some]
-        left.plot([substeps(run) for run in some], [100 * e for e in error], looks.get(cells, "-"),
-                  marker="o", color=style.MODEL_COLOURS[model],
-                  label=f"{style.model_name(model)}, {cells} cells")
+        left.plot([substeps(run) for run in some], [100 * e for e in error],
+                  label=f"{style.model_name(model)}, {cells} cells",
+                  **style.look(model, linestyle=looks.get(cells, "-")))
         last.append(error[-1])
     left.axhline(1, color=style.GREY, linewidth=0.8)
     for panel in (left, right):
@@ -94,23 +94,22 @@ def _approach(series, cheap, out):
         panel.set_xlabel("substeps of 1/60 s")
         panel.set_yscale("log")
     left.set_ylabel("|H/W − static| (%)")
-    left.legend(loc="upper center", bbox_to_anchor=(0.5, -0.16), ncol=3, columnspacing=1)
     for model, some in by_model(cheap).items():
         some = sorted(some, key=substeps)
         rigidity = some[0].get("/bending/flexural_rigidity")
         stated = rigidity or some[0].get("/bending/quartic_coefficient")
         share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity
                                else "stiffness_quartic") / stated for run in some]
-        right.plot([substeps(run) for run in some], share, "o-", color=style.MODEL_COLOURS[model],
-                   label=style.model_name(model))
+        right.plot([substeps(run) for run in some], share, label=style.model_name(model),
+                   **style.look(model))
     right.axhline(1, color=style.INK, linewidth=0.8)
     right.set_ylabel("stiffness, measured / stated")
-    right.legend()
     title = "Cheap settings give a part of the stated stiffness"
     if last:
         low, high = (style.number(100 * pick(last), 2) for pick in (min, max))
         title += f"; with the most substeps the error of H/W is {low} to {high} %"
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(left), style.label_ends(right)
     return style.save(figure, out, "fig_stiffness_xpbd")
 
 
@@ -123,9 +122,8 @@ def _pbd(iterations, time_step, out):
         for model, some in by_model(runs).items():
             some = sorted(some, key=x)
             values = np.array([strips.rigidity(run) for run in some])
-            panel.plot([x(run) for run in some], values, marker="o", markersize=4,
-                       color=style.MODEL_COLOURS[model], linewidth=1.2, label=strips.model_name(some[0]),
-                       linestyle="--" if model in ("bridson", "discrete_shells", "isometric") else "-")
+            panel.plot([x(run) for run in some], values, label=strips.model_name(some[0]),
+                       **style.look(model))
             if model != "none" and np.isfinite(values[[0, -1]]).all():
                 growth.append(values[-1] / values[0])
         panel.set_xscale("log"), panel.set_yscale("log")
@@ -134,11 +132,11 @@ def _pbd(iterations, time_step, out):
         panel.minorticks_off()
         panel.set_xlabel(label)
     axes[0].set_ylabel("B from H/W (N m)")
-    axes[1].legend(loc="upper left", bbox_to_anchor=(1, 1))
     title = "iterations and time step"
     if growth:
         title = f"{min(growth):.0f} to {max(growth):.0f} times as stiff with the finer setting"
     figure.suptitle(f"One k: {title}", x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(axes[1])
     return style.save(figure, out, "fig_stiffness_solver")
 
 

@@ -95,14 +95,13 @@ def _picture(rows, out):
     for factor in (1 - TOLERANCE, 1 + TOLERANCE):
         left.plot(ends, factor * ends, ":", color=style.GREY, linewidth=0.8)
     for model, some in group(shown, lambda row: row["model"]).items():
-        look = {"color": style.MODEL_COLOURS[model], "marker": "s" if model in SPRINGS else "o"}
-        left.plot([row["measured"] for row in some], [row["estimate"] for row in some], linestyle="",
-                  markersize=6, alpha=0.8, label=style.model_name(model), **look)
+        left.plot([row["measured"] for row in some], [row["estimate"] for row in some],
+                  label=style.model_name(model), **style.look(model, linestyle=""))
         once = [row for row in some if row["iterations"] == 1]
-        right.plot([row["substeps"] for row in once], [row["measured"] for row in once], "-", markersize=4,
-                   **look)
+        right.plot([row["substeps"] for row in once], [row["measured"] for row in once],
+                   label=style.model_name(model), **style.look(model, linestyle="-"))
         right.plot([row["substeps"] for row in once], [row["estimate"] for row in once], "--",
-                   color=look["color"], linewidth=1)
+                   color=style.MODEL_COLOURS[model], linewidth=1)
     left.set_xscale("log"), left.set_yscale("log"), left.set_xlim(ends), left.set_ylim(ends)
     left.set_xlabel("share measured on the strip"), left.set_ylabel("share estimated")
     left.legend(loc="upper left")
@@ -116,6 +115,7 @@ def _picture(rows, out):
         title += (f": estimated within {style.number(100 * max(checked), 2)} % for the {len(checked)} runs "
                   f"with at least {100 * CHECKED:.0f} % of it")
     figure.suptitle(title, x=0.01, ha="left", fontsize=11.5)
+    style.label_ends(right)
     return style.save(figure, out, "fig_stiffness_effective")
 
 

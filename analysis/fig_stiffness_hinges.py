@@ -19,7 +19,6 @@ ACROSS = ("under small loads free edges also bend across the strip, and a beam h
           "wide sheet. Measured apart from this page at 0.003 g: B from H/W over B is "
           f"{', '.join(f'{share:.3f}' for share in WIDTHS.values())} for widths of "
           f"{', '.join(map(str, WIDTHS))} cm ({REPEAT}, and other heights)")
-MARKERS = {"dihedral": "o", "discrete_shells": "s", "bridson": "^", "isometric": "D"}
 
 
 def rigidity_given(run):
@@ -106,13 +105,13 @@ def _picture(runs, out):
     for (model, cells), some in group(runs, lambda run: (run.model, strips.cells(run))).items():
         load = np.array([strips.load_number(run, rigidity_given(run)) for run in some])
         measured, theory = np.array([strips.droop(run) for run in some]), strips.elastica_droop(load)
-        colour, marker = style.MODEL_COLOURS[model], MARKERS[model]
+        look = style.look(model, linestyle="")
         if cells == finest[model]:
-            left.plot(load, measured, marker, color=colour, markerfacecolor="none",
-                      label=style.model_name(model))
+            left.plot(load, measured, label=style.model_name(model), **look)
         size = {24: 4, 48: 6, 96: 8}.get(cells, 5)
-        right.plot(load, 100 * (measured / theory - 1), marker, color=colour, markersize=size,
-                   markerfacecolor="none" if cells < 48 else colour, alpha=0.8)
+        inside = "none" if cells < 48 else look["color"]
+        right.plot(load, 100 * (measured / theory - 1), alpha=0.8,
+                   **look | {"markersize": size, "markerfacecolor": inside})
         worst += [abs(m / t - 1) for m, t, g in zip(measured, theory, load) if g < 60 or cells >= 48]
     left.set_xscale("log"), left.set_yscale("log")
     left.set_xlabel("Γ = ρ g L³ / B"), left.set_ylabel("H/W of the free end")

@@ -118,7 +118,7 @@ def _picture(points, out):
 
 
 def _gravity_picture(runs, results, out):
-    figure, axes = plt.subplots(figsize=(5.6, 4), layout="constrained")
+    figure, axes = plt.subplots(figsize=(6.8, 4), layout="constrained")
     hinges = [run for run in strips.experiment_runs(results, Section("", ""), "hinges")
               if run.model == "discrete_shells" and strips.cells(run) == 24]
     lines = group(runs, line_name) | ({"hinges": hinges} if hinges else {})
@@ -128,19 +128,19 @@ def _gravity_picture(runs, results, out):
         g, droop = np.array([strips.gravity(run)
                              for run in some]), np.array([strips.droop(run) for run in some])
         model = some[0].model
-        colour = RING_COLOURS[ring(some[0])] if model == "k_ring" else style.MODEL_COLOURS[model]
+        look = style.look(model) | ({"color": RING_COLOURS[ring(some[0])]} if model == "k_ring" else {})
         small = droop < 0.3
         slope = np.polyfit(np.log(g[small]), np.log(droop[small]), 1)[0] if small.sum() > 1 else np.nan
-        axes.plot(g, droop, "o-", color=colour, label=f"{name}: slope {slope:.3f}")
+        axes.plot(g, droop, label=f"{name}: slope {slope:.3f}", **look)
         found.setdefault("springs at rest" if model == "k_ring" else "springs that push"
                          if model == "prestressed" else "hinges", []).append(slope)
     axes.set_xscale("log"), axes.set_yscale("log")
     axes.set_xlabel("gravity (m/s²)"), axes.set_ylabel("H/W of the free end")
-    axes.legend()
     powers = {kind: " to ".join(sorted({f"{power:.2f}" for power in (min(some), max(some))}))
               for kind, some in found.items()}
     axes.set_title("Droop grows as g to the power:\n"
                    + ", ".join(f"{kind} {power}" for kind, power in powers.items()))
+    style.label_ends(axes)
     return style.save(figure, out, "fig_stiffness_gravity")
 
 

@@ -303,16 +303,15 @@ def statuses(runs):
     return dict(Counter(run.status for run in runs))
 
 
-def typical_frame(runs, metric="pin_max_stretch"):
-    """(run, frame) of the last simulated second whose metric is nearest to the median over all these runs and
-    frames.
+def typical_run(runs, metric="pin_max_stretch"):
+    """(run, its last frame) of the run whose median over the last second is nearest to that of all runs.
 
-    Sheets are chaotic: the last frame may differ from what the medians say, this frame does not.
+    None without any. The last frame and not a typical one: all panels of a figure show the same time.
     """
-    samples = [(run, frame, run.metrics[metric][frame]) for run in runs for frame in run.last_second()]
-    samples = [sample for sample in samples if np.isfinite(sample[2])]
-    if not samples:
+    middles = [(np.median(seen), run) for run in runs
+               if len(seen := run.metrics[metric][run.last_second()]) and np.isfinite(np.median(seen))]
+    if not middles:
         return None
-    middle = np.median([value for _, _, value in samples])
-    run, frame, _ = min(samples, key=lambda sample: abs(sample[2] - middle))
-    return run, int(frame)
+    middle = np.median([value for value, _ in middles])
+    _, run = min(middles, key=lambda entry: abs(entry[0] - middle))
+    return run, run.frames - 1

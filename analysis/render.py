@@ -4,7 +4,7 @@ A z-buffer in numpy. Triangles are cut into pixel rows, and rows into pixels; th
 pixel. Light, shadow and colour are then computed once per visible pixel. Neighbouring triangles leave no seam
 between them.
 """
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -53,23 +53,31 @@ class Camera:
         return np.stack([x, y, -np.ones_like(x)], axis=-1) @ self.axes
 
 
-def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoom=None):
+def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoom=None, reach=1.02):
     """One camera for all cloths of a figure, (V, 3) each, pinned at `pin`.
 
-    It frames all points within the unstretched sheet's reach of the pin. A sheet that has flown apart leaves
-    the frame and does not make the others small. `zoom` (a fraction of size) frames the pin instead.
-    `aspect` is width over height of the picture; None takes that of the cloth, from 0.5 to 2.
+    It frames all points within `reach` sizes of the pin, by default those that an unstretched sheet reaches.
+    A sheet that has flown apart leaves the frame and does not make the others small. `zoom` frames what is
+    below the pin instead, to `zoom` sizes on either side of it. `aspect` is width over height of the picture;
+    None takes that of the cloth, from 0.5 to 2.
     """
     axes = _view_axes(azimuth, elevation)
     points = np.concatenate(list(cloths))
     points = points[np.isfinite(points).all(axis=1)]
-    near = points[np.linalg.norm(points - pin, axis=1) <= 1.02 * size]
+    near = points[np.linalg.norm(points - pin, axis=1) <= reach * size]
     near = np.concatenate([near, [pin]])
     floor = near[:, 2].min() - 0.06 * size
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
-                                             for sz in (-1.2, 0.2)])
+                                             for sz in (0.2 - 2 / aspect, 0.2)])
     return _framing(near, axes, size, floor, aspect)
+
+
+def scaled(camera, half):
+    """The camera with a picture of half the height `half` (tangent of an angle), and the same middle."""
+    left, right, bottom, top = camera.extent
+    middle, level, across = (left + right) / 2, (bottom + top) / 2, half * camera.aspect
+    return replace(camera, extent=(middle - across, middle + across, level - half, level + half))
 
 
 def camera_around(points, least, azimuth=-62.0, elevation=14.0, aspect=1.0):

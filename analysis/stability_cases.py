@@ -199,23 +199,24 @@ SECTIONS = {
              {"/effects": 1}, recovers=False),
         Case("gust: gale", "a gale of 100× the weight", "gust", {"/effects": 0}, {"/effects": 1},
              recovers=False),
-        Case("gust_cut: gale", "… with its flight limited", "gust_cut_slow", {"/effects": 0}, {"/effects": 1},
-             recovers=False),
+        Case("gust_cut: gale", "a gale of 100× the weight, moves limited (flight_limit)", "gust_cut_slow",
+             {"/effects": 0}, {"/effects": 1}, recovers=False),
         *_of("mass", "/material/density_ratio", [("free", "one half 10⁶ times as heavy", 1e6)], 1),
-        *_of("mass_hanging", "/material/density_ratio", [("hanging", "… hanging from the light half", 1e6)],
-             1, recovers=False),
-        *_of("mass_tethered", "/material/density_ratio", [("hanging", "… with tethers", 1e6)], 1,
-             recovers=False)],
+        *_of("mass_hanging", "/material/density_ratio",
+             [("hanging", "hanging from a half 10⁶ times lighter", 1e6)], 1, recovers=False),
+        *_of("mass_tethered", "/material/density_ratio",
+             [("hanging", "hanging from a half 10⁶ times lighter, with tethers", 1e6)], 1, recovers=False)],
     "Solver": [
         *_of("time_step", "/solver/dt", [("0.1 s", "dt 0.1 s", 0.1), ("1 s", "dt 1 s", 1)], 1 / 60,
              recovers=False, energy=True),
         *_of("time_step_cut_slow", "/solver/dt",
-             [("0.1 s", "dt 0.1 s, flight limited", 0.1), ("1 s", "dt 1 s, flight limited", 1)], 1 / 60,
-             recovers=False, energy=True, control_config="time_step"),
+             [("0.1 s", "dt 0.1 s, moves limited (flight_limit)", 0.1),
+              ("1 s", "dt 1 s, moves limited (flight_limit)", 1)], 1 / 60, recovers=False, energy=True,
+             control_config="time_step"),
         *_of("iterations", "/solver/iterations", [("one", "1 iteration", 1)], 10, recovers=False,
              energy=True),
-        *_of("iterations_cut_slow", "/solver/iterations", [("one", "1 iteration, flight limited", 1)], 10,
-             recovers=False, energy=True,
+        *_of("iterations_cut_slow", "/solver/iterations",
+             [("one", "1 iteration, moves limited (flight_limit)", 1)], 10, recovers=False, energy=True,
              control_config="iterations"),
         *_of("iterations_slow", "/solver/iterations", [("1000", "1000 iterations", 1000)], 10, recovers=False,
              energy=True),
@@ -254,3 +255,7 @@ SECTIONS = {
              energy=True, creep=True)],
 }
 CASES = [case for cases in SECTIONS.values() for case in cases]
+
+# What a title means by it.
+MOVES_LIMITED = ("Moves limited: /solver/flight_limit cuts a time step into parts if its forces would deform "
+                 "a triangle by more than 5 %.")

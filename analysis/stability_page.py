@@ -9,8 +9,8 @@ import style
 from html_parts import document, escape, section_html, table_html
 from load import group, models
 from report import Table, rounded, write_objects
-from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,
-                             STRAIN_CEILING, STRAIN_FLOOR)
+from stability_cases import (AMBER, APART, CASES, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
+                             SECTIONS, STRAIN_CEILING, STRAIN_FLOOR)
 
 EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
 UNKNOWN = "not known"
@@ -41,7 +41,8 @@ def body(section, pin):
     cells = section.cells
     parts = ["<h1>What is stable?</h1>", "<p class='lead'>Starts, loads, time steps and meshes on which "
              "cloth solvers fail, each with every bending model in both precisions. Each is compared with "
-             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING)]
+             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING),
+             folded_html(cells)]
     for title, cases in SECTIONS.items():
         parts.append(section_of(title, cases, section))
     parts.append(section_html(pin, EVERYTHING))
@@ -94,6 +95,24 @@ def plain_grid(cells):
             "it shows nothing about them.</p>")
 
 
+def folded_html(cells):
+    """The cases that the picture folds away because all their runs have one colour, by name."""
+    alike = fig_stability.folded(cells, CASES)[1]
+    if not alike:
+        return ""
+    rows = "".join(f"<li><span class='verdict {KIND[verdict]}'>all {verdict}</span>: "
+                   f"{escape('; '.join(_full_title(case) for case in alike[verdict]))}</li>"
+                   for verdict in VERDICTS if verdict in alike)
+    return (f"<details><summary>The {sum(map(len, alike.values()))} cases in which all runs have one "
+            f"colour</summary><ul>{rows}</ul></details>")
+
+
+def _full_title(case):
+    """A case's section and title: 'start poses: mirrored'."""
+    section = next(title for title, cases in SECTIONS.items() if case in cases)
+    return f"{section.lower()}: {case.title}"
+
+
 def section_of(title, cases, section):
     """One group of cases as HTML: their rules, failed runs with reasons, and pictures."""
     cells = section.cells
@@ -111,9 +130,10 @@ def section_of(title, cases, section):
         parts.append(failed_html(failed))
     if title in section.stills:
         parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that "
-                     "fail'><figcaption>Last good frames of the red runs, and of the worst amber run of a "
-                     "case without red runs; coloured by stretch. Each picture shows the whole cloth; the "
-                     "text below states its extent (one size at rest).</figcaption></figure>")
+                     "fail'><figcaption>Last good frame of the worst run of each way in which a case "
+                     "turns red, and of the worst amber run of a case without red runs; coloured by "
+                     "stretch. Each picture shows the whole cloth; the text below states its extent (one "
+                     "size at rest).</figcaption></figure>")
     return "\n".join(parts)
 
 

@@ -19,6 +19,8 @@ FREE = ("meshes", "order", "units", "rings", "flaws")  # sheets stretched by hal
 
 ROUNDS = ("Ten iterations per step do not spread corrections through the whole sheet. Mean strain with 10 → "
           "100 iterations: ")
+CUT = "Mean strain if a step's forces may deform a triangle by 5 % → 1 % (/solver/flight_limit): "
+IN_PARTS = "Ten iterations per part of a step do not spread corrections through the whole sheet. " + CUT
 HUNDRED = "--set /solver/iterations=100"
 MINUTE = "--set /duration=60"
 PLACE = re.compile(r"<(\w+)(?:\|([^|>]*))?(?:\|([^|>]*))?>")
@@ -128,16 +130,14 @@ LOADS = [
 
 STEPS = [
     Reason(("time_step_cut: 1 s",), (), _strained,
-           "Ten iterations per part of a step do not spread corrections through the whole sheet. Mean "
-           "strain with a flight limit of 0.05 → 0.01: <strain||dihedral> → 0.033 (dihedral), "
+           IN_PARTS + "<strain||dihedral> → 0.033 (dihedral), "
            "<strain||adaptive> → 0.013 (adaptive)", "time_step_cut_slow --set /solver/flight_limit=0.01"),
     Reason(("gust_cut",), (), _strained,
-           "Ten iterations per part of a step do not spread corrections through the whole sheet. Mean "
-           "strain with a flight limit of 0.05 → 0.01: <strain||dihedral> → 0.030 (dihedral), "
+           IN_PARTS + "<strain||dihedral> → 0.030 (dihedral), "
            "<strain||adaptive> → 0.0025 (adaptive)", "gust_cut_slow --set /solver/flight_limit=0.01"),
     Reason(("iterations_cut",), (), _strained,
-           "One iteration per part of a step does not spread corrections through the whole sheet. Mean "
-           "strain with a flight limit of 0.05 → 0.01: <strain||dihedral> → 0.44 (dihedral), "
+           "One iteration per part of a step does not spread corrections through the whole sheet. " + CUT
+           + "<strain||dihedral> → 0.44 (dihedral), "
            "<strain||crossover> → 0.15 (crossover), <strain||adaptive> → 0.089 (adaptive)",
            "iterations_cut_slow --set /solver/flight_limit=0.01"),
     Reason(("iterations: one",), (), _strained,

@@ -1,4 +1,8 @@
-"""The look of every figure: fonts, sizes, colours, number formats, and how a cloth is drawn in a panel."""
+"""The look of every figure: fonts, colours, marks, labels, number formats, and how cloth is drawn in a panel.
+
+A family of bending models has a kind of mark: springs are filled circles, hinges are open polygons, springs
+that push a filled plus, no bending a cross. Within a family the colours differ for the colour-blind too.
+"""
 from pathlib import Path
 
 import matplotlib
@@ -20,15 +24,24 @@ class Colours(dict):
         return "#000000"
 
 
-# Palette of Okabe and Ito: the colour-blind can tell the colours apart.
+FAMILIES = {"no bending": ("none",),
+            "springs": ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "choi_ko"),
+            "springs that push": ("prestressed",),
+            "hinges": ("dihedral", "bridson", "discrete_shells", "isometric")}
+# Springs have the palette of Okabe and Ito, hinges colours between which all kinds of sight distinguish.
 MODEL_COLOURS = Colours({
-    "none": "#6b6b6b", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
-    "lod": "#b0579b", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#7a3b12",
-    "bridson": "#117a8b", "discrete_shells": "#5b3fa0", "isometric": "#9aa61b",
+    "none": "#7f7f7f", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
+    "lod": "#cc79a7", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#000000",
+    "bridson": "#8a4b08", "discrete_shells": "#5b3fa0", "isometric": "#a3a500",
     "prestressed": "#c2185b",
 })
+# Hinges often coincide: their marks are nested and their lines are dashes over a solid one.
+MODEL_MARKS = {"none": ("X", 5), "prestressed": ("P", 6), "dihedral": ("s", 8), "bridson": ("D", 5.5),
+               "discrete_shells": ("^", 4), "isometric": ("v", 6)}  # marker, size in points
+MODEL_DASHES = {"none": ":", "prestressed": "-.", "bridson": (0, (4, 8)), "discrete_shells": (6, (4, 8)),
+                "isometric": "--"}
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
-SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#b0579b", "#e69f00", "#56b4e9", "#6b6b6b"]
+SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b6b6b"]
 
 LARGE = 290_000  # bytes; a larger picture gets a palette
 SHADES = 3  # of 255; invisible steps that make a file a third smaller
@@ -36,6 +49,9 @@ STRETCH = LinearSegmentedColormap.from_list("stretch",
                                             ["#ece7dc", "#f4cd73", "#ea7a3c", "#bb1b4f", "#42104f"])
 STRETCH_NORM = LogNorm(0.01, 10)  # sigma_1 - 1, shared by every picture
 
+LEFT, RIGHT = dict(xy=(0.03, 0.975), ha="left"), dict(xy=(0.97, 0.975), ha="right")  # corners for the time
+TORN = 0.5  # mean strain; a sheet with more is no cloth
+REST = 0.01  # sizes per second (root mean square of the vertices' speeds); a slower cloth is at rest
 LABEL = dict(boxstyle="round,pad=0.25", fc="white", ec="none", alpha=0.72)  # behind text on a picture
 
 plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesize": 9.5, "axes.labelsize": 9,
@@ -51,6 +67,92 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 def model_name(model, k=None):
     """The label of a bending model; of springs to rings 1 … `k` with k."""
     return MODEL_LABELS[model] + (f", k = {k}" if model == "k_ring" and k else "")
+
+
+def marker(model):
+    """The mark of a model in a scatter plot."""
+    return MODEL_MARKS.get(model, ("o", 4))[0]
+
+
+def look(model, **other):
+    """How a model's curve is drawn: colour, line and marks, as keywords of `plot`; `other` replaces some."""
+    colour, (mark, size) = MODEL_COLOURS[model], MODEL_MARKS.get(model, ("o", 4))
+    inside = "none" if model in FAMILIES["hinges"] else colour
+    return dict(color=colour, marker=mark, markersize=size, markerfacecolor=inside, linewidth=1.3,
+                linestyle=MODEL_DASHES.get(model, "-")) | other
+
+
+def spread(places, heights, low=-np.inf, high=np.inf):
+    """The places nearest to `places` (least squares) at which labels of these heights don't overlap.
+
+    Their order stays, and they lie between low and high if they fit there.
+    """
+    order = np.argsort(places, kind="stable")
+    wanted, tall = np.asarray(places, float)[order], np.asarray(heights, float)[order]
+    above_first = np.concatenate([[0], np.cumsum((tall[:-1] + tall[1:]) / 2)])
+    blocks = []  # (mean, count): labels that touch move as one
+    for value in wanted - above_first:
+        mean, count = value, 1
+        while blocks and blocks[-1][0] > mean:
+            other, more = blocks.pop()
+            mean, count = (mean * count + other * more) / (count + more), count + more
+        blocks.append((mean, count))
+    first = np.concatenate([np.full(count, mean) for mean, count in blocks])
+    least = low + tall[0] / 2
+    result = np.empty(len(order))
+    result[order] = np.clip(first, least, max(least, high - tall[-1] / 2 - above_first[-1])) + above_first
+    return result
+
+
+def label_ends(axes, x=1.02, only=None, size=8):
+    """Writes the label of each curve beside its end, in its colour; curves that coincide share one label.
+
+    Call it when everything is drawn, for it reads the limits. `x`: where the labels begin, as a share of the
+    width. `only`: a test of labels.
+    """
+    axes.figure.draw_without_rendering()  # the layout decides how tall the axes are
+    curves = [(handle[0] if isinstance(handle, tuple) else handle, label)
+              for handle, label in zip(*axes.get_legend_handles_labels()) if only is None or only(label)]
+    groups = coinciding([(_drawn(axes, line), line, label) for line, label in curves])
+    if not groups:
+        return
+    tall = axes.get_window_extent().height * 72 / axes.figure.dpi  # points
+    ends = [np.clip(_share(axes, some[0][0][-1]), 0, 1) for some in groups]
+    line = 1.3 * size / tall
+    for some, end, place in zip(groups, ends, spread([y for _, y in ends],
+                                                     [line * len(some) for some in groups], 0, 1)):
+        for i, (_, curve, label) in enumerate(some):
+            colour = curve.get_color()
+            axes.annotate("= " * (i > 0) + label, end, xytext=(x, place + line * ((len(some) - 1) / 2 - i)),
+                          xycoords="axes fraction", textcoords="axes fraction", color=colour, fontsize=size,
+                          va="center", annotation_clip=False,
+                          arrowprops=dict(arrowstyle="-", color=colour, linewidth=0.6, alpha=0.7, shrinkA=0,
+                                          shrinkB=4, relpos=(0, 0.5)) if i == (len(some) - 1) // 2 else None)
+
+
+def coinciding(curves, tolerance=2.0):
+    """Groups of curves (points, …) that lie on one another: within `tolerance` in each of their points."""
+    groups = []
+    for curve in curves:
+        like = lambda other: (other[0].shape == curve[0].shape
+                              and np.abs(other[0] - curve[0]).max(initial=0) <= tolerance)
+        home = next((some for some in groups if like(some[0])), None)
+        if home:
+            home.append(curve)
+        elif len(curve[0]):
+            groups.append([curve])
+    return groups
+
+
+def _drawn(axes, line):
+    """(n, 2) finite points of a curve, in points of the page."""
+    places = axes.transData.transform(np.asarray(line.get_xydata(), float)) * 72 / axes.figure.dpi
+    return places[np.isfinite(places).all(axis=1)]
+
+
+def _share(axes, place):
+    """A place in points of the page as shares of the axes' width and height."""
+    return axes.transAxes.inverted().transform(place * axes.figure.dpi / 72)
 
 
 def stretch_colours(excess):
@@ -70,8 +172,22 @@ def camera_of(samples, **how):
     return render.camera_for([run.positions(frame) for run, frame in samples], pin, runs[0].size, **how)
 
 
+def cameras_of(samples, **how):
+    """A camera for each sample (run, frame): one scale, at which the largest sheet that holds fills a panel.
+
+    Each is centred on its sheet. Of a torn one it shows what is within an unstretched sheet's reach.
+    """
+    holds = [bool(sample) and sample[0].metrics["mean_strain"][sample[1]] < TORN for sample in samples]
+    found = [camera_of([sample], reach=1.25 if held else 1.02, **how)
+             for sample, held in zip(samples, holds)]
+    half = lambda camera: (camera.extent[3] - camera.extent[2]) / 2
+    most = max((half(camera) for camera, held in zip(found, holds) if held),
+               default=max((half(camera) for camera in found if camera), default=1))
+    return [camera and render.scaled(camera, most) for camera in found]
+
+
 def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
-    """Draws a cloth and its pins in a panel. `sample` is (run, frame), or None if the run is missing.
+    """Draws a cloth, its pins and the time in a panel. `sample`: (run, frame), or None without a run.
 
     `whole`: the camera shows the whole cloth, so that the panel states the share outside the frame.
     """
@@ -86,19 +202,49 @@ def draw_cloth(axes, sample, camera, width=420, text=None, whole=True):
     height = image.shape[0]
     axes.imshow(image, interpolation="lanczos", extent=(0, width, height, 0))
     _mark_pins(axes, run, positions, camera, (height, width))
+    corner = free_corner(camera.project(positions, (height, width))[0], (height, width))
+    time = stamp(axes, run, frame, corner)
     if text:
         caption(axes, text)
     outside = share_outside(positions, camera, (height, width))
     if whole and outside > 0.005:
-        share = f"{100 * outside:.0f}" if outside < 0.995 else "over 99"
-        axes.text(0.97, 0.975, f"{share} % of it\noutside the frame", transform=axes.transAxes, fontsize=7.5,
-                  ha="right", va="top", color="#8a1538", bbox=LABEL)
+        share = f"{100 * outside:.0f}" if outside < 0.995 else "> 99"
+        below = -15 - 11 * time.get_text().count("\n")  # points
+        axes.annotate(f"{share} % outside", corner["xy"], xycoords="axes fraction", xytext=(0, below),
+                      textcoords="offset points", fontsize=7.5, color="#8a1538", bbox=LABEL,
+                      ha=corner["ha"], va="top")
 
 
-def caption(axes, text):
-    """Writes text in the lower left corner of a picture."""
-    axes.text(0.03, 0.025, text, transform=axes.transAxes, fontsize=8, va="bottom", linespacing=1.35,
-              bbox=LABEL)
+def stamp(axes, run, frame, corner=LEFT):
+    """Writes the time of a frame into an upper corner of a picture; returns the text."""
+    return axes.annotate(time_text(run, frame).replace(", ", "\n"), xycoords="axes fraction", fontsize=8,
+                         va="top", bbox=LABEL, **corner)
+
+
+def free_corner(places, shape):
+    """The upper corner of a picture of this shape in which fewer of the places (n, 2) lie, in pixels."""
+    height, width = shape
+    x, y = places.T
+    high = (y > 0) & (y < 0.13 * height)
+    left, right = (x > 0) & (x < 0.45 * width), (x > 0.55 * width) & (x < width)
+    return RIGHT if (high & left).sum() > (high & right).sum() else LEFT
+
+
+def time_text(run, frame):
+    """'t = 4.0 s' of a frame, or 'at rest, t = 4.0 s' if the cloth is no faster than REST."""
+    time = run.metrics["time"][frame]
+    text = f"t = {time:.1f} s" if abs(time - round(time, 1)) < 1e-6 else f"t = {time:.2f} s"
+    if frame == 0:
+        return text
+    moved = run.positions(frame) - run.positions(frame - 1)
+    speed = np.sqrt((moved**2).sum(axis=1).mean()) / (time - run.metrics["time"][frame - 1])
+    return f"at rest, {text}" if speed <= REST * run.size else text
+
+
+def caption(axes, text, corner=LEFT):
+    """Writes text in the lower left or right corner of a picture."""
+    axes.text(corner["xy"][0], 0.025, text, transform=axes.transAxes, fontsize=8, ha=corner["ha"],
+              va="bottom", linespacing=1.35, bbox=LABEL)
 
 
 def share_outside(positions, camera, shape):

@@ -199,9 +199,13 @@ class LoadTest(unittest.TestCase):
         self.assertEqual((s.median, s.low, s.high, s.count), (1, 0, 4, 3))
         self.assertFalse(load.spread([]).known)
 
-    def test_the_typical_frame_is_the_one_nearest_to_the_median(self):
-        run = load.load_run(write_run(self.folder / "run.vtkhdf", config_of()))
-        self.assertEqual(load.typical_frame([run])[1], 1)  # 1, 2, 3: the middle one
+    def test_the_typical_run_is_the_one_nearest_to_the_median_and_all_show_the_same_time(self):
+        times = {"time": np.array([0, 0.5, 1.0, 1.5, 2.0])}
+        runs = [SimpleNamespace(frames=5, last_second=lambda: np.array([2, 3, 4]),
+                                metrics={**times, "pin_max_stretch": np.array([0, 0, *last])})
+                for last in ([9, 9, 9], [3, 4, 99], [1, 1, 4])]
+        self.assertEqual(load.typical_run(runs), (runs[1], 4))  # medians of the last second: 9, 4 and 1
+        self.assertIsNone(load.typical_run([]))
 
 
 class DistanceTest(unittest.TestCase):
@@ -262,6 +266,15 @@ class RasterTest(unittest.TestCase):
         np.testing.assert_allclose(both.extent, usual.extent, rtol=1e-12)
         self.assertEqual(style.share_outside(SQUARE, both, (100, 80)), 0)
         self.assertEqual(style.share_outside(blown, both, (100, 80)), 0.25)
+
+    def test_a_close_up_shows_what_is_below_the_pin(self):
+        for aspect in (0.5, 0.8, 2.0):
+            camera = render.camera_for([SQUARE], np.zeros(3), 1.0, elevation=0.0, aspect=aspect, zoom=0.1)
+            beside = camera.axes[0] * 0.1
+            (x, y), *sides = camera.project(np.array([0 * beside, beside, -beside]), (100, 100))[0]
+            self.assertAlmostEqual(x, 50, delta=2)  # perspective
+            self.assertTrue(0 < y < 35, (aspect, y))
+            self.assertTrue(all(0 < side[0] < 100 for side in sides))
 
     def test_an_obstacle_hides_the_cloth_behind_it_and_is_grey(self):
         camera = render.Camera(np.array([0.5, 0.5, 5.0]), np.eye(3), (-0.2, 0.2, -0.2, 0.2), -9.0, 1.0)
@@ -495,6 +508,109 @@ class FigureTest(unittest.TestCase):
         self.assertEqual(shades[1].max(), 255)
         np.testing.assert_allclose(np.unique(np.rint(shades[1])) % 3, 0)
 
+    def test_a_panel_says_its_time_and_whether_the_cloth_rests(self):
+        speed = {3: 1.1 * style.REST * 2**0.5, 4: 0.9 * style.REST * 2**0.5}  # m/s; the square's size is √2
+        run = SimpleNamespace(metrics={"time": np.array([0, 0.5, 1.0, 1.5, 2.0])}, size=2**0.5,
+                              positions=lambda frame: SQUARE + [0, 0, 0.5 * speed.get(frame, 0)])
+        self.assertEqual(style.time_text(run, 0), "t = 0.0 s")
+        self.assertEqual(style.time_text(run, 3), "t = 1.5 s")
+        run.positions = lambda frame: SQUARE + [0, 0, 0.5 * speed[4] * (frame == 4)]
+        self.assertEqual(style.time_text(run, 4), "at rest, t = 2.0 s")
+        run.metrics["time"] = np.array([0, 1 / 15])
+        self.assertEqual(style.time_text(run, 1), "at rest, t = 0.07 s")
+
+    def test_the_time_stands_where_no_cloth_is(self):
+        left, low = np.array([[10.0, 5.0], [20, 8], [np.nan, 1]]), np.array([[10.0, 90.0]])
+        self.assertIs(style.free_corner(left, (100, 100)), style.RIGHT)
+        self.assertIs(style.free_corner(100 - left, (100, 100)), style.LEFT)  # below
+        self.assertIs(style.free_corner(low, (100, 100)), style.LEFT)
+
+    def test_every_cloth_has_its_time_in_the_corner(self):
+        square = SimpleNamespace(metrics={"time": np.array([3.0])}, size=2**0.5, rest_positions=SQUARE,
+                                 triangles=TRIANGLES, pinned=np.array([True, False, False, False]),
+                                 pin_seeds=np.array([0]), positions=lambda frame: SQUARE,
+                                 cell=lambda name, frame: np.ones(2))
+        figure, axes = style.plt.subplots()
+        style.draw_cloth(axes, (square, 0), style.camera_of([(square, 0)]), width=40)
+        self.assertIn("t = 3.0 s", [text.get_text() for text in axes.texts])
+        style.plt.close(figure)
+
+    def test_cloths_have_one_scale_and_the_largest_that_holds_fills_its_panel(self):
+        def sample(height, strain, shift=0.0):
+            cloth = np.array([[0, 0, 0], [0.1, 0, 0], [0.1, 0, -height], [0, 0, -height]]) + [0, 0, shift]
+            return SimpleNamespace(metrics={"mean_strain": [strain]}, size=1.0, rest_positions=SQUARE,
+                                   pin_seeds=np.array([0]), positions=lambda frame: cloth), 0
+        samples = [sample(0.5, 0.1), sample(1.0, 0.1, shift=7.0), None, sample(40.0, 5.0)]
+        cameras = style.cameras_of(samples, elevation=0.0, azimuth=-90.0)
+        self.assertIsNone(cameras[2])
+        heights = []
+        for camera, (run, _) in zip(cameras[:2], samples[:2]):
+            y = camera.project(run.positions(0), (100, 80))[0][:, 1]
+            self.assertAlmostEqual((y.min() + y.max()) / 2, 50, delta=3)  # in the middle
+            heights.append(np.ptp(y))
+        self.assertAlmostEqual(heights[1] / 100, 1 / 1.12, places=2)  # but for the margin
+        self.assertAlmostEqual(heights[0] / heights[1], 0.5, places=2)
+
+    def test_labels_that_would_overlap_are_spread_and_others_stay(self):
+        spread = lambda places, heights, *limits: style.spread(places, heights, *limits).tolist()
+        self.assertEqual(spread([5, 1], [1, 1]), [5, 1])
+        self.assertEqual(spread([0, 0, 0], [1, 1, 1]), [-1, 0, 1])  # about their mean
+        self.assertEqual(spread([0, 0], [3, 1]), [-1, 1])  # half of both heights apart
+        self.assertEqual(spread([9, 9.5], [1, 1], 0, 10), [8.5, 9.5])  # the upper one ends at 10
+        rng = np.random.default_rng(3)
+        places, heights = rng.random(30), rng.uniform(0.01, 0.2, 30)
+        found = style.spread(places, heights)
+        order = np.argsort(places)
+        gaps, least = np.diff(found[order]), (heights[order][1:] + heights[order][:-1]) / 2
+        self.assertTrue((gaps >= least - 1e-12).all())
+        # A least squares answer does not improve if labels that touch move together
+        blocks = np.split(order, np.flatnonzero(gaps > least + 1e-9) + 1)
+        for block in blocks:
+            self.assertAlmostEqual(np.mean(found[block] - places[block]), 0)
+
+    def test_curves_that_lie_on_one_another_share_a_label(self):
+        figure, axes = style.plt.subplots(layout="constrained")
+        x = np.arange(1, 6)
+        for name, y in (("a", x), ("b", x + 1e-4), ("c", 9 - x), ("d", np.r_[x[:4], 9])):
+            axes.plot(x, y, label=name)
+        style.label_ends(axes)
+        self.assertEqual([text.get_text() for text in axes.texts], ["a", "= b", "c", "d"])
+        figure.draw_without_rendering()
+        boxes = sorted((text.get_window_extent() for text in axes.texts), key=lambda box: box.y0)
+        for low, high in zip(boxes, boxes[1:]):
+            self.assertLessEqual(low.y1, high.y0 + 1)
+        self.assertLessEqual(max(box.x1 for box in boxes), figure.bbox.x1)  # the layout made room
+        style.plt.close(figure)
+
+    def test_the_colour_blind_tell_the_models_of_a_family_apart(self):
+        # Machado, Oliveira and Fernandes 2009, severity 1, on linear RGB: red, green and blue blind
+        sights = [np.eye(3), [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216],
+                              [-0.003882, -0.048116, 1.051998]],
+                  [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413],
+                   [-0.011820, 0.042940, 0.968881]],
+                  [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602],
+                   [0.004733, 0.691367, 0.303900]]]
+        to_xyz = np.array([[0.4124, 0.3576, 0.1805], [0.2126, 0.7152, 0.0722], [0.0193, 0.1192, 0.9505]])
+
+        def lab(colour, sight):
+            shade = np.array([int(colour[i:i + 2], 16) for i in (1, 3, 5)]) / 255
+            linear = np.clip(sight @ np.where(shade > 0.04045, ((shade + 0.055) / 1.055)**2.4, shade / 12.92),
+                             0, 1)
+            ratio = to_xyz @ linear / to_xyz.sum(axis=1)
+            x, y, z = np.where(ratio > 0.008856, np.cbrt(ratio), 7.787 * ratio + 16 / 116)
+            return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
+
+        self.assertEqual({model for family in style.FAMILIES.values() for model in family},
+                         set(style.MODEL_COLOURS))
+        for family, sight in itertools.product(style.FAMILIES.values(), map(np.array, sights)):
+            for one, other in itertools.combinations(family, 2):
+                apart = np.linalg.norm(lab(style.MODEL_COLOURS[one], sight)
+                                       - lab(style.MODEL_COLOURS[other], sight))
+                self.assertGreater(apart, 15, (one, other))  # 2.3 is just noticeable
+        kinds = [{style.marker(model) for model in family} for family in style.FAMILIES.values()]
+        for one, other in itertools.combinations(kinds, 2):
+            self.assertFalse(one & other)
+
     def test_numbers_are_written_for_readers(self):
         self.assertEqual([style.number(x) for x in (0.12345, 12.345, 1234.5, 0, np.inf, np.nan)],
                          ["0.123", "12.3", "1234", "0", "∞", "–"])
@@ -537,6 +653,22 @@ class StabilityTest(unittest.TestCase):
             self.assertEqual(self.judged(mean_strain=strain), ("amber", "mean strain"))
         self.assertEqual(self.judged(mean_strain=1e6, stability_reach_end=3)[0], "red")
 
+    def test_one_still_per_way_to_fail(self):
+        cases, cells = stability_cases.CASES[:3], {}
+        for case, model, verdict, name, value in ((0, "none", "red", "reach", 7),
+                                                  (0, "lod", "red", "reach", 9),
+                                                  (0, "k_ring", "red", "energy", 2),
+                                                  (0, "adaptive", "amber", "mean strain", 99),
+                                                  (1, "none", "amber", "mean strain", 3),
+                                                  (1, "lod", "amber", "mean strain", np.nan),
+                                                  (2, "none", "green", "mean strain", 1)):
+            worst = stability_cases.Criterion(name, value, 1.0, "1", verdict)
+            cell = SimpleNamespace(case=cases[case], model=model, verdict=verdict, worst=worst)
+            cells[cases[case].name, model, "single"] = cell
+        found = [(cell.case.name, cell.model, alike) for cell, alike in fig_stability.shown(cells, cases)]
+        self.assertEqual(found, [(cases[0].name, "lod", 2), (cases[0].name, "k_ring", 1),
+                                 (cases[1].name, "lod", 2)])
+
     def test_a_cloth_of_any_extent_fits_the_frame_of_its_still(self):
         size, rng = 2**0.5, np.random.default_rng(7)
         for extent in ((0, 0, 0), (1, 0, 0), (0, 0, 400), (1e-6, 1e-6, 1e-6), (100, 1, 1), (3, 300, 20)):
@@ -560,6 +692,22 @@ class StabilityTest(unittest.TestCase):
                               cell=lambda name, frame: np.array([4.0, 2.0]))
         np.testing.assert_array_equal(stability_reasons.flawed_triangles(run), [True, False])
         self.assertAlmostEqual(stability_reasons.flawed_strain(run), 75)
+
+    def test_only_cases_that_tell_runs_apart_are_rows_and_the_others_are_named(self):
+        cases = [stability_cases.CASES[i] for i in range(4)]
+        verdicts = ["green green", "amber red", "red red", ""]  # in single and in double precision
+        cells = {(case.name, "none", precision): SimpleNamespace(verdict=verdict)
+                 for case, both in zip(cases, verdicts)
+                 for precision, verdict in zip(("single", "double"), both.split())}
+        telling, alike = fig_stability.folded(cells, cases)
+        self.assertEqual(telling, [cases[1]])
+        self.assertEqual(alike, {"green": [cases[0]], "red": [cases[2]]})  # the last one has no runs
+        self.assertEqual(fig_stability.alike_text(alike), "not shown: 1 all green, 1 all red")
+        text = stability_page.folded_html(cells)
+        self.assertIn("The 2 cases in which all runs have one colour", text)
+        self.assertIn(f"all red</span>: start poses: {cases[2].title}<", text)
+        self.assertNotIn(cases[1].title, text)
+        self.assertEqual(stability_page.folded_html({}), "")
 
     def test_models_that_share_a_reason_share_a_row(self):
         case = SimpleNamespace(title="a case")
