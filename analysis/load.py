@@ -102,9 +102,9 @@ class Run:
         return index
 
     def last_second(self):
-        """Frame numbers within the last simulated second."""
+        """Frame numbers within the last simulated second, its beginning excluded, as the program counts."""
         time = self.metrics["time"]
-        return np.flatnonzero(time >= time[-1] - 1 - 1e-9) if len(time) else np.array([], int)
+        return np.flatnonzero(time > time[-1] - 1 + 1e-9) if len(time) else np.array([], int)
 
     def positions(self, frame=-1):
         """(V, 3) positions of a frame, float64."""

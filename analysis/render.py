@@ -12,7 +12,7 @@ LIGHT = np.array([-0.45, -0.62, 0.80]) / np.linalg.norm([-0.45, -0.62, 0.80])  #
 SUPERSAMPLE = 2
 CHUNK = 4_000_000  # pixels rasterised at once; limits the memory
 OBSTACLE = (0.72, 0.73, 0.74)  # sRGB
-BACK = np.array([0.62, 0.66, 0.74]) ** 2.2  # linear; half of a back face's colour
+BACK = np.array([0.50, 0.58, 0.78])  # linear; a back face is its colour through this bluish glass
 
 
 @dataclass(frozen=True)
@@ -317,7 +317,7 @@ def _shade(positions, triangles, colours, camera, xy, nearness, owner, shadows, 
     gloss = 0.10 * shadow * np.clip((normal * halfway).sum(1), 0, 1) ** 24
 
     base = np.asarray(colours)[t] ** 2.2
-    base = np.where((back & (t < cloth))[:, None], 0.5 * base + 0.5 * BACK, base)
+    base = np.where((back & (t < cloth))[:, None], base * BACK, base)
     if mesh_lines:
         base = base * (1 - _mesh_lines(xy, triangles, t, flat) * (t < cloth))[:, None]
     return base * (ambient + 0.78 * direct + through)[:, None] + gloss[:, None]

@@ -84,7 +84,7 @@ class Stretched:
 def stretched(run):
     """Stretched of a run. Triangles whose three corners are pinned are left out: they cannot stretch."""
     rest, triangles, pinned = run.rest_positions, run.triangles, run.pinned
-    frames = summed_up_frames(run)
+    frames = run.last_second()
     free = triangles[~pinned[triangles].all(axis=1)]
     positions = np.stack([run.positions(frame) for frame in frames])
     stretch = principal_stretch(rest, positions, free)
@@ -94,13 +94,6 @@ def stretched(run):
                      ring_of(triangles, pinned, len(rest))[free].max(axis=1), stretch - 1,
                      run.get("/mesh/width", 1) / run.get("/mesh/cells"),
                      float(np.max(np.abs(stretch.max(axis=1) / told - 1))))
-
-
-def summed_up_frames(run):
-    """The frames of the medians in a run's summary: the program leaves out a frame exactly one second before
-    the end, which last_second() counts. In a sheet that swings, that frame alone moves a median by 5 %."""
-    time, frames = run.metrics["time"], run.last_second()
-    return frames[(time[frames] > time[-1] - 1 + 1e-9) | (len(frames) == 1)]
 
 
 def bin_edges(smallest, largest):

@@ -5,8 +5,8 @@
 //   iterations 1 2 4 10             if the next fewer is on the front
 //   precision  single, double       double if rounding seems to hold single back
 //
-// A kind is a model with a variant (variant.hpp). The search starts with every model in one variant; others are
-// considered when asked for.
+// A kind is a model with a variant (variant.hpp). The search starts with every model in one variant; others
+// are considered when asked for.
 //
 // A setting is worth a run if it could be on the front: an error falls at best with the square of the work
 // (substeps × iterations), and what is known to cost more than a setting that already meets the demand need

@@ -14,8 +14,8 @@ namespace bendlab {
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems);
 
-/// Whether the experiment's run has every value that `where` asks for. A setting that the run does not depend on matches
-/// nothing.
+/// Whether the experiment's run has every value that `where` asks for. A setting that the run does not depend
+/// on matches nothing.
 bool matches(const Expectation& expectation, const Experiment& experiment, const RunConfig& config);
 
 struct ExpectationResult {
