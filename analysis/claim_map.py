@@ -4,23 +4,23 @@ A map is a grid over everything that the paper leaves open. A dimension is one o
 answer to each of them. The sentence under a map is derived from its cells.
 """
 import itertools
-import json
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 from load import group
 
-PINS = {"alone": {"vertices": ["upper_right"], "ring": 0, "distance": 0},
-        "its 1-ring": {"vertices": ["upper_right"], "ring": 1, "distance": 0},
+PINS = {"the corner alone": {"vertices": ["upper_right"], "ring": 0, "distance": 0},
+        "the corner and its 1-ring": {"vertices": ["upper_right"], "ring": 1, "distance": 0},
         "a patch of 5 cm": {"vertices": ["upper_right"], "ring": 0, "distance": 0.05}}
-CONVERGED = (256, 1)
-SOLVERS = {(1, 10): "1 × 10", (4, 10): "4 × 10", (16, 10): "16 × 10", CONVERGED: "256 × 1"}
-DAMPINGS = {0: "none", 1: "viscous"}
+# By 256 substeps the strain has converged. Bending has not: with k each projection makes it stiffer.
+SOLVERS = {(1, 10): "1 × 10", (4, 10): "4 × 10", (16, 10): "16 × 10", (256, 1): "256 × 1 (strain converged)"}
+DAMPINGS = {0: "no damping", 1: "viscous drag"}
 ROUNDINGS = {"floor": "rounded down", "round": "rounded"}
 
-# The open questions. The order is that of rows and columns; the paper answers the pins for its own springs.
-DIMENSIONS = {"rounding": "m is", "damping": "damping is", "solver": "substeps × iterations are",
+# The open questions, as the beginnings of sentences that their answers complete. The order is that of rows
+# and columns; the paper answers the pins for its own springs.
+DIMENSIONS = {"rounding": "m is", "damping": "there is", "solver": "substeps × iterations are",
               "pins": "what is pinned is", "cells": "N is"}
 
 
@@ -32,14 +32,24 @@ class Place:
     damping: str
     solver: str
     pins: str
-    cells: int
+    cells: int | str  # text where a cell takes several N together
+
+    def at(self, cells):
+        """The same answers at another N."""
+        return replace(self, cells=cells)
 
 
 @dataclass
 class Cell:
-    text: str  # the measured number
-    holds: bool
-    command: str  # repeats it
+    text: str  # the measured number, or why there is none
+    holds: bool | None  # None: no verdict
+    command: str = ""  # repeats it, one command per line
+    seeds: tuple = ()  # of the runs that it was measured on
+    open: bool = False  # there is no verdict because runs are missing
+
+    @property
+    def seeds_text(self):
+        return f"seed{'s' if len(self.seeds) > 1 else ''} {', '.join(map(str, self.seeds))}"
 
 
 @dataclass
@@ -55,43 +65,67 @@ class ClaimMap:
     note: str = ""
 
     @property
+    def judged(self):
+        """The cells that hold or fail."""
+        return [cell for cell in self.cells.values() if cell.holds is not None]
+
+    @property
+    def open(self):
+        """How many cells have no verdict because runs are missing."""
+        return sum(cell.open for cell in self.cells.values())
+
+    @property
     def holds(self):
-        """True: everywhere. False: nowhere. None: there are no runs. Otherwise the share of the cells."""
-        if not self.cells:
+        """True: in every cell. False: in none. None: not known, for runs are missing that could decide.
+        Otherwise the share of the judged cells."""
+        if not self.judged:
             return None
-        share = np.mean([cell.holds for cell in self.cells.values()])
-        return bool(share) if share in (0, 1) else float(share)
+        share = np.mean([cell.holds for cell in self.judged])
+        if share in (0, 1):
+            return None if self.open else bool(share)
+        return float(share)
 
     @property
     def sentence(self):
-        """holds | holds where … | does not hold"""
+        """holds | holds in some cells, and where | does not hold | open; how many cells are not judged"""
+        good, count = sum(cell.holds for cell in self.judged), len(self.judged)
+        if not count:
+            return "open: no cell has anything to judge" if self.cells and not self.open else "open: not run"
         if self.holds is None:
-            return "not measured"
-        if self.holds is True:
-            return "holds in every cell"
-        if self.holds is False:
-            return "does not hold in any cell"
-        good = sum(cell.holds for cell in self.cells.values())
-        counted = f"{good} of {len(self.cells)} cells"
-        where = region(self.cells)
-        if where is None:
-            return f"holds in {counted}, for no answer to one or two of the open questions"
-        text, covered = where
-        others = f"; and in {good - covered} of the others" if good > covered else ""
-        return f"holds where {text} ({covered} cells){others}; {counted} in all"
+            said = f"open: {'holds' if good else 'fails'} in all {count} cells whose runs are there"
+        elif self.holds in (True, False):
+            said = "holds in every cell" if self.holds else "does not hold in any cell"
+        else:
+            said = self._where(good, count)
+        idle = len(self.cells) - count - self.open
+        return (said + (f"; {_cells(self.open, 'are')} open because runs are missing" if self.open else "")
+                + (f"; {_cells(idle, 'have')} nothing to judge" if idle else ""))
+
+    def _where(self, good, count):
+        """The sentence of a claim that holds in some cells."""
+        found = region(self.cells)
+        if found is None:
+            return f"holds in {good} of {count} cells; no one or two answers decide where"
+        text, covered = found[0], len(found[1])
+        where = f"wherever {text} ({covered}), and in {good - covered} more" if good > covered \
+            else f"exactly where {text}"
+        return f"holds in {good} of {count} cells: {where}"
 
     def as_json(self):
         return {"figure": self.figure, "claim": self.english, "rule": self.rule, "number": self.number,
                 "verdict": self.sentence,
-                "cells": [{**place.__dict__, "text": cell.text, "holds": cell.holds}
+                "cells": [{**place.__dict__, "text": cell.text, "holds": cell.holds,
+                           "seeds": list(cell.seeds)}
                           for place, cell in sorted(self.cells.items())]}
 
 
 def region(cells):
     """The largest set of cells that all hold and that answers to at most two questions describe.
 
-    Returns (text, number of cells), or None. A set with fewer than a twelfth of all cells is no answer.
+    Returns (text, places), or None. A set with fewer than a twelfth of all cells is no answer, nor
+    is one with an open cell. Cells without anything to judge do not count.
     """
+    cells = {place: cell for place, cell in cells.items() if cell.holds is not None or cell.open}
     values = {name: sorted({getattr(place, name) for place in cells}, key=answer_rank(name))
               for name in DIMENSIONS}
     open_ones = [name for name in DIMENSIONS if len(values[name]) > 1]
@@ -100,15 +134,15 @@ def region(cells):
         for names in itertools.combinations(open_ones, count):
             subsets = [list(_runs_of(values[name])) for name in names]
             for chosen in itertools.product(*subsets):
-                inside = [cell for place, cell in cells.items()
+                inside = [place for place in cells
                           if all(getattr(place, name) in some for name, some in zip(names, chosen))]
-                if not inside or not all(cell.holds for cell in inside):
+                if not inside or not all(cells[place].holds for place in inside):
                     continue
-                if best is None or len(inside) > best[1]:
+                if best is None or len(inside) > len(best[1]):
                     text = " and ".join(f"{DIMENSIONS[name]} {_listed(some)}"
                                         for name, some in zip(names, chosen))
-                    best = text, len(inside)
-    return best if best and best[1] >= max(len(cells) / 12, 2) else None
+                    best = text, inside
+    return best if best and len(best[1]) >= max(len(cells) / 12, 2) else None
 
 
 def answer_rank(name):
@@ -128,22 +162,36 @@ def _runs_of(values):
                 yield values[start:end]
 
 
+def _cells(count, verb=""):
+    if count == 1:
+        return f"1 cell {dict(are='is', have='has').get(verb, '')}".strip()
+    return f"{count} cells {verb}".strip()
+
+
 def _listed(values):
     texts = [str(value) for value in values]
     return texts[0] if len(texts) == 1 else f"{', '.join(texts[:-1])} or {texts[-1]}"
 
 
+def solver_of(run):
+    """The answer to how much the solver works, or None."""
+    return SOLVERS.get((run.get("/solver/substeps"), run.get("/solver/iterations")))
+
+
+def rounding_of(run):
+    """The answer to how m becomes an integer, "" for springs without levels."""
+    return ROUNDINGS.get(run.get(f"/bending/{run.model}/m_rounding"), "")
+
+
 def place_of(run):
-    """The run's place on the map, or None where it has none."""
-    solver = SOLVERS.get((run.get("/solver/substeps"), run.get("/solver/iterations")))
+    """The run's place on the map of hanging sheets, or None where it has none."""
     held = {"ring": run.get("/pins/ring"), "distance": run.get("/pins/distance")}
     pins = next((name for name, section in PINS.items()
                  if all(section[key] == held[key] for key in held)), None)
     damping = DAMPINGS.get(run.get("/effects/1/coefficient"))
-    rounding = ROUNDINGS.get(run.get(f"/bending/{run.model}/m_rounding"), "")
-    if None in (solver, pins, damping):
+    if None in (solver_of(run), pins, damping):
         return None
-    return Place(rounding, damping, solver, pins, int(run.get("/mesh/cells")))
+    return Place(rounding_of(run), damping, solver_of(run), pins, int(run.get("/mesh/cells")))
 
 
 def places(runs):
@@ -151,16 +199,3 @@ def places(runs):
     found = group(runs, place_of)
     found.pop(None, None)
     return found
-
-
-def command(config, run):
-    """The command that computes the runs of a cell again."""
-    keep = ("/pins", "/mesh/cells", "/effects/1/coefficient", "/solver", "/bending", "/bending/model",
-            f"/bending/{run.model}/m_rounding", "/bending/lod/t", "/bending/adaptive/n_multiplier")
-    parts = [f"./bendlab run configs/{config}.json"]
-    for pointer in keep:
-        value = run.point.get(pointer)
-        if value is not None and (run.get(pointer) is not None or pointer in ("/pins", "/solver")):
-            text = value if isinstance(value, str) else json.dumps(value)
-            parts.append(f"--set '{pointer}={text}'")
-    return " ".join(parts)

@@ -102,7 +102,7 @@ def claim_html(claim):
 def map_mark(claim_map):
     """(class, text) of the verdict of a map: one word, and its sentence stands below it."""
     if claim_map.holds is None:
-        return "open", "no runs"
+        return "open", "open"
     if isinstance(claim_map.holds, float):
         return "open", "holds in part"
     return ("yes", "holds") if claim_map.holds else ("no", "does not hold")
@@ -113,14 +113,20 @@ def map_html(claim_map):
     kind, verdict = map_mark(claim_map)
     korean = f"<p class='korean' lang='ko'>{escape(claim_map.korean)}</p>" if claim_map.korean else ""
     note = f"<p>{escape(claim_map.note)}</p>" if claim_map.note else ""
-    commands = "\n".join(f"{_place_text(place)}\n  {cell.command}"
-                         for place, cell in sorted(claim_map.cells.items()))
-    repeat = (f"<details><summary>The command of each cell</summary><pre>{escape(commands)}</pre></details>"
+    commands = "\n".join(_commands_text(place, cell) for place, cell in sorted(claim_map.cells.items())
+                         if cell.command)
+    repeat = (f"<details><summary>The commands of each cell</summary><pre>{escape(commands)}</pre></details>"
               if commands else "")
-    return (f"<div class='claim {kind}'><p>“{escape(claim_map.english)}” <span "
+    quoted = "“{}”" if claim_map.korean else "{}"  # without the paper's sentence the claim is ours
+    return (f"<div class='claim {kind}'><p>{quoted.format(escape(claim_map.english))} <span "
             f"class='verdict'>{verdict}</span></p>{korean}<p><b>{escape(claim_map.sentence)}</b></p>"
             f"<p class='rule'>A cell holds (blue) if {escape(claim_map.rule)}. Its number: "
             f"{escape(claim_map.number)}.</p>{_map_table(claim_map)}{note}{repeat}</div>")
+
+
+def _commands_text(place, cell):
+    setting = f"{_place_text(place)}, {cell.seeds_text}" if cell.seeds else _place_text(place)
+    return "\n  ".join([setting, *cell.command.splitlines()])
 
 
 def _place_text(place):
@@ -159,7 +165,8 @@ def _map_cell(cell, column):
     first = " first" if column == 0 else ""
     if cell is None:
         return f"<td class='none{first}'>–</td>"
-    return (f"<td class='{'holds' if cell.holds else 'fails'}{first}' "
+    kind = {True: "holds", False: "fails", None: "none"}[cell.holds]
+    return (f"<td class='{kind}{first}' "
             f"title='{escape(cell.command)}'>{escape(cell.text)}</td>")
 
 

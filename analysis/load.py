@@ -60,7 +60,7 @@ class Run:
     file: Path
     id: str
     name: str
-    status: str  # complete | implausible | diverged | interrupted
+    status: str  # complete | implausible | diverged | interrupted | missing (a stand-in, see sweeps.py)
     config: dict
     summary: dict  # name → number
     metrics: Mapping  # name → (F) array, `time` among them
@@ -71,6 +71,7 @@ class Run:
     counts: dict = field(default_factory=dict)  # kind of constraint → how many
     point: dict = field(default_factory=dict)  # JSON pointer → value: the place on the sweep
     source_hash: str = ""  # identifies the program that wrote the run
+    experiment: str = ""  # its config below configs/, as in "paper/fig5"; "" if it was found without one
 
     def get(self, pointer, default=None):
         """Value of the resolved config at a JSON pointer."""

@@ -1,9 +1,11 @@
 """The runs of a config and those missing, by the sweep file that `bendlab run` writes beside them."""
+import copy
+import itertools
 import json
 from dataclasses import dataclass
 from pathlib import Path
 
-from load import MODEL_LABELS, load_if_begun
+from load import MODEL_LABELS, Run, load_if_begun
 
 CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 
@@ -39,10 +41,10 @@ def load_experiment(results, config):
     `bendlab run` writes which runs these are into <config>.sweep.json beside them. If the config was only run
     with other settings (--set), the newest of these trials is shown, and `absent` says so.
     """
-    settings = json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
+    settings = read_config(config)
     folder = Path(results) / settings["name"]
-    written = settings.get("sweep", {})
-    experiment = Experiment(config, settings, written, [], [])
+    axes = settings.get("sweep", {})
+    experiment = Experiment(config, settings, axes, [], [])
     file = _sweep_file(folder, Path(config).name)
     if not file:
         experiment.absent = "none of its runs"
@@ -50,7 +52,7 @@ def load_experiment(results, config):
     sweep = json.loads(file.read_text(encoding="utf-8"))
     if sweep["overrides"]:
         experiment.absent = f"these are of a trial with --set {' --set '.join(sweep['overrides'])}"
-    elif not (_same_runs(settings, sweep["settings"]) and _same_axes(written, sweep["axes"])):
+    elif not (_same_runs(settings, sweep["settings"]) and _same_axes(axes, sweep["axes"])):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
     MODEL_LABELS.update(sweep["models"])
@@ -58,12 +60,65 @@ def load_experiment(results, config):
     for entry in sweep["runs"]:
         run = load_if_begun(_file_in(folder / entry["folder"])) if entry["folder"] else None
         if run:
-            run.point = entry["point"]
+            run.point, run.experiment = entry["point"], config
             experiment.runs.append(run)
         if not run or not run.over:
             experiment.missing.append(", ".join(f"{pointer} {value}"
                                                 for pointer, value in entry["point"].items()))
     return experiment
+
+
+def read_config(config):
+    """configs/<config>.json as it is written."""
+    return json.loads((CONFIGS / f"{config}.json").read_text(encoding="utf-8"))
+
+
+def planned_points(settings, axes):
+    """Every place on these axes, in the order of the program: pointer → value. A setting of one bending model
+    is no axis for runs of another, so that their points do not have it."""
+    points = {}
+    for values in itertools.product(*axes.values()):
+        point = dict(zip(axes, values))
+        model = point.get("/bending/model") or point.get("/bending", settings["bending"])["model"]
+        applies = lambda pointer: pointer.count("/") < 3 or not pointer.startswith("/bending/") \
+            or pointer.startswith(f"/bending/{model}/")
+        point = {pointer: value for pointer, value in point.items() if applies(pointer)}
+        points.setdefault(point_key(point), point)
+    return list(points.values())
+
+
+def point_key(point):
+    """Text that is equal for equal points: 0 and 0.0 are one number."""
+    return json.dumps(_plain(point), sort_keys=True)
+
+
+def _plain(value):
+    if isinstance(value, dict):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [_plain(entry) for entry in value]
+    return float(value) if isinstance(value, int) and not isinstance(value, bool) else value
+
+
+def planned_runs(experiment):
+    """Every run of an experiment's config, in the order of its sweep. One that is not there has the status
+    "missing" and its settings only as far as the config states them; runs of a trial do not count."""
+    found = {} if experiment.absent else {point_key(run.point): run for run in experiment.runs}
+    return [found.get(point_key(point)) or missing_run(experiment.config, point)
+            for point in planned_points(experiment.settings, experiment.settings["sweep"])]
+
+
+def missing_run(config, point):
+    """A stand-in for a run that is not there."""
+    settings = copy.deepcopy(read_config(config))
+    for pointer, value in point.items():
+        *path, last = pointer.split("/")[1:]
+        node = settings
+        for key in path:
+            node = node[int(key)] if isinstance(node, list) else node.setdefault(key, {})
+        node[int(last) if isinstance(node, list) else last] = copy.deepcopy(value)
+    return Run(file=None, id="", name=settings["name"], status="missing", config=settings, summary={},
+               metrics={}, point=point, experiment=config)
 
 
 def _sweep_file(folder, name):

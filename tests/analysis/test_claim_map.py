@@ -1,4 +1,5 @@
 """The verdict maps: the sentence that cells give, the place of a run, and the table of a page."""
+import random
 import sys
 import unittest
 from pathlib import Path
@@ -9,7 +10,7 @@ sys.path.insert(0, str(ROOT / "analysis"))
 
 import claim_map  # noqa: E402
 from claim_map import Cell, ClaimMap, Place  # noqa: E402
-from html_parts import map_html  # noqa: E402
+from html_parts import map_html, map_mark  # noqa: E402
 
 
 def grid(holds):
@@ -20,7 +21,9 @@ def grid(holds):
             for pins in claim_map.PINS:
                 for cells in (16, 32, 64):
                     place = Place("rounded", damping, solver, pins, cells)
-                    claim.cells[place] = Cell("0.5", holds(place), f"run {cells}")
+                    verdict = holds(place)
+                    claim.cells[place] = Cell("0.5", None if verdict is None else bool(verdict),
+                                              f"run {cells}", (1, 2))
     return claim
 
 
@@ -28,39 +31,61 @@ class Sentence(unittest.TestCase):
     def test_all_none_and_nothing(self):
         self.assertEqual(grid(lambda _: True).sentence, "holds in every cell")
         self.assertEqual(grid(lambda _: False).sentence, "does not hold in any cell")
-        self.assertEqual(ClaimMap("", "", "", "", "").sentence, "not measured")
+        self.assertEqual(ClaimMap("", "", "", "", "").sentence, "open: not run")
 
     def test_one_question_decides(self):
-        sentence = grid(lambda place: place.damping == "viscous").sentence
-        self.assertEqual(sentence, "holds where damping is viscous (36 cells); 36 of 72 cells in all")
+        sentence = grid(lambda place: place.damping == "viscous drag").sentence
+        self.assertEqual(sentence, "holds in 36 of 72 cells: exactly where there is viscous drag")
 
     def test_two_questions_decide(self):
-        good = ("16 × 10", "256 × 1")
-        sentence = grid(lambda place: place.solver in good and place.pins != "alone").sentence
-        self.assertIn("where substeps × iterations are 16 × 10 or 256 × 1 and what is pinned is its 1-ring "
-                      "or a patch of 5 cm (24 cells)", sentence)
-        self.assertIn("24 of 72 cells in all", sentence)
+        good = ("4 × 10", "16 × 10")
+        sentence = grid(lambda place: place.solver in good and place.pins != "the corner alone").sentence
+        self.assertEqual(sentence, "holds in 24 of 72 cells: exactly where substeps × iterations are 4 × 10 "
+                         "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm")
 
     def test_what_lies_beside_is_counted(self):
-        odd = Place("rounded", "none", "1 × 10", "alone", 16)
-        sentence = grid(lambda place: place.damping == "viscous" or place == odd).sentence
-        self.assertIn("(36 cells); and in 1 of the others; 37 of 72", sentence)
+        odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
+        sentence = grid(lambda place: place.damping == "viscous drag" or place == odd).sentence
+        self.assertEqual(sentence, "holds in 37 of 72 cells: wherever there is viscous drag (36), and in 1 "
+        "more")
+
+    def test_open_cells_leave_a_claim_open_that_they_could_refute(self):
+        odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
+        for verdict, word in ((True, "holds"), (False, "fails")):
+            claim = grid(lambda _: verdict)
+            claim.cells[odd] = Cell("not run", None, open=True)
+            self.assertIsNone(claim.holds)
+            self.assertEqual(claim.sentence, f"open: {word} in all 71 cells whose runs are there; 1 cell is "
+                             "open because runs are missing")
+            self.assertEqual(map_mark(claim), ("open", "open"))
+
+    def test_cells_without_anything_to_judge_do_not_refute(self):
+        odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
+        claim = grid(lambda place: None if place == odd else True)
+        self.assertIs(claim.holds, True)
+        self.assertEqual(claim.sentence, "holds in every cell; 1 cell has nothing to judge")
 
     def test_a_chequerboard_has_no_region(self):
         orders = [list(claim_map.DAMPINGS.values()), list(claim_map.SOLVERS.values()), list(claim_map.PINS),
                   [16, 32, 64]]
         odd = lambda place: sum(order.index(answer) for order, answer in zip(
             orders, (place.damping, place.solver, place.pins, place.cells))) % 2
-        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 cells, for no answer to one or two of the "
-                         "open questions")
+        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 cells; no one or two answers decide where")
 
-    def test_a_region_never_holds_a_cell_that_fails(self):
+    def test_a_region_never_has_a_cell_that_fails_or_is_open(self):
+        chance, found_some = random.Random(1), 0
         for seed in range(40):
-            claim = grid(lambda place: (7 * place.cells + 3 * len(place.solver) + len(place.pins) + seed)
-                         % 5 > 1)
+            good = {name: chance.choice(list(values)) for name, values in
+                    (("solver", claim_map.SOLVERS.values()), ("pins", claim_map.PINS))}
+            claim = grid(lambda place: any(getattr(place, name) == value for name, value in good.items())
+                         or chance.random() < 0.3)
+            if seed % 2:
+                claim.cells[chance.choice(list(claim.cells))] = Cell("not run", None, open=True)
             found = claim_map.region(claim.cells)
             if found:
-                self.assertLessEqual(found[1], sum(cell.holds for cell in claim.cells.values()))
+                found_some += 1
+                self.assertEqual({claim.cells[place].holds for place in found[1]}, {True})
+        self.assertGreater(found_some, 30)
 
 
 class PlaceOfARun(unittest.TestCase):
@@ -69,24 +94,16 @@ class PlaceOfARun(unittest.TestCase):
                   "/effects/1/coefficient": 1.0, "/bending/adaptive/m_rounding": "floor",
                   "/mesh/cells": 32, **changes}
         return SimpleNamespace(model="adaptive",
-                               get=lambda pointer, default=None: config.get(pointer, default),
-                               point={"/mesh/cells": 32, "/pins": claim_map.PINS["its 1-ring"],
-                                      "/bending/adaptive/m_rounding": "floor"})
+                               get=lambda pointer, default=None: config.get(pointer, default))
 
     def test_it_answers_each_question(self):
         self.assertEqual(claim_map.place_of(self.run_with()),
-                         Place("rounded down", "viscous", "4 × 10", "its 1-ring", 32))
+                         Place("rounded down", "viscous drag", "4 × 10", "the corner and its 1-ring", 32))
         self.assertEqual(claim_map.place_of(self.run_with(**{"/pins/ring": 0, "/pins/distance": 0.05})).pins,
                          "a patch of 5 cm")
 
     def test_other_settings_have_no_place(self):
         self.assertIsNone(claim_map.place_of(self.run_with(**{"/solver/substeps": 3})))
-
-    def test_its_command_names_what_varies(self):
-        command = claim_map.command("paper/map", self.run_with())
-        self.assertTrue(command.startswith("./bendlab run configs/paper/map.json --set '/pins="))
-        self.assertIn("--set '/mesh/cells=32'", command)
-        self.assertIn("--set '/bending/adaptive/m_rounding=floor'", command)
 
 
 class Table(unittest.TestCase):
@@ -95,12 +112,24 @@ class Table(unittest.TestCase):
         self.assertEqual(page.count("class='holds"), 24)
         self.assertEqual(page.count("class='fails"), 48)
         self.assertEqual(page.count("title='run 16'"), 24)
-        self.assertIn("Cloth &lt;is&gt; sound.", page)
+        self.assertIn("“Cloth &lt;is&gt; sound.”", page)
         self.assertIn("lang='ko'", page)
+
+    def test_below_it_stand_seeds_and_all_commands(self):
+        claim = ClaimMap("5", "", "Ours is sound.", "it is", "stretch − 1")
+        claim.cells[Place("", "no damping", "1 × 10", "a patch of 5 cm", 16)] = Cell(
+            "0.5", True, "run a\nrun b", (1, 2))
+        page = map_html(claim)
+        self.assertIn("seeds 1, 2\n  run a\n  run b", page)
+        self.assertNotIn("“", page)  # it quotes nobody
+
+    def test_a_cell_without_a_verdict_is_grey_and_says_why(self):
+        page = map_html(grid(lambda place: None if place.cells == 16 else True))
+        self.assertEqual(page.count("<td class='none first' title='run 16'>0.5</td>"), 24)
 
     def test_a_missing_cell_is_a_dash(self):
         claim = grid(lambda _: True)
-        claim.cells.pop(Place("rounded", "none", "1 × 10", "alone", 16))
+        claim.cells.pop(Place("rounded", "no damping", "1 × 10", "the corner alone", 16))
         self.assertEqual(map_html(claim).count(">–</td>"), 1)
 
 

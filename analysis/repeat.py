@@ -1,0 +1,49 @@
+"""The commands that compute given runs again."""
+import json
+
+from load import group
+from sweeps import planned_points, point_key, read_config
+
+
+def commands(runs):
+    """The fewest `bendlab run` commands whose sweeps are exactly these runs."""
+    lines = []
+    for config, some in group(runs, lambda run: run.experiment).items():
+        settings = read_config(config)
+        for chosen in _chosen_axes(settings, [run.point for run in some]):
+            changes = _changes(settings["sweep"], chosen)
+            lines.append(" ".join([f"./bendlab run configs/{config}.json", *changes]))
+    return lines
+
+
+def _chosen_axes(settings, points):
+    """The fewest sweeps that have exactly these points: list of pointer → values.
+
+    The axes are narrowed to what the points use. Where that has other points, too, the points are divided by
+    their values on one axis, the one that needs the fewest sweeps.
+    """
+    wanted = {point_key(point) for point in points}
+    narrow = {pointer: _used(pointer, values, points) for pointer, values in settings["sweep"].items()}
+    if {point_key(point) for point in planned_points(settings, narrow)} == wanted:
+        return [narrow]
+    divided = []
+    for pointer, values in narrow.items():
+        parts = group(points, lambda point: point_key({pointer: point.get(pointer, values[0])})).values()
+        if len(parts) > 1:
+            divided.append([sweep for part in parts for sweep in _chosen_axes(settings, part)])
+    return min(divided, key=len)
+
+
+def _used(pointer, values, points):
+    """The values of an axis that these points have; all of them where it is no axis for the points."""
+    used = {point_key({pointer: point[pointer]}) for point in points if pointer in point}
+    return [value for value in values if point_key({pointer: value}) in used] or values
+
+
+def _changes(axes, chosen):
+    """Options that narrow a config's axes to the chosen values."""
+    for pointer, values in chosen.items():
+        if values != axes[pointer]:
+            value = values[0] if len(values) == 1 else values
+            text = value if isinstance(value, str) else json.dumps(value)
+            yield f"--set '{pointer}={text}'"
