@@ -204,8 +204,8 @@ class MethodRules {
       report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }
 
-  // Refuses effects that need projections. Those that only help them do nothing, but stay in the list, so that
-  // the others keep their places in it.
+  // Refuses effects that need projections. Those that only help them do nothing, but stay in the list: the
+  // others keep their places in it.
   void check_projection_effects() {
     const Json& effects = canonical_["effects"];
     for (std::size_t i = 0; i < effects.size(); ++i)
