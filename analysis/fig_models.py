@@ -16,16 +16,18 @@ def main(results, out):
     """Draws cloth and cost of every model, and the side view of the clamped strip."""
     section = Section("Every bending model on the same scenes", "models")
     sheet = load_experiment(results, "models/hanging_sheet")
-    strip = load_experiment(results, "models/cantilever")
+    strips = [load_experiment(results, f"models/{name}") for name in ("cantilever", "cantilever_rigidity")]
     section.text = sheet.settings["description"]
     if section.uses(sheet):
         section.pictures.append((_sheet(sheet, out), "The last frame of the seed nearest to the median; "
                                  "cloths of a row have one scale. Number on the cloth: mean strain, median "
                                  "of the last second. Cost of one step of 1/60 s on one thread, minimum "
                                  "over seeds."))
-    if section.uses(strip):
-        section.pictures.append((_strip(strip, out), strip.settings["description"]))
-    section.tables += [_sheet_table(sheet), _strip_table(strip)]
+    runs = [run for strip in strips for run in section.uses(strip)]
+    if runs:
+        section.pictures.append((_strip(runs, strips[0].sweep["/bending"], out),
+                                 " ".join(strip.settings["description"] for strip in strips)))
+    section.tables += [_sheet_table(sheet), _strip_table(runs)]
     return section
 
 
@@ -186,9 +188,9 @@ def elastica(weight, length, rigidity, points=400):
     return length * np.c_[np.r_[0, np.cumsum(np.cos(mean))], -np.r_[0, np.cumsum(np.sin(mean))]] * s[1]
 
 
-def _strip(experiment, out):
-    kinds = group(experiment.runs, lambda run: run.get("/bending/stiffness"))
-    order = [entry["model"] for entry in experiment.sweep["/bending"]]
+def _strip(runs, models, out):
+    kinds = group(runs, lambda run: run.get("/bending/stiffness"))
+    order = [entry["model"] for entry in models]
     figure, axes = plt.subplots(1, 2, figsize=(10.4, 5.2), layout="constrained", sharex=True, sharey=True)
     truth = _truth(kinds.get("compliance", []))
     k = next((run.get("/bending/k") for run in kinds.get("k", [])), np.nan)
@@ -261,9 +263,9 @@ def strip_title(kinds, truth):
     return "\n".join(lines)
 
 
-def _strip_table(experiment):
+def _strip_table(runs):
     rows = []
-    for run in experiment.runs:
+    for run in runs:
         tip = profile(run)[-1]
         rows.append([name_of(run), run.get("/bending/stiffness"),
                      style.number(run.point["/bending"].get("compliance", np.nan)),

@@ -29,7 +29,8 @@ PAPERS = {CROSSOVER: "the paper's Fig. 5a", ADAPTIVE: "the paper's Fig. 5b", OUR
 def main(results, out):
     """Draws stretch over distance from the pin: falling as in Fig. 5, with other n, and at rest."""
     section = Section("Where the failure went: stretch against distance from the pin", "5")
-    runs = section.uses(load_experiment(results, "paper/fig5"))
+    runs = [run for config in ("paper/fig5", "paper/fig5_128")
+            for run in section.uses(load_experiment(results, config))]
     runs = runs + load_experiment(results, "paper/fig5_full").runs
     falling = {case: _by_cells(_of_kind(runs, *kind, "floor")) for case, kind in FALLING.items()}
     rounded = _by_cells(_of_kind(runs, *FALLING[ADAPTIVE], "round"))
@@ -37,7 +38,7 @@ def main(results, out):
     if any(falling.values()):
         section.pictures.append((_panels(falling, out, "fig_where", falling_title(falling)),
                                  "Largest stretch of the triangles at each distance from the nearest pinned "
-                                 "vertex, as in Fig. 5: no damping, median over the last second and five "
+                                 "vertex, as in Fig. 5: no damping, median over the last second and the "
                                  "seeds (bars: smallest and largest seed). " + KEY))
     if scaled:
         section.pictures.append((_cause(falling[ADAPTIVE], rounded, scaled, out), "Adaptive springs with the "

@@ -1,7 +1,10 @@
 """Writes the page of the paper: index.html, summary.json (claims), reference.csv (medians of groups)."""
 import argparse
 import csv
+import importlib
 import json
+from concurrent.futures import ProcessPoolExecutor
+from itertools import repeat
 from pathlib import Path
 
 import numpy as np
@@ -34,7 +37,9 @@ def main(results, out, only="everything"):
 
     Of the first figure alone no page is made."""
     out.mkdir(parents=True, exist_ok=True)
-    sections = [figure.main(results, out) for figure in FIGURES[only]]
+    with ProcessPoolExecutor() as pool:
+        names = [figure.__name__ for figure in FIGURES[only]]
+        sections = list(pool.map(_drawn, names, repeat(results), repeat(out)))
     if only == "first":
         return sections
     claims = [claim for section in sections for claim in section.claims]
@@ -44,6 +49,11 @@ def main(results, out, only="everything"):
     text = document("bendlab: the paper, repeated", body(sections, claims))
     (out / "index.html").write_text(text, encoding="utf-8")
     return sections
+
+
+def _drawn(figure, results, out):
+    """The section of a figure by its module's name, for another process."""
+    return importlib.import_module(figure).main(results, out)
 
 
 def body(sections, claims):

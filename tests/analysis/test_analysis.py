@@ -441,7 +441,7 @@ class FigureTest(unittest.TestCase):
         np.testing.assert_allclose(fig_models.profile(strip), [[0, 0], [0.9, -1.25], [1.2, -2]], atol=1e-15)
 
     def test_every_model_that_is_swept_has_a_colour_and_a_name(self):
-        for name in ("hanging_sheet", "cantilever"):
+        for name in ("hanging_sheet", "cantilever", "cantilever_rigidity"):
             sweep = json.loads((sweeps.CONFIGS / f"models/{name}.json").read_text())["sweep"]
             models = sweep.get("/bending/model") or [value["model"] for value in sweep["/bending"]]
             self.assertLessEqual(set(models), set(style.MODEL_COLOURS))
