@@ -1,4 +1,6 @@
 """One row per question that the paper leaves open: the effect of each answer on the sheet."""
+import re
+
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -15,10 +17,12 @@ def main(results, out):
     """Draws and tabulates every ablation of configs/ablations."""
     section = Section("Where the paper is silent", "ablations")
     section.text = ("Each question that the paper leaves open, with several answers. All other settings are "
-                    "those of Fig. 5 without damping, at 64 cells per side, or at 32 if the figure says so.")
+                    "those of Fig. 5 without damping, on as many cells per side as the figure says.")
     rows, experiments = [], []
     for config in sorted(CONFIGS.glob("ablations/*.json")):
         experiment = load_experiment(results, f"ablations/{config.stem}")
+        if config.stem.endswith("_full") and not experiment.runs:
+            continue
         if experiment.missing_text:
             section.missing.append(f"configs/ablations/{config.name}: {experiment.missing_text}")
         if experiment.runs:
@@ -45,7 +49,8 @@ def _rows(question, experiment):
     rows = []
     for i in sorted(groups):
         some = groups[i]
-        rows.append({"question": question.replace("_", " "), "choice": _choice(pointer, answers[i]),
+        rows.append({"question": re.sub(r"_\d\d+(_full)?$", "", question).replace("_", " "),
+                     "choice": _choice(pointer, answers[i], some[0]),
                      "default": answers[i] == default, "first": i == min(groups),
                      # A mesh file has no /mesh/cells
                      "cells": round((some[0].summary["triangles"] / 2) ** 0.5),
@@ -54,13 +59,16 @@ def _rows(question, experiment):
     return rows
 
 
-def _choice(pointer, value):
+def _choice(pointer, value, run):
     if pointer == "/solver/dt":
         return f"1/{1 / value:.0f} s"
     if pointer == "/initial/tilt":
         return f"{value:g}°"
     if pointer == "/bending/lod/t":
         return f"t = {value}" if value else "t = m and n"
+    if pointer == "/pins/vertices":
+        count = np.isin(run.triangles, np.flatnonzero(run.pinned)).any(axis=1).sum()
+        return f"{' and '.join(value)} ({count:d} triangle{'s' * (count > 1)})".replace("_", " ")
     if isinstance(value, list):
         return f"{np.degrees(np.arctan2(value[1], value[0])):g}°"
     unit = {"/effects/1/rate": " s⁻¹", "/material/density": " kg/m²"}.get(pointer, "")

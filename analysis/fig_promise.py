@@ -1,4 +1,5 @@
 """The paper's promise: Fig. 5 a third time, with the recommended settings, and the table of what it asks for.
+Whether the stiffness stays the same is measured on strips: fig_promise_strip.py.
 
 All three rows hang in the same medium for 4 s, after which most rest: crossover springs with the pin alone,
 the paper's adaptive springs with the pin's 1-ring, and the recommended settings with the pin alone.
@@ -7,7 +8,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import select
+from load import group, select
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 
@@ -17,20 +18,23 @@ ROWS = {CROSSOVER: "crossover, pin alone\n(the paper's Fig. 5a)",
         PAPER: "adaptive, pin + 1-ring\n(the paper's)",
         OURS: "recommended, pin alone\n(ours)"}
 # Metric, offset, the bound of every scene and N, and what it is.
-GOALS = [("pin_max_stretch", 1, 0.3, "stretch − 1 at the pin"),
-         ("max_stretch", 1, 0.3, "stretch − 1 anywhere"),
-         ("mean_strain", 0, 0.02, "mean strain")]
+GOALS = [("pin_max_stretch", 1, 0.3, "stretch − 1 at the pin, at rest"),
+         ("max_stretch", 1, 0.3, "stretch − 1 anywhere, at rest"),
+         ("mean_strain", 0, 0.02, "mean strain, at rest")]
+EVER = ("worst_stretch", 1, "stretch − 1 anywhere, at any time")  # of the triangles of each frame
 SAME_DROP = 0.02
 MOST_CONSTRAINTS = 4  # of bending, per vertex, at N = 128
 
 
 def main(results, out):
     """Draws Fig. 5 with a third row, and fills the table of the promise."""
-    section = Section("The promise, kept: Fig. 5 a third time", "5",
+    section = Section("The promise: Fig. 5 a third time, with our settings", "5",
                       text="The paper promises cloth that does not fail at a pin and does not change when "
                       "its mesh is refined, at less cost. The recommended settings are the program's "
-                      "defaults; configs/recommended.json gives the reason of each. Nothing in them is tuned "
-                      "to a mesh.")
+                      "defaults; configs/recommended.json gives the reason of each. They are the same on "
+                      "every mesh; but how many substeps they have was chosen on these three scenes. In the "
+                      "first second the cloth falls and is stretched more than at rest: the table has both. "
+                      "The drop says little about stiffness, because the tethers hold the lowest vertex.")
     ours = section.uses(load_experiment(results, "recommended"))
     ours = ours + load_experiment(results, "paper/recommended_full").runs
     paper = section.uses(load_experiment(results, "paper/promise"))
@@ -45,8 +49,10 @@ def main(results, out):
                                  "Back faces are bluish."))
         section.pictures.append((_close_ups(corner, out), "The pin (dot) and its triangles in the same "
                                  "frames, a twentieth of the sheet wide."))
-    section.tables += [_goals_table(ours, paper), _numbers_table(ours, OURS), _numbers_table(paper, PAPER)]
-    section.claims.append(_claim(ours, paper))
+    substeps = load_experiment(results, "paper/recommended_substeps_full").runs
+    section.tables += [_goals_table(ours, paper), _substeps_table(substeps), _numbers_table(ours, OURS),
+                       _numbers_table(paper, PAPER)]
+    section.claims += [_sound_claim(ours, corner), _cost_claim(ours, floor)]
     return section
 
 
@@ -105,14 +111,15 @@ def _stretch_text(sample, metric):
 
 
 def _worst(runs, metric, offset):
-    known = [run.summary[metric] - offset for run in runs if metric in run.summary]
-    return max(known) if known else np.nan
+    """The largest; NaN if a run lacks it."""
+    return max((run.summary.get(metric, np.nan) - offset for run in runs), default=np.nan,
+               key=lambda value: np.inf if np.isnan(value) else value)
 
 
 def _drop_ratio(runs, scene):
     """Largest drop over smallest, less 1."""
-    drops = [run.summary["drop"] for run in _in_scene(runs, scene)]
-    return max(drops) / min(drops) - 1 if drops else np.nan
+    drops = [run.summary.get("drop", np.nan) for run in _in_scene(runs, scene)]
+    return max(drops) / min(drops) - 1 if drops and np.isfinite(drops).all() else np.nan
 
 
 def _ms(run):
@@ -137,6 +144,9 @@ def _goals_table(ours, paper):
     for metric, offset, bound, label in GOALS:
         rows.append([f"{label}, largest of all scenes and N", style.number(_worst(floor, metric, offset), 2),
                      style.number(_worst(ours, metric, offset), 2), f"≤ {bound}"])
+    metric, offset, label = EVER
+    rows.append([f"{label}, largest of all scenes and N", style.number(_worst(floor, metric, offset), 2),
+                 style.number(_worst(ours, metric, offset), 2), "–"])
     for scene in SCENES:
         rows.append([f"drop, largest over smallest − 1: {scene}",
                      f"{100 * _drop_ratio(floor, scene):.1f} %", f"{100 * _drop_ratio(ours, scene):.1f} %",
@@ -158,6 +168,21 @@ def _goals_table(ours, paper):
                  ["", "the paper's adaptive springs", "recommended", "goal"], rows)
 
 
+def _substeps_table(runs):
+    rows = []
+    for substeps, some in sorted(group(runs, lambda run: run.get("/solver/substeps")).items()):
+        finest = _by_cells(_in_scene(some, "one corner"))
+        share = {n: run.summary.get("effective_bending_stiffness", np.nan) for n, run in finest.items()}
+        rows.append([substeps, *(style.number(_worst(some, metric, offset), 2)
+                                 for metric, offset, *_ in (*GOALS, EVER)),
+                     ", ".join(f"{style.number(share[n], 2)} ({n})" for n in share if n >= 64),
+                     style.number(_least_ms(some, 64), 2), style.number(_least_ms(some, 128), 2)])
+    return Table("The recommended settings with other numbers of substeps: largest of the three scenes and "
+                 "of every N to 256", ["substeps", *(label for *_, label in (*GOALS, EVER)),
+                                    "share of the stated stiffness (N), one corner",
+                                    "CPU ms per frame, N = 64", "N = 128"], rows)
+
+
 def _numbers_table(runs, name):
     rows = []
     for scene in SCENES:
@@ -165,31 +190,50 @@ def _numbers_table(runs, name):
                                                                 r.get("/mesh/cells"))):
             rows.append([scene, run.get("/bending/adaptive/m_rounding", "–"), run.get("/mesh/cells"),
                          *(style.number(run.summary.get(metric, np.nan) - offset, 2)
-                           for metric, offset, _, _ in GOALS), f"{run.summary.get('drop', np.nan):.3f}",
+                           for metric, offset, *_ in (*GOALS, EVER)),
+                         f"{run.summary.get('drop', np.nan):.3f}",
                          style.number(run.summary.get("effective_bending_stiffness", np.nan), 2),
                          f"{_ms(run):.2f}", run.status])
     return Table(f"Each run: {name}",
-                 ["scene", "m by", "N", *(label for _, _, _, label in GOALS), "drop (m)",
+                 ["scene", "m by", "N", *(label for *_, label in (*GOALS, EVER)), "drop (m)",
                   "share of the stated stiffness", "CPU ms per frame", "verdict"], rows)
 
 
-def _claim(ours, paper):
+def _is_whole(runs):
+    """Whether each scene was run on the same N, N = 128 among them, to its end."""
+    cells = [sorted(_by_cells(_in_scene(runs, scene))) for scene in SCENES]
+    return 128 in cells[0] and cells[0] == cells[1] == cells[2] and all(run.complete for run in runs)
+
+
+def _sound_claim(ours, corner):
     numbers, holds = {}, []
     for metric, offset, bound, label in GOALS:
         value = _worst(ours, metric, offset)
         numbers[f"{label}, largest of all scenes and N"] = value
         holds.append(value <= bound)
-    for scene in SCENES:
-        value = _drop_ratio(ours, scene)
-        numbers[f"drop, largest over smallest − 1: {scene}"] = value
-        holds.append(value <= SAME_DROP)
+    metric, offset, label = EVER
+    numbers[f"{label}, largest of all scenes and N"] = _worst(ours, metric, offset)
+    numbers |= {f"{name.split()[-1]}, one corner, N = 128: stretch − 1 anywhere, at rest":
+                _worst([run for run in runs if run.get("/mesh/cells") == 128], "max_stretch", 1)
+                for name, runs in corner.items()}
     cells = sorted({run.get("/mesh/cells") for run in ours})
-    return Claim("5", "Cloth that neither fails at a pin nor changes when its mesh is refined (the paper's "
-                 "promise, with our recommended settings).",
-                 f"in the three scenes on {min(cells, default=0)} to {max(cells, default=0)} cells no "
-                 "stretch − 1 is above 0.3, no mean strain above 0.02, and the drop differs by at most "
-                 "2 %",
-                 numbers, all(holds) if ours else None)
+    return Claim("5", "Cloth that does not fail at a pin, nor elsewhere, when its mesh is refined (the "
+                 "paper's promise, with our recommended settings).",
+                 f"at rest, in the three scenes on {min(cells, default=0)} to {max(cells, default=0)} cells, "
+                 "no stretch − 1 is above 0.3 and no mean strain above 0.02",
+                 numbers, all(holds) if _is_whole(ours) else None)
+
+
+def _cost_claim(ours, paper):
+    numbers, holds = {}, []
+    for n in (64, 128):
+        least = {name: _least_ms(runs, n) for name, runs in (("recommended", ours), ("paper", paper))}
+        numbers |= {f"{name}, N = {n}: CPU ms per frame": value for name, value in least.items()}
+        holds.append(least["recommended"] <= least["paper"])
+    return Claim("5", "At no more cost than the paper's adaptive springs (the paper's promise, with our "
+                 "recommended settings).", "the least CPU time per frame of the three scenes is no more than "
+                 "that of the paper's springs, m rounded down, on 64 and on 128 cells", numbers,
+                 all(holds) if _is_whole(ours) and _is_whole(paper) else None)
 
 
 if __name__ == "__main__":

@@ -1,8 +1,8 @@
 """Whether the recommended cloth is as stiff at every resolution: strips, clamped along one side.
 
-A projection moves the four vertices of a hinge only, so that bending travels from triangle to triangle. In a
-substep h the solver passes on at most a rigidity of about ρ a⁴ / h² (a: edge length, ρ: mass per area): what the
-strip has of the stated rigidity depends on substeps / N² alone.
+A projection moves the four vertices of a hinge only, so that bending travels from triangle to triangle. In
+a substep h the solver passes on at most a rigidity of about ρ a⁴ / h² (a: edge length, ρ: mass per area):
+what the strip has of the stated rigidity depends on substeps / N² alone.
 """
 import matplotlib.pyplot as plt
 import numpy as np
@@ -64,8 +64,8 @@ def _picture(shares, out):
         axes.plot(cells, estimated, color=COLOURS.get(substeps, style.INK), linestyle="--", linewidth=0.9)
     axes.axhspan(1 / GOAL, GOAL, color=style.GRID, zorder=0)
     axes.set_ylabel("rigidity / stated rigidity")
-    axes.set_xlabel("cells along the strip, N")
     style.resolution_axis(axes, sorted({n for by_cells in shares.values() for n in by_cells}))
+    axes.set_xlabel("cells along the strip, N")
     style.plain_log(axes)
     axes.set_title(_title(shares), loc="left")
     style.label_ends(axes)
@@ -79,8 +79,10 @@ def spread_of(by_cells):
 
 
 def _title(shares):
-    return "Largest over smallest: " + ", ".join(f"{style.number(spread_of(by_cells), 3)} × ({substeps})"
-                                                 for substeps, by_cells in shares.items())
+    finest = max(n for by_cells in shares.values() for n in by_cells)
+    kept = [f"{100 * by_cells[finest][0]:.0f} % with {substeps}" for substeps, by_cells in shares.items()
+            if finest in by_cells]
+    return f"Of its stated rigidity a strip on {finest} cells has {', '.join(kept)} substeps"
 
 
 def _table(shares):

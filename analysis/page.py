@@ -17,6 +17,7 @@ import fig_map
 import fig_ablations
 import fig_models
 import fig_promise
+import fig_promise_strip
 import fig_scenes
 import fig_structure
 import fig_where
@@ -25,7 +26,7 @@ from load import at, group, statuses, summary_spread
 from report import rounded, write_objects
 from sweeps import CONFIGS, load_experiment
 
-PAPER = [fig_map, fig_promise, fig_1, fig_structure, fig_5, fig_where, fig_6, fig_7]
+PAPER = [fig_map, fig_promise, fig_promise_strip, fig_1, fig_structure, fig_5, fig_where, fig_6, fig_7]
 FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,

@@ -163,8 +163,8 @@ const std::array<Parameter, 4>& pins() {
                            "those of vertices",
                 .minimum = 0},
       Parameter{.name = "ring", .type = integer, .unit = "1", .default_value = 0,
-                .meaning = "How many rings of neighbours of each pinned vertex are pinned too; 0: none; the "
-                           "paper: 1, which is the smaller the finer the mesh",
+                .meaning = "How many rings of neighbours of each pinned vertex are pinned too; 0: none. The "
+                           "paper pins one ring, a clamp that shrinks as the mesh is refined",
                 .minimum = 0, .maximum = 64},
       Parameter{.name = "distance", .type = number, .unit = "m", .default_value = 0.0,
                 .meaning = "Vertices within this distance of a pinned place are pinned too: a clamp of the "

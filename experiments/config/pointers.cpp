@@ -110,6 +110,15 @@ std::string same_key_suggestion(std::string_view key, const std::vector<std::str
 
 std::string unknown_pointer_text(std::string_view pointer, const std::vector<std::string>& known) {
   if (pointer == "/name" || pointer == "/description") return "it has no influence on a run";
+  const bool in_an_entry =
+      pointer.starts_with("/effects/") && std::ranges::none_of(known, [&](const std::string& place) {
+        return place.starts_with("/effects/") && lies_within(pointer, place.substr(0, place.find('/', 9)));
+      });
+  if (in_an_entry)
+    return fmt::format(
+        "there is no setting '{}': the config's list of effects has no such entry; write the "
+        "list /effects in the config to set or sweep a value of an entry",
+        pointer);
   std::string near = suggestion(pointer, known);
   if (near.empty()) near = same_key_suggestion(last_part(pointer), known);
   return fmt::format("there is no setting '{}'{} ('bendlab schema' lists every setting)", pointer, near);

@@ -29,8 +29,8 @@ ParameterValues values_of(const Json& canonical, std::span<const Parameter> tabl
 
 /// Checks everything but `sweep` and `expect` (which must not be there) and returns the canonical settings:
 /// every value of every section, only the chosen bending model's own settings, no generator settings beside a
-/// mesh file, no name, description and allow. Equal physics gives equal JSON. Meaningless if there were
-/// problems.
+/// mesh file, no name, description, allow, defaults and because. Equal physics gives equal JSON. Meaningless
+/// if there were problems.
 Json resolve(const Json& settings, ConfigProblems& problems);
 
 }  // namespace bendlab
