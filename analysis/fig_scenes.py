@@ -31,6 +31,7 @@ SCENES = {
     "folded_stack": View(1.2, (0.86, 0.66, 0.32), azimuth=-72, elevation=16),
     "chair": View(4.0, (0.80, 0.50, 0.36), azimuth=-56, elevation=22),
 }
+LOOKS = 40  # frames at which a run's distance from its obstacles is measured
 ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
 DPI = 125  # keeps the sheet below 900 kB
 FOLDER = CONFIGS / "scenes"  # mesh files are relative to it
@@ -54,13 +55,11 @@ def frame_at(run, time):
     return int(np.argmin(np.abs(run.metrics["time"] - time)))
 
 
-def clearance(run, frame):
+def clearance(run, frame, edges):
     """Smallest distance of the cloth from the obstacles, negative inside. Measured at vertices and at the
     centres of edges and triangles."""
     positions, triangles = run.positions(frame), run.triangles
-    sides = np.unique(np.sort(np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)),
-                      axis=0)
-    points = np.concatenate([positions, positions[sides].mean(axis=1), positions[triangles].mean(axis=1)])
+    points = np.concatenate([positions, positions[edges].mean(axis=1), positions[triangles].mean(axis=1)])
     return obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER)
 
 
@@ -145,13 +144,17 @@ def _table(experiments):
                          at("worst_stretch"), f"{run.summary.get('degenerate_triangles', 0):.0f}", _off(run),
                          f"{run.cpu_s:.1f}"])
     return Table("Every run", ["scene", "model", "status", "mean strain", "max σ₁", "worst σ₁ of all frames",
-                               "degenerate triangles", "smallest distance from an obstacle, all frames (mm)",
+                               "degenerate triangles", f"smallest distance from an obstacle, {LOOKS} frames (mm)",
                                "processor time (s)"], rows)
 
 
 def _off(run):
-    """The smallest clearance of all frames in mm, as text."""
-    least = min(clearance(run, frame) for frame in range(run.frames))
+    """The smallest clearance in mm, as text."""
+    triangles = run.triangles
+    sides = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)
+    edges = np.unique(np.sort(sides), axis=0)
+    least = min((clearance(run, frame, edges) for frame in range(0, run.frames, max(1, run.frames // LOOKS))),
+                default=np.inf)
     return "–" if np.isinf(least) else f"{1e3 * least:.1f}"
 
 

@@ -4,7 +4,6 @@ import csv
 import importlib
 import json
 from concurrent.futures import ProcessPoolExecutor
-from itertools import repeat
 from pathlib import Path
 
 import numpy as np
@@ -39,8 +38,9 @@ def main(results, out, only="everything"):
     Of the first figure alone no page is made."""
     out.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:
-        names = [figure.__name__ for figure in FIGURES[only]]
-        sections = list(pool.map(_drawn, names, repeat(results), repeat(out)))
+        last_first = [pool.submit(_drawn, figure.__name__, results, out)  # the scenes take longest
+                      for figure in reversed(FIGURES[only])]
+        sections = [drawn.result() for drawn in reversed(last_first)]
     if only == "first":
         return sections
     claims = [claim for section in sections for claim in section.claims]
