@@ -55,12 +55,18 @@ def frame_at(run, time):
     return int(np.argmin(np.abs(run.metrics["time"] - time)))
 
 
-def clearance(run, frame, edges):
-    """Smallest distance of the cloth from the obstacles, negative inside. Measured at vertices and at the
-    centres of edges and triangles."""
-    positions, triangles = run.positions(frame), run.triangles
-    points = np.concatenate([positions, positions[edges].mean(axis=1), positions[triangles].mean(axis=1)])
-    return obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER)
+def clearance(run, frames):
+    """Smallest distance of the cloth from the obstacles in these frames, negative inside; infinite without
+    obstacles. Measured at vertices and at the centres of edges and triangles."""
+    triangles = run.triangles
+    sides = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)
+    edges, least = np.unique(np.sort(sides), axis=0), np.inf
+    for frame in frames:
+        positions = run.positions(frame)
+        centres = [positions[corners].mean(axis=1) for corners in (edges, triangles)]
+        points = np.concatenate([positions, *centres])
+        least = min(least, obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER))
+    return least
 
 
 def view_of(samples, view):
@@ -127,7 +133,7 @@ def title(experiments):
     if not complete:
         return f"None of {len(runs)} runs is complete"
     needles = sum(run.summary.get("degenerate_triangles", 0) > 0 for _, run in complete)
-    entered = sum(clearance(run, run.frames - 1) < 0 for _, run in complete)
+    entered = sum(clearance(run, [run.frames - 1]) < 0 for _, run in complete)
     name, worst = max(complete, key=lambda entry: entry[1].summary["max_stretch"])
     return (f"{len(experiments)} scenes, only the bending model differs: {len(complete)} of {len(runs)} runs "
             f"complete\nLast frame: {needles} have a degenerate triangle, {entered} reach into an obstacle\n"
@@ -144,17 +150,14 @@ def _table(experiments):
                          at("worst_stretch"), f"{run.summary.get('degenerate_triangles', 0):.0f}", _off(run),
                          f"{run.cpu_s:.1f}"])
     return Table("Every run", ["scene", "model", "status", "mean strain", "max σ₁", "worst σ₁ of all frames",
-                               "degenerate triangles", f"smallest distance from an obstacle, {LOOKS} frames (mm)",
+                               "degenerate triangles",
+                               f"smallest distance from an obstacle, {LOOKS} frames (mm)",
                                "processor time (s)"], rows)
 
 
 def _off(run):
     """The smallest clearance in mm, as text."""
-    triangles = run.triangles
-    sides = np.stack([triangles, np.roll(triangles, 1, axis=1)], axis=-1).reshape(-1, 2)
-    edges = np.unique(np.sort(sides), axis=0)
-    least = min((clearance(run, frame, edges) for frame in range(0, run.frames, max(1, run.frames // LOOKS))),
-                default=np.inf)
+    least = clearance(run, range(0, run.frames, max(1, run.frames // LOOKS)))
     return "–" if np.isinf(least) else f"{1e3 * least:.1f}"
 
 
