@@ -68,7 +68,7 @@ def _choice(pointer, value, run):
         return f"t = {value}" if value else "t = m and n"
     if pointer == "/pins/vertices":
         count = np.isin(run.triangles, np.flatnonzero(run.pinned)).any(axis=1).sum()
-        return f"{' and '.join(value)} ({count:d} triangle{'s' * (count > 1)})".replace("_", " ")
+        return f"{count:d} triangle{'s' * (count > 1)}"
     if isinstance(value, list):
         return f"{np.degrees(np.arctan2(value[1], value[0])):g}°"
     unit = {"/effects/1/rate": " s⁻¹", "/material/density": " kg/m²"}.get(pointer, "")
