@@ -7,7 +7,7 @@ from report import Section, figure_main
 from sweeps import load_experiment, planned_runs
 
 PIN_CONFIGS = ["paper/map", "paper/map_64", "paper/map_64_rest", "paper/map_seeds",
-               "paper/map_full", "paper/map_256_full"]
+               "paper/map_64_free_full", "paper/map_full", "paper/map_256_full"]
 LOD_CONFIGS = ["paper/map_lod", "paper/map_lod_rest_full"]
 N_CONFIGS = ["paper/map_n", "paper/map_n_rest_full"]
 STRIP_CONFIGS = ["paper/map_strip", "paper/map_strip_full"]
