@@ -8,6 +8,7 @@
 
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/nearest_name.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/resolve.hpp"
 
