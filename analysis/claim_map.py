@@ -96,10 +96,18 @@ class ClaimMap:
         elif self.holds in (True, False):
             said = "holds in every cell" if self.holds else "does not hold in any cell"
         else:
-            said = self._where(good, count)
+            said = self._where(good, count) + self._at_least_work()
         idle = len(self.cells) - count - self.open
-        return (said + (f"; {_cells(self.open, 'are')} open because runs are missing" if self.open else "")
-                + (f"; {_cells(idle, 'have')} nothing to judge" if idle else ""))
+        return (said + (f"; {_cells(self.open, 'are')} open, because their runs are not there"
+                        if self.open else "")
+                + (f"; {_cells(idle, 'have')} nothing to compare" if idle else ""))
+
+    def _at_least_work(self):
+        """How the claim does with the work of the page's other figures; the paper states none."""
+        work = next(iter(SOLVERS.values()))
+        some = [cell.holds for place, cell in self.cells.items()
+                if place.solver == work and cell.holds is not None]
+        return f"; at {work} alone in {sum(some)} of {len(some)}" if some else ""
 
     def _where(self, good, count):
         """The sentence of a claim that holds in some cells."""
@@ -107,7 +115,7 @@ class ClaimMap:
         if found is None:
             return f"holds in {good} of {count} cells; no one or two answers decide where"
         text, covered = found[0], len(found[1])
-        where = f"wherever {text} ({covered}), and in {good - covered} more" if good > covered \
+        where = f"wherever {text} ({covered}), and in {good - covered} beside these" if good > covered \
             else f"exactly where {text}"
         return f"holds in {good} of {count} cells: {where}"
 

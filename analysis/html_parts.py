@@ -150,7 +150,8 @@ def _map_table(claim_map):
                 body += f"<tr>{name}<th class=t>{escape(solver)}</th>" + "".join(
                     _map_cell(claim_map.cells.get(Place(block, damping, solver, pins, n)), i)
                     for pins in columns for i, n in enumerate(cells)) + "</tr>"
-        title = f"<caption>Our reading of eq. 6: m {escape(block)}</caption>" if block else ""
+        title = (f"<caption>m {escape(block)} (eq. 6 does not say how m becomes an integer)</caption>"
+                 if block else "")
         parts.append(f"<div class='scroll'><table class='map'>{title}<tr><th class=t>damping</th><th "
                      f"class=t>substeps × iterations</th>{head}</tr><tr><th></th><th class=t>pinned ↑, N "
                      f"→</th>{numbers}</tr>{body}</table></div>")

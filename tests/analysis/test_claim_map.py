@@ -35,19 +35,21 @@ class Sentence(unittest.TestCase):
 
     def test_one_question_decides(self):
         sentence = grid(lambda place: place.damping == "viscous drag").sentence
-        self.assertEqual(sentence, "holds in 36 of 72 cells: exactly where there is viscous drag")
+        self.assertEqual(sentence, "holds in 36 of 72 cells: exactly where there is viscous drag; at "
+                         "1 × 10 alone in 9 of 18")
 
     def test_two_questions_decide(self):
         good = ("4 × 10", "16 × 10")
         sentence = grid(lambda place: place.solver in good and place.pins != "the corner alone").sentence
         self.assertEqual(sentence, "holds in 24 of 72 cells: exactly where substeps × iterations are 4 × 10 "
-                         "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm")
+                         "or 16 × 10 and what is pinned is the corner and its 1-ring or a patch of 5 cm; at "
+                         "1 × 10 alone in 0 of 18")
 
     def test_what_lies_beside_is_counted(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         sentence = grid(lambda place: place.damping == "viscous drag" or place == odd).sentence
         self.assertEqual(sentence, "holds in 37 of 72 cells: wherever there is viscous drag (36), and in 1 "
-        "more")
+                         "beside these; at 1 × 10 alone in 10 of 18")
 
     def test_open_cells_leave_a_claim_open_that_they_could_refute(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
@@ -56,21 +58,22 @@ class Sentence(unittest.TestCase):
             claim.cells[odd] = Cell("not run", None, open=True)
             self.assertIsNone(claim.holds)
             self.assertEqual(claim.sentence, f"open: {word} in all 71 cells whose runs are there; 1 cell is "
-                             "open because runs are missing")
+                             "open, because their runs are not there")
             self.assertEqual(map_mark(claim), ("open", "open"))
 
     def test_cells_without_anything_to_judge_do_not_refute(self):
         odd = Place("rounded", "no damping", "1 × 10", "the corner alone", 16)
         claim = grid(lambda place: None if place == odd else True)
         self.assertIs(claim.holds, True)
-        self.assertEqual(claim.sentence, "holds in every cell; 1 cell has nothing to judge")
+        self.assertEqual(claim.sentence, "holds in every cell; 1 cell has nothing to compare")
 
     def test_a_chequerboard_has_no_region(self):
         orders = [list(claim_map.DAMPINGS.values()), list(claim_map.SOLVERS.values()), list(claim_map.PINS),
                   [16, 32, 64]]
         odd = lambda place: sum(order.index(answer) for order, answer in zip(
             orders, (place.damping, place.solver, place.pins, place.cells))) % 2
-        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 cells; no one or two answers decide where")
+        self.assertEqual(grid(odd).sentence, "holds in 36 of 72 cells; no one or two answers decide where; "
+                         "at 1 × 10 alone in 9 of 18")
 
     def test_a_region_never_has_a_cell_that_fails_or_is_open(self):
         chance, found_some = random.Random(1), 0
