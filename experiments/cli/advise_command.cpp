@@ -102,10 +102,13 @@ std::string quoted(const std::string& change) {
   return change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'";
 }
 
-// Unfit settings stand above the fit ones, and are marked.
+// Unfit settings stand above the fit ones, and are marked. The advised one is always there.
 std::vector<Rated> rows_of(const Advice& advice) {
-  std::vector<Rated> rows = unfit_front_of(advice.points);
-  for (const Rated& point : thinned(advice.front)) rows.push_back(point);
+  std::vector<Rated> rows = unfit_front_of(advice.points), fit = thinned(advice.front);
+  if (advice.best && std::ranges::find(fit, advice.best->setting, &Rated::setting) == fit.end())
+    fit.push_back(*advice.best);
+  std::ranges::stable_sort(fit, {}, &Rated::cpu_s);
+  rows.insert(rows.end(), fit.begin(), fit.end());
   return rows;
 }
 

@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "experiments/config/pointers.hpp"
+#include "experiments/config/stiffness_settings.hpp"
 
 namespace bendlab {
 namespace {
@@ -62,37 +62,24 @@ std::string apply(Json& document, const std::string& pointer, const std::string&
   return set_at(document, pointer, std::move(value)) ? "" : "there is no such place in the config";
 }
 
-// Settings that only some kinds of stiffness use.
-struct StiffnessSetting {
-  std::string_view pointer, stiffness, kinds;  ///< kinds: separated by " or "
-};
-constexpr std::array stiffness_settings = {
-    StiffnessSetting{"/bending/k", "/bending/stiffness", "k or k_per_step"},
-    StiffnessSetting{"/bending/compliance", "/bending/stiffness", "compliance"},
-    StiffnessSetting{"/bending/flexural_rigidity", "/bending/stiffness", "physical"},
-    StiffnessSetting{"/bending/quartic_coefficient", "/bending/stiffness", "physical"},
-    StiffnessSetting{"/bending/at_curvature", "/bending/stiffness", "physical"},
-    StiffnessSetting{"/material/strain/compliance", "/material/strain/stiffness", "compliance"},
-};
-
-bool is_kind(std::string_view kinds, const std::string& kind) {
-  return fmt::format(" or {} or ", kinds).find(fmt::format(" or {} or ", kind)) != std::string::npos;
-}
-
 bool lies_in_an_axis(const Json& document, std::string_view pointer) {
   if (!document.contains("sweep") || !document["sweep"].is_object()) return false;
   return std::ranges::any_of(document["sweep"].items(),
                              [&](const auto& axis) { return lies_within(pointer, axis.key()); });
 }
 
-// A config may hold numbers for other kinds of stiffness than its own; whoever sets one means it.
+// A config may hold numbers for other kinds of stiffness than its own; whoever sets one means it. null sets
+// none.
 std::string unused_text(const Json& document, std::string_view pointer) {
   const auto* const setting = std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer);
   if (setting == stiffness_settings.end() || lies_in_an_axis(document, setting->stiffness)) return "";
+  const Json* const value = value_at(document, std::string(pointer));
   const Json* const kind = value_at(document, std::string(setting->stiffness));
-  if (kind == nullptr || !kind->is_string() || is_kind(setting->kinds, kind->get<std::string>())) return "";
-  return fmt::format("has no effect, because {} is {}; set that to {}, too", setting->stiffness,
-                     kind->get<std::string>(), setting->kinds);
+  if (value == nullptr || value->is_null() || kind == nullptr || !kind->is_string()) return "";
+  const auto& name = kind->get_ref<const std::string&>();
+  if (setting->used_by(name)) return "";
+  return fmt::format("has no effect, because {} is {}; set that to {}, too", setting->stiffness, name,
+                     setting->kinds_text());
 }
 
 }  // namespace

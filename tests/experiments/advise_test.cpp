@@ -1,4 +1,6 @@
 // Advice on settings: its parts on made-up numbers, and what it promises on small scenes.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +14,7 @@
 #include "experiments/advise/front.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/advise/search.hpp"
+#include "experiments/advise/variant.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -419,6 +422,45 @@ TEST_CASE("advise: where coarse settings are ruins the search goes on to finer o
   CHECK(nearest(hopeless.measured(), {.error = 0.1}));
 }
 
+TEST_CASE("advise: variants beside one differ from it in one thing, and none is named twice", "[advise]") {
+  const Variant from{.tethers = true, .shear = "green", .flight_limit = 0, .radius = 0.02};
+  const std::vector<Variant> beside = neighbours(from, {.tethers = true, .radii = {0.02, 0.04}});
+  for (const Variant& each : beside) {
+    INFO(variant_text(each));
+    CHECK((each.tethers != from.tethers) + (each.shear != from.shear) +
+              (each.flight_limit != from.flight_limit) + (each.radius != from.radius) ==
+          1);
+    CHECK(std::ranges::count(beside, each) == 1);
+  }
+  CHECK(beside.size() == 6);  // no tethers; two forms; a limit; 0.04 m and the config's own radius
+  for (const Variant& each : neighbours(from, {.tethers = false})) CHECK(each.tethers);
+}
+
+TEST_CASE("advise: a kind that is considered later is searched from a quarter of the substeps on",
+          "[advise]") {
+  const Variant tethered{.tethers = true};
+  Imaginary remedied = machine;  // tethers make an error of a quarter
+  remedied.error = [](const Setting& s) -> std::optional<double> {
+    return *machine.error(s) / (s.variant.tethers ? 4 : 1);
+  };
+  Search search(model_a, {.error = 0.02}, {});
+  remedied.run(search);
+  const Rated before = *chosen(search.measured(), {.error = 0.02});
+  CHECK_FALSE(search.consider(before.setting));
+  Setting other = before.setting;
+  other.variant = tethered;
+  CHECK(search.consider(other));
+  CHECK_FALSE(search.consider(other));
+  REQUIRE_FALSE(search.next().empty());
+  CHECK(search.next().front().setting == Setting{"a", before.setting.substeps / 4, 1, false, tethered});
+  remedied.run(search);
+  const Rated after = *chosen(search.measured(), {.error = 0.02});
+  CHECK(after.setting.variant == tethered);
+  CHECK(after.cpu_s < before.cpu_s);
+  search.drop(other);
+  CHECK_FALSE(search.consider(other));
+}
+
 TEST_CASE("advise: a prediction takes the strain along", "[advise]") {
   Imaginary soft = machine;
   soft.strained = [](const Setting& s) { return Strained{3.0 / s.substeps}; };
@@ -447,6 +489,12 @@ TEST_CASE("advise: a curtain's advice is what a run of it gives", "[advise]") {
   Workplace place;
   place.write("curtain.json", curtain);
   check_promise(place, "curtain.json", "--error 6%");
+  // The advised setting is a row of the table, whatever else is left out of it.
+  const json best = advice(place, "curtain.json --error 6%").at("advice");
+  CHECK(place.run("advise curtain.json --error 6%") == 0);
+  CHECK_THAT(
+      bendlab::test::read(place.folder / "stdout"),
+      ContainsSubstring(fmt::format("  {:.3g}  measured", 1e3 * best.at("cpu_s_per_frame").get<double>())));
   check_order(place, "curtain.json", {"--budget 0.15ms", "--budget 0.3ms"});
 }
 

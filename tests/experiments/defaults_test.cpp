@@ -132,6 +132,7 @@ TEST_CASE("defaults: an override that its stiffness does not use is an error", "
              ContainsSubstring("set that to compliance, too"));
   CHECK(problem(R"({"stiffness": "k_per_step"})", "/bending/k=0.3").empty());
   CHECK(problem("{}", "/bending/k=0.3").empty());
+  CHECK(problem(R"({"stiffness": "k"})", "/bending/flexural_rigidity=null").empty());
 }
 
 TEST_CASE("defaults: whoever gives a number of a stiffness means that stiffness", "[defaults]") {

@@ -132,6 +132,23 @@ TEST_CASE("warnings: nothing can move", "[warnings]") {
   CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["top"], "distance": 0.5})").empty());
 }
 
+TEST_CASE("warnings: what helps a stretched membrane is what the scene does not have yet", "[warnings]") {
+  const auto remedy = [](const std::string& effects, const std::string& pins, const char* iterations) {
+    const Summary stretched = {{"mean_strain", 0.08}};
+    return message_of("unconverged",
+                      R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"})" + effects +
+                          R"(], "pins": {"vertices": [)" + pins +
+                          R"(]}, "solver": {"substeps": 3, "iterations": )" + iterations + "}",
+                      &stretched);
+  };
+  const std::string tethers = R"(, {"type": "tethers"})", corner = R"("upper_right")";
+  CHECK_THAT(remedy("", corner, "5"),
+             ContainsSubstring("15 /solver/substeps × 1") && ContainsSubstring("tethers"));
+  CHECK_THAT(remedy("", corner, "1"), ContainsSubstring("Twice the /solver/substeps"));
+  CHECK_THAT(remedy(tethers, corner, "5"), !ContainsSubstring("tethers"));
+  CHECK_THAT(remedy("", "", "5"), !ContainsSubstring("tethers"));
+}
+
 TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
   const std::string mesh = R"("mesh": {"cells": 4}, )";
   CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "k"})") ==
@@ -143,6 +160,14 @@ TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
                  R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "k": 0.5, "stiffness": "k"},
                            "sweep": {"/bending/stiffness": ["k", "physical"]})")
             .empty());
+  CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": null, "stiffness": "k"})")
+            .empty());
+  CHECK_THAT(message_of("inert_stiffness", mesh + R"("bending": {"k": 0.5, "stiffness": "physical"})"),
+             ContainsSubstring("Set that to k or k_per_step"));
+  CHECK(codes_of(mesh + R"("material": {"strain": {"compliance": 1e-4, "stiffness": "k"}})") ==
+        Codes{"inert_stiffness"});
+  CHECK(codes_of(mesh + R"("bending": {"stiffness": "physical"}, "sweep": {"/bending/k": [0.1, 0.2]})") ==
+        Codes{"inert_stiffness"});
 }
 
 TEST_CASE("warnings: a density in g/m²", "[warnings]") {
