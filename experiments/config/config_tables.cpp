@@ -76,7 +76,7 @@ constexpr std::array top_level = {
                          "pinned, one substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
-              .meaning = "Simulated time of each run",
+              .meaning = "Simulated time of each run; at least a step",
               .minimum = 0, .above = true},
     Parameter{.name = "settled_speed", .type = number, .unit = "m/s", .default_value = 0.0,
               .meaning = "The run ends early when no vertex has been faster than this for half a simulated "
@@ -267,7 +267,7 @@ const std::array<Parameter, 8>& bending() {
 constexpr std::array shared_by_methods = {
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
-              .minimum = 0, .above = true},
+              .minimum = 1e-9, .maximum = 1e6},
     Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 8,
               .meaning = "How many equal parts a time step is divided into",
               .minimum = 1, .maximum = 100000},
@@ -370,8 +370,8 @@ constexpr std::array initial = {
 
 constexpr std::array output = {
     Parameter{.name = "frames_per_second", .type = number, .unit = "1/s", .default_value = 30.0,
-              .meaning = "Recorded frames per simulated second",
-              .minimum = 0, .above = true},
+              .meaning = "Recorded frames per simulated second, at most one a step",
+              .minimum = 0, .maximum = 1e6, .above = true},
     Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
               .meaning = "true: the run file lists every constraint; false: only their counts and hash"},
     Parameter{.name = "measures", .type = texts, .unit = "", .default_value = Names(),

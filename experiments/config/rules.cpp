@@ -87,6 +87,19 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
                                     model->name, generator)});
 }
 
+// A run has at least a step, and so few that they can be counted and waited for.
+void check_times(const Json& canonical, ConfigProblems& problems) {
+  constexpr double most = 1e9, rounding = 1e-6;
+  const double duration = canonical["duration"], dt = canonical["solver"]["dt"];
+  if (duration < dt * (1 - rounding))
+    problems.push_back(
+        {"/duration", fmt::format("is shorter than a step: {} s, and /solver/dt is {} s", duration, dt)});
+  if (duration / dt > most)
+    problems.push_back(
+        {"/duration",
+         fmt::format("is {:.3g} steps of /solver/dt, and a run has at most {:.3g}", duration / dt, most)});
+}
+
 void check_indices(const Json& pins, ConfigProblems& problems) {
   const Json& indices = pins["indices"];
   for (std::size_t i = 0; i < indices.size(); ++i)
@@ -240,6 +253,7 @@ void apply_rules(const Json& given, Json& canonical, ConfigProblems& problems) {
   settle_mesh(given, canonical["mesh"], problems);
   check_cells(canonical["mesh"], problems);
   check_indices(canonical["pins"], problems);
+  check_times(canonical, problems);
   check_warp_direction(canonical["material"], problems);
   keep_chosen_model(canonical["bending"]);
   settle_bending_stiffness(canonical["bending"], problems);

@@ -191,7 +191,9 @@ TEST_CASE("config: the ends of a range belong to it unless it says above") {
   CHECK(problems_of(with(R"("mesh": {"cells": 4096}, "bending": {"k": 0}, "initial": {"tilt": -180})"))
             .empty());
   CHECK(problems_of(with(R"("duration": 0)")).size() == 1);
-  CHECK(problems_of(with(R"("duration": 5e-324)")).empty());  // the smallest double above 0
+  CHECK(problems_of(with(R"("settled_speed": 5e-324)")).empty());  // the smallest double above 0
+  CHECK(problems_of(with(R"("duration": 1e-9, "solver": {"dt": 1e-9})")).empty());
+  CHECK(problems_of(with(R"("solver": {"dt": 0.9e-9})")).size() == 1);
 }
 
 TEST_CASE("config: the name names a folder") {
@@ -396,7 +398,7 @@ TEST_CASE("config: the resolved config reads back as itself") {
   for (const BendingModel* model : bending_models()) {
     const std::string text =
         single_run(with(R"("bending": {"model": ")" + std::string(model->name) +
-                        R"("}, "effects": [{"type": "rigid_damping"}], "duration": 1e-3)"))
+                        R"("}, "effects": [{"type": "rigid_damping"}], "duration": 0.1)"))
             .resolved()
             .dump();
     CHECK(single_run(text, {"/name=again"}).resolved().dump() == text);

@@ -7,9 +7,9 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <iterator>
 
 #include "bendlab/mesh/readers.hpp"
+#include "bendlab/parameters/input_file.hpp"
 
 namespace bendlab {
 namespace {
@@ -27,14 +27,10 @@ std::string extension_of(const std::filesystem::path& path) {
   return extension;
 }
 
-std::string read_bytes(const std::filesystem::path& path) {
-  std::error_code error;
-  if (std::filesystem::is_directory(path, error)) fail(Kind::unreadable, path, "is a folder, not a file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) fail(Kind::unreadable, path, fmt::format("can't be opened: {}", std::strerror(errno)));
-  std::string bytes(std::istreambuf_iterator<char>(file), {});
-  if (file.bad()) fail(Kind::unreadable, path, "can't be read to its end");
-  return bytes;
+std::string read_bytes(const std::filesystem::path& path) try {
+  return read_input_file(path);
+} catch (const std::runtime_error& error) {
+  fail(Kind::unreadable, path, error.what());
 }
 
 PolygonSoup parse(const std::string& extension, const std::string& bytes) {

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace bendlab {
@@ -40,6 +41,11 @@ constexpr double flat = 0.01;
 
 constexpr int next(int corner) {
   return (corner + 1) % 3;
+}
+
+// CGAL's predicates divide by zero where a coordinate, or a square of it, is not finite.
+bool can_be_compared(const Vector3& x) {
+  return x.allFinite() && x.cwiseAbs().maxCoeff() < 1e100;
 }
 
 }  // namespace
@@ -159,6 +165,11 @@ void MeshSurface::find_ridges() {
 }
 
 MeshSurface::Nearest MeshSurface::nearest(const Vector3& x) const {
+  if (!can_be_compared(x))
+    return {.point = corner(mesh_.triangles(0, 0)),
+            .normal = face_normals_.front(),
+            .distance = std::numeric_limits<double>::infinity(),
+            .inside = false};
   const int triangle = tree_->index(tree_->tree.closest_point_and_primitive(point_of(x)).second);
   const auto at = static_cast<std::size_t>(triangle);
   const std::array<int, 3> corners = {mesh_.triangles(triangle, 0), mesh_.triangles(triangle, 1),
@@ -180,7 +191,7 @@ MeshSurface::Nearest MeshSurface::nearest(const Vector3& x) const {
 
 std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& from,
                                                                  const Vector3& to) const {
-  if (from == to) return std::nullopt;
+  if (from == to || !can_be_compared(from) || !can_be_compared(to)) return std::nullopt;
   std::optional<Crossing> first;
   double earliest = 2;
   for (const int t : tree_->intersected(Kernel::Segment_3(point_of(from), point_of(to)))) {
@@ -197,6 +208,7 @@ std::optional<MeshSurface::Crossing> MeshSurface::first_crossing(const Vector3& 
 
 void MeshSurface::triangles_in_box(const Vector3& low, const Vector3& high,
                                    std::vector<int>& triangles) const {
+  if (!can_be_compared(low) || !can_be_compared(high)) return;
   const std::vector<int> found =
       tree_->intersected(CGAL::Bbox_3(low.x(), low.y(), low.z(), high.x(), high.y(), high.z()));
   triangles.insert(triangles.end(), found.begin(), found.end());

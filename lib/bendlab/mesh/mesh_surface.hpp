@@ -46,6 +46,7 @@ class MeshSurface {
   /// Whether every edge has two triangles, so that the mesh has an inside.
   bool closed() const { return closed_; }
 
+  /// Infinitely far for a point that is not finite; what follows then finds nothing.
   Nearest nearest(const Vector3& x) const;
   /// Where the segment first meets the mesh.
   std::optional<Crossing> first_crossing(const Vector3& from, const Vector3& to) const;
