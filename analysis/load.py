@@ -4,6 +4,7 @@ A run file is open only while something is read from it, so that hundreds of run
 Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
 import json
+import sys
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
@@ -11,6 +12,8 @@ from pathlib import Path
 
 import h5py
 import numpy as np
+
+from checksum import require_readable
 
 
 def _text(value):
@@ -180,8 +183,10 @@ def at(config, pointer, default=None):
 
 
 def load_run(path):
-    """One run from its file, finished or not (`.part`). OSError: not readable; KeyError: no run."""
+    """One run from its file, finished or not (`.part`). OSError: not readable, or changed since it was
+    written; KeyError: no run."""
     path = Path(path)
+    require_readable(path)
     with h5py.File(path, "r") as file:
         frames = len(file["metrics/time"])
         group = lambda name: file[name] if name in file else {}
@@ -235,10 +240,15 @@ def load_runs(folder):
 
 
 def load_if_begun(path):
-    """The run, or None if the file is cut off before its first frame."""
+    """The run, or None if the file is not there, is damaged (then stderr names it), or is cut off before its
+    first frame."""
+    if not Path(path).exists():
+        return None
     try:
         run = load_run(path)
-    except (OSError, KeyError, ValueError):
+    except (OSError, KeyError, ValueError) as error:
+        if not str(path).endswith(".part"):
+            print(f"left out: {error}", file=sys.stderr)
         return None
     return run if run.frames else None
 

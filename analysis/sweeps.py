@@ -2,6 +2,7 @@
 import copy
 import itertools
 import json
+import sys
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -59,6 +60,9 @@ def load_experiment(results, config):
     experiment.sweep = sweep["axes"]
     for entry in sweep["runs"]:
         run = load_if_begun(_file_in(folder / entry["folder"])) if entry["folder"] else None
+        if run and run.id != entry["id"]:
+            print(f"left out: {run.file} is the file of another run, {run.id}", file=sys.stderr)
+            run = None
         if run:
             run.point, run.experiment = entry["point"], config
             experiment.runs.append(run)
@@ -132,7 +136,7 @@ def _sweep_file(folder, name):
 def _file_in(folder):
     """The run file of a run's folder, finished or not."""
     whole = folder / "run.vtkhdf"
-    return whole if whole.exists() else folder / "run.vtkhdf.part"
+    return whole if whole.exists() else max(folder.glob("run.vtkhdf*.part"), default=whole)
 
 
 def _same_runs(written, computed):

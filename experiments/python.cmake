@@ -1,6 +1,6 @@
 # BENDLAB_PYTHON: a Python that has what the scripts in analysis/ import. The `python3` on PATH is often not
 # the one that the system's packages belong to (pyenv, conda, a virtual environment), so several are tried.
-set(BENDLAB_PYTHON_MODULES "numpy, h5py, matplotlib")
+set(BENDLAB_PYTHON_MODULES "numpy, h5py, matplotlib, xxhash")
 
 function(bendlab_python_works python result)
   execute_process(COMMAND "${python}" -c "import ${BENDLAB_PYTHON_MODULES}"
@@ -33,7 +33,7 @@ function(bendlab_find_python)
   endforeach()
   string(REPLACE ";" ", " tried "${candidates}")
   message(FATAL_ERROR "No Python with ${BENDLAB_PYTHON_MODULES} found (tried ${tried}). Install "
-    "python3-numpy, python3-h5py and python3-matplotlib, or name one that has them: "
+    "python3-numpy, python3-h5py, python3-matplotlib and python3-xxhash, or name one that has them: "
     "cmake --preset release -DBENDLAB_PYTHON=/path/to/python3")
 endfunction()
 

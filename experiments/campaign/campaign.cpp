@@ -41,17 +41,6 @@ int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
 
-/// Removes the run's files, so that it is computed again.
-void remove_run_files(const fs::path& folder) {
-  if (!fs::is_directory(folder)) return;
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.ends_with(".vtkhdf") || name.ends_with(".vtkhdf.part")) files.push_back(entry.path());
-  }
-  for (const fs::path& file : files) fs::remove(file);
-}
-
 /// For each run, the index of the run that is executed for it: two experiments of one name may share a run,
 /// which would write one file twice.
 std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
@@ -70,8 +59,6 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
 
 void execute(CampaignRun& run, const CampaignOptions& options, const RunControl& control) {
   try {
-    if (options.force || options.minimal)
-      remove_run_files(run_folder(options.out, *run.experiment, *run.config));
     run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
     if (run.outcome->differs) run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::implausible && !run.experiment->allows(RunStatus::implausible))
@@ -143,7 +130,14 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
       const RunControl control{
           .stop = &stop_flag(),
           .progress = [&, index](double done_s, double total_s) { progress.update(index, done_s, total_s); },
-          .minimal = options.minimal};
+          .minimal = options.minimal,
+          .force = options.force || options.minimal,
+          .checkpoint_interval_s = options.checkpoint_interval_s,
+          .waiting_for =
+              [&, index](const std::string& owner) {
+                progress.message(
+                    fmt::format("{}: waiting for {}, which is computing it", run_text(runs[index]), owner));
+              }};
       if (!stop_flag()) execute(runs[index], options, control);
       try {
         finish(index);

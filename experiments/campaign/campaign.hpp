@@ -27,6 +27,7 @@ struct CampaignOptions {
   int jobs = 0;          ///< runs side by side; 0: cores / the threads that a run takes
   bool force = false;    ///< compute complete runs again
   bool minimal = false;  ///< without effects that cannot act; implies force
+  double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
 };
 
 /// Every run of every experiment, in sweep order.

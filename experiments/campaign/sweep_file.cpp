@@ -1,9 +1,6 @@
 #include "experiments/campaign/sweep_file.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
-
-#include <fstream>
 
 #include "bendlab/io/disk.hpp"
 #include "experiments/config/schema.hpp"
@@ -44,8 +41,6 @@ fs::path sweep_file(const fs::path& out, const Experiment& experiment) {
 
 void write_sweep_file(const fs::path& out, const Experiment& experiment) {
   const fs::path file = sweep_file(out, experiment);
-  std::error_code error;
-  fs::create_directories(file.parent_path(), error);
   const BuildInfo& build = build_info();
   Json axes = Json::object(), runs = Json::array();
   for (const auto& [pointer, values] : experiment.axes) axes[pointer] = values;
@@ -59,13 +54,8 @@ void write_sweep_file(const fs::path& out, const Experiment& experiment) {
   for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());
   text += fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));
 
-  // Two programs may write it at once.
-  const fs::path part = fmt::format("{}.{}.tmp", file.string(), getpid());
-  std::ofstream(part, std::ios::binary) << text << std::flush;
-  if (error || fs::file_size(part, error) != text.size())
-    throw RunFileError(fmt::format(
-        "{}: can't be written. Name another folder with --out, or make room on the disk", file.string()));
-  publish(part, file);
+  make_folder(file.parent_path());
+  replace_file(file, text);
 }
 
 }  // namespace bendlab

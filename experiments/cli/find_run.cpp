@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "experiments/campaign/errors.hpp"
+#include "experiments/run/checked_read.hpp"
 
 namespace bendlab {
 namespace {
@@ -13,7 +14,7 @@ namespace fs = std::filesystem;
 
 bool is_run_file(const fs::path& file) {
   const std::string name = file.filename().string();
-  return name.ends_with(".vtkhdf") || name.ends_with(".vtkhdf.part");
+  return name.ends_with(".vtkhdf") || (name.starts_with("run.vtkhdf") && name.ends_with(".part"));
 }
 
 /// Every run file below a folder, by path.
@@ -32,7 +33,7 @@ std::vector<RunRecord> read_runs(const fs::path& folder) {
   std::vector<RunRecord> records;
   for (const fs::path& file : find_run_files(folder)) {
     try {
-      records.push_back(read_run(file));
+      records.push_back(read_checked(file));
     } catch (const RunFileError& error) {
       fmt::print(stderr, "bendlab: {}\n", error.what());
     }
@@ -41,7 +42,7 @@ std::vector<RunRecord> read_runs(const fs::path& folder) {
 }
 
 RunRecord find_run(const std::string& run, const fs::path& folder) {
-  if (fs::is_regular_file(run)) return read_run(run);
+  if (fs::is_regular_file(run)) return read_checked(run);
   std::vector<fs::path> files;
   if (fs::is_directory(run)) {
     files = find_run_files(run);
@@ -49,7 +50,7 @@ RunRecord find_run(const std::string& run, const fs::path& folder) {
     for (const RunRecord& record : read_runs(folder))
       if (record.id.starts_with(run)) files.push_back(record.file);
   }
-  if (files.size() == 1) return read_run(files.front());
+  if (files.size() == 1) return read_checked(files.front());
   if (files.empty())
     throw UsageError(
         fmt::format("'{}' is no run file, no folder with one, and no run in '{}' has an id that begins "

@@ -10,6 +10,7 @@
 #include <set>
 #include <system_error>
 
+#include "bendlab/io/claim.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/measures/metrics.hpp"
+#include "experiments/run/checked_read.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -180,17 +182,20 @@ int run_program(std::vector<std::string> arguments) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
-/// "complete", "implausible", "diverged, 12 frames", or "new".
+/// "complete", "implausible", "diverged, 12 frames", "running", "unreadable" or "new".
 std::string state_on_disk(const fs::path& folder) {
-  const fs::path file = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  const fs::path file = folder / "run.vtkhdf";
+  const auto with_frames = [](RunStatus status, std::uint64_t frames) {
+    return fmt::format("{}, {}", to_string(status), counted(frames, "frame"));
+  };
+  if (!owner_of(folder).empty()) return "running";
   try {
     if (fs::exists(file)) {
-      const RunRecord record = read_run(file);
-      return is_whole(record.status)
-                 ? to_string(record.status)
-                 : fmt::format("{}, {}", to_string(record.status), counted(record.frames, "frame"));
+      const RunRecord record = read_checked(file);
+      return is_whole(record.status) ? to_string(record.status) : with_frames(record.status, record.frames);
     }
-    if (fs::exists(part)) return fmt::format("interrupted, {}", counted(read_run(part).frames, "frame"));
+    if (const std::vector<fs::path> parts = unfinished_files(folder); !parts.empty())
+      return with_frames(RunStatus::interrupted, read_checked(parts.back()).frames);
   } catch (const RunFileError&) {
     return "unreadable";
   }

@@ -64,6 +64,8 @@ class Accuracy final : public Measurement {
     }
   }
 
+  void archive(Archive& state) override { state(time_, kinetic_energy_, poses_); }
+
  private:
   Trajectory trajectory_to(const Positions& end) const {
     if (!over_time_) return {scene_.rest, {0}, {end}, {}};

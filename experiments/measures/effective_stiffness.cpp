@@ -82,6 +82,8 @@ class Meter final : public Measurement {
       findings.summary.merge(effective_stiffness_summary(sum_, substeps_));
   }
 
+  void archive(Archive& state) override { state(next_look_, sum_); }
+
  private:
   double next_look_;  // s
   int substeps_;

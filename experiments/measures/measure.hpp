@@ -113,6 +113,9 @@ class Measurement {
                         std::span<std::vector<float>> /*fields*/) {}
   /// When the run is over and all frames are complete.
   virtual void finish(const RunEnd&, Findings&) {}
+  /// Writes or reads what step(), capture() and complete() keep; between steps, all frames being complete. A
+  /// run that was stopped goes on with it.
+  virtual void archive(Archive&) {}
 };
 
 /// A number that a measure gives at the end of a run.

@@ -147,6 +147,7 @@ class Stability final : public Measurement {
 
   void step(const Simulation& simulation, const Moment&) override { meter_.look(simulation); }
   void finish(const RunEnd&, Findings& findings) override { findings.summary.merge(meter_.summary()); }
+  void archive(Archive& state) override { meter_.archive(state); }
 
  private:
   StabilityMeter meter_;

@@ -22,6 +22,12 @@ class StabilityMeter {
   /// What was seen, by name, each beginning with `stability_`; stability.cpp has the list.
   std::map<std::string, double> summary();
 
+  void archive(Archive& state) {
+    state(now_, half_way_, time_, next_alignment_, reach_, first_reach_, last_reach_, farthest_, distance_,
+          least_distance_, recovered_at_, first_velocity_, first_spin_, first_spin_scale_, spin_,
+          momentum_drift_, first_energy_, energy_, highest_energy_, energy_scale_, looks_, rises_);
+  }
+
  private:
   void look_at_shape();
   void look_at_energy(const Positions& positions, const Positions& velocities);

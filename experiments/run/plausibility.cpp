@@ -607,6 +607,15 @@ void Plausibility::look_at_stretch(double time, double mean_strain,
          positions);
 }
 
+void Plausibility::archive(Archive& state) {
+  state(projections_looked_at_, stretch_lasts_.since, mean_strain_lasts_.since);
+  for (std::optional<BrokenBound>* broken : {&broken_, &broken_stretch_}) {
+    std::string text = *broken ? to_json(**broken).dump() : "";
+    state(text);
+    if (state.reads()) *broken = text.empty() ? std::nullopt : broken_bound_of(Json::parse(text));
+  }
+}
+
 std::optional<BrokenBound> Plausibility::broken() const {
   std::optional<BrokenBound> first = broken_;
   if (broken_stretch_ && (!first || broken_stretch_->time < first->time)) first = broken_stretch_;

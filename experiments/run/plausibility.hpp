@@ -74,6 +74,9 @@ class Plausibility {
   void look_at_stretch(double time, double mean_strain, std::span<const PrincipalStretches> stretches,
                        const Positions& positions);
 
+  /// Writes or reads what was seen so far; while no look is under way.
+  void archive(Archive& state);
+
   /// The bound that was broken first, with advice. Not to be called while a check may be under way.
   std::optional<BrokenBound> broken() const;
 

@@ -49,6 +49,24 @@ void Recorder::complete(Frame& frame, Plausibility& plausibility) {
   rows_.push_back(frame.metrics);
 }
 
+void Recorder::archive(Archive& state) {
+  for (const Active& active : active_) active.measurement->archive(state);
+}
+
+void Recorder::take_earlier(const EarlierFrames& earlier) {
+  const auto first = [&](const std::string& name) {
+    std::vector<double> values = read_metric(earlier.file, name);
+    values.resize(earlier.frames);
+    return values;
+  };
+  times_ = first("time");
+  rows_.assign(earlier.frames, std::vector<double>(columns_.size()));
+  for (std::size_t c = 0; c < columns_.size(); ++c) {
+    const std::vector<double> values = first(columns_[c].name);
+    for (std::size_t f = 0; f < rows_.size(); ++f) rows_[f][c] = values[f];
+  }
+}
+
 Findings Recorder::findings(const RunEnd& end, bool of_those_that_make_runs) {
   Findings findings;
   for (const Active& active : active_)

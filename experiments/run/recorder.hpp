@@ -30,6 +30,12 @@ class Recorder {
   /// order.
   void complete(Frame& frame, Plausibility& plausibility);
 
+  /// Writes or reads what the measures keep between steps; all frames being complete. Their values of earlier
+  /// frames are in the run file: see take_earlier().
+  void archive(Archive& state);
+  /// Takes the values of the first frames of a run file.
+  void take_earlier(const EarlierFrames& earlier);
+
   /// To be called when all frames are complete: what was found by the measures that make other runs, or by
   /// those that make none.
   Findings findings(const RunEnd& end, bool of_those_that_make_runs);

@@ -6,13 +6,16 @@
 #include <cctype>
 #include <chrono>
 #include <cstring>
-#include <fstream>
-#include <iterator>
 #include <memory>
-#include <mutex>
 #include <optional>
 
+#include "bendlab/io/checksum.hpp"
+#include "bendlab/io/claim.hpp"
+#include "bendlab/io/disk.hpp"
 #include "bendlab/io/frame_writer.hpp"
+#include "bendlab/parameters/input_file.hpp"
+#include "experiments/run/checkpoint.hpp"
+#include "experiments/run/folder.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run_header.hpp"
@@ -22,12 +25,11 @@
 namespace bendlab {
 namespace {
 
-std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) {
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream)
-    throw RunFileError(fmt::format("{}: the mesh file cannot be read; check {} and the file's permissions",
-                                   file.string(), pointer));
-  return {std::istreambuf_iterator<char>(stream), {}};
+std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) try {
+  return read_input_file(file);
+} catch (const std::runtime_error& error) {
+  throw RunFileError(fmt::format("{}: the mesh file {}; check {} and the file's permissions", file.string(),
+                                 error.what(), pointer));
 }
 
 void add_message(RunOutcome& outcome, const std::string& text) {
@@ -72,37 +74,6 @@ Comparison compare_to_whole(const Simulation& minimal, const Scene& whole) {
       !same};
 }
 
-RunOutcome outcome_of(const RunRecord& record) {
-  const auto message = record.provenance.find("message");
-  const auto json = [&](const char* name) {
-    const auto text = record.provenance.find(name);
-    return text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
-  };
-  return {.id = record.id,
-          .status = record.status,
-          .reused = true,
-          .file = record.file,
-          .broken = broken_bound_of(json("implausible")),
-          .warnings = warnings_of(json("warnings")),
-          .message = message == record.provenance.end() ? "" : message->second,
-          .wall_s = record.wall_s,
-          .cpu_s = record.cpu_s,
-          .step_cpu_s = record.step_cpu_s,
-          .summary = record.summary,
-          .passes = record.passes};
-}
-
-// The run's file if it is there and over: whole, or diverged (which it would again, bit for bit).
-std::optional<RunOutcome> finished_run(const std::filesystem::path& file) {
-  if (!std::filesystem::exists(file)) return std::nullopt;
-  try {
-    const RunRecord record = read_run(file);
-    if (is_over(record.status)) return outcome_of(record);
-  } catch (const RunFileError&) {  // unreadable: run again, which replaces it
-  }
-  return std::nullopt;
-}
-
 // "mesh/cells" → "cells", values without quotes; what a folder's name can't hold becomes '_'.
 std::string readable_place(const RunConfig& config) {
   std::string place;
@@ -114,14 +85,6 @@ std::string readable_place(const RunConfig& config) {
     if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("=,.-_", c)) c = '_';
   constexpr std::size_t longest = 120;  // well within a file system's 255 bytes, with the id behind it
   return place.substr(0, longest);
-}
-
-void make_folder(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error)
-    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out",
-                                   folder.string(), error.message()));
 }
 
 // The id of a run that another one needs. Throws RunFileError that names the setting which asks for it.
@@ -140,21 +103,16 @@ std::string reference_id(const RunConfig& config, Against against, bool coarser)
   return "";
 }
 
-// One of several threads that want the same run computes it; the others wait here, and find it done.
-std::mutex& turn_for(const std::filesystem::path& folder) {
-  static std::mutex mutex;
-  static std::map<std::string, std::mutex> of_folder;
-  const std::lock_guard lock(mutex);
-  return of_folder[folder.string()];
-}
-
 // Runs another run that a measure needs below `folder`, or finds it made.
 OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
                         const std::filesystem::path& folder, const RunControl& control) {
   Experiment experiment;
   experiment.name = "references";
-  const std::lock_guard turn(turn_for(run_folder(folder, experiment, config)));
-  const RunOutcome outcome = execute_run(experiment, config, folder, {.stop = control.stop}, start);
+  const RunOutcome outcome = execute_run(experiment, config, folder,
+                                         {.stop = control.stop,
+                                          .checkpoint_interval_s = control.checkpoint_interval_s,
+                                          .waiting_for = control.waiting_for},
+                                         start);
   return {outcome.status, outcome.file, outcome.summary, outcome.message};
 }
 
@@ -194,15 +152,11 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
   return out / experiment.name / (place.empty() ? id : place + "-" + id);
 }
 
-RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
-                       const std::filesystem::path& out, const RunControl& control,
-                       const StartingPose* start) {
-  const std::string id = run_id(config);
-  const std::filesystem::path file = run_folder(out, experiment, config, id) / "run.vtkhdf";
-  if (std::optional<RunOutcome> finished = finished_run(file)) return *finished;
+namespace {
 
-  const auto wall_start = std::chrono::steady_clock::now();
-  const double cpu_start = thread_cpu_s();
+RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
+                   const RunControl& control, const StartingPose* start, const Place& place) {
+  RunClock clock;
   Scene scene = build_scene(config);
   std::optional<Scene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
@@ -211,16 +165,27 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   Recorder recorder(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Plausibility plausibility(scene);
-  const double set_up_s = thread_cpu_s() - cpu_start;
-  RunOutcome outcome{.id = id, .file = file};
+  const double set_up_s = clock.thread_cpu_s();
+  RunOutcome outcome{.id = place.id, .file = place.file};
   const RunHeader header = header_of(experiment, config, outcome.id, scene, *simulation, recorder);
 
-  make_folder(file.parent_path());
-  FrameWriter writer(file, header, [&](Frame& frame) { recorder.complete(frame, plausibility); });
-  const Stepping stepping = step_to_end(*simulation, scene, recorder, plausibility, writer, config, control);
+  std::optional<FrameWriter> opened;
+  const auto prepare = [&](Frame& frame) { recorder.complete(frame, plausibility); };
+  try {
+    if (place.saved) recorder.take_earlier(place.earlier);
+    opened.emplace(place.file, header, prepare, place.part, place.earlier);
+  } catch (const RunFileError& error) {
+    if (!place.saved) throw;
+    throw Unresumable(error.what());
+  }
+  FrameWriter& writer = *opened;
+  Checkpoints checkpoints(place.folder, place.id, writer,
+                          Checkpoints::Seconds(control.checkpoint_interval_s));
+  const Stepping stepping = step_to_end({*simulation, recorder, plausibility, writer, checkpoints, clock},
+                                        scene, config, control, place.saved ? &*place.saved : nullptr);
   outcome.step_cpu_s = stepping.cpu_s;
   writer.drain();
-  const double recording_s = writer.cpu_s();
+  const double recording_s = clock.recording_s(writer.cpu_s());
   outcome.status = stepping.status;
   outcome.message =
       fmt::format("{}{}{}", fmt::join(scene.mesh_notes, "; "),
@@ -242,9 +207,9 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   outcome.passes.push_back({"set_up", set_up_s, 1});
   for (const PassStatistics& pass : simulation->passes())
     outcome.passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
-  outcome.passes.push_back({"recording", recording_s, writer.frames()});
-  outcome.cpu_s = thread_cpu_s() - cpu_start + recording_s + simulation->helper_seconds();
-  outcome.wall_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_start).count();
+  outcome.passes.push_back({"recording", recording_s, stepping.frames});
+  outcome.cpu_s = clock.thread_cpu_s() + recording_s + simulation->helper_seconds();
+  outcome.wall_s = clock.wall_s();
   add_findings(recorder.findings(end, true), outcome);
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
@@ -254,9 +219,60 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                    .step_cpu_s = outcome.step_cpu_s};
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary});
   if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
+  if (!clock.went_on_at().empty())
+    footer.provenance["went_on_at"] = fmt::format("{:.6g} s", fmt::join(clock.went_on_at(), ", "));
   if (outcome.broken) footer.provenance["implausible"] = to_json(*outcome.broken).dump();
   if (!outcome.warnings.empty()) footer.provenance["warnings"] = to_json(outcome.warnings).dump();
+  if (!place.claim->holds())
+    throw RunFileError(
+        fmt::format("{}: another process took this run over, because this one was silent for too long; its "
+                    "result counts",
+                    place.file.string()));
   writer.finish(footer);
+  return outcome;
+}
+
+RunOutcome stopped_while_waiting(const Place& place) {
+  return {.id = place.id,
+          .status = RunStatus::interrupted,
+          .file = place.file,
+          .message = "stopped while another process was computing this run"};
+}
+
+}  // namespace
+
+RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
+                       const std::filesystem::path& out, const RunControl& control,
+                       const StartingPose* start) {
+  Place place{.id = run_id(config)};
+  place.folder = run_folder(out, experiment, config, place.id);
+  place.file = place.folder / "run.vtkhdf";
+  if (!control.force)
+    if (const Found found = look_for(place.file, place.id); found.over) return *found.over;
+  make_folder(place.folder);
+  place.claim = Claim::of(place.folder, {.give_up = [&] { return control.stop && control.stop->load(); },
+                                         .waiting_for = control.waiting_for});
+  if (!place.claim) return stopped_while_waiting(place);
+  if (!control.force) adopt_finished(place);
+  const Found found = look_for(place.file, place.id);  // another process may have made it meanwhile
+  if (found.over && !control.force) return *found.over;
+  const std::string note =
+      found.wrong.empty() ? "" : set_aside(place.file, found.wrong, place.claim->token());
+  place.part = fmt::format("{}.{}.part", place.file.string(), place.claim->token());
+  const std::vector<std::filesystem::path> left = unfinished_files(place.folder);
+  if (!control.force) find_checkpoint(place);
+  RunOutcome outcome = [&] {
+    try {
+      return compute(experiment, config, out, control, start, place);
+    } catch (const Unresumable&) {
+      remove_abandoned(place.part);
+      place.saved.reset(), place.earlier = {};
+      return compute(experiment, config, out, control, start, place);
+    }
+  }();
+  for (const std::filesystem::path& file : left) remove_abandoned(file);
+  if (outcome.status != RunStatus::interrupted) remove_checkpoint(place.folder);
+  add_message(outcome, note);
   return outcome;
 }
 

@@ -23,6 +23,11 @@ struct RunControl {
   /// Called after every recorded frame: simulated seconds done, simulated seconds in all.
   std::function<void(double done_s, double total_s)> progress;
   bool minimal = false;  ///< leave out effects that provably cannot act, and check that the bits are the same
+  bool force = false;  ///< compute it although its file is complete; that stays until the new one replaces it
+  /// How often a run writes what it needs to go on after a crash, s; 0: only when it is stopped.
+  double checkpoint_interval_s = 10;
+  /// Called if another process is computing the run, with its name: this one waits for it.
+  std::function<void(const std::string& owner)> waiting_for;
 };
 
 struct RunOutcome {
@@ -53,9 +58,13 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
                                  const RunConfig& config, const std::string& id);
 
-/// Computes a run, or reads it if it is complete. With config.starts_at_end_of it starts from `start`. The
-/// references that it is compared with are made below <out>/<experiment>; their time is not the run's. Throws
-/// MeshError and RunFileError; a run that diverges is an outcome.
+/// Computes a run, or reads it if it is complete. While it is computed its folder is claimed (claim.hpp): who
+/// comes second waits, and finds it complete. A file that was changed, or is another run's, is set aside. A
+/// run that was stopped, killed, or lost its power goes on from its last checkpoint, and gives the same bits.
+///
+/// With config.starts_at_end_of it starts from `start`. The references that it is compared with are made
+/// below <out>/<experiment>; their time is not the run's. Throws MeshError and RunFileError; a run that
+/// diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

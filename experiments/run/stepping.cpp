@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "bendlab/io/without_traps.hpp"
+#include "bendlab/parameters/archive.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
@@ -47,6 +48,7 @@ class Calm {
     return simulation.time() - since_ >= calm_s - rounding;
   }
   double since() const { return since_; }  // s
+  void archive(Archive& state) { state(next_look_, since_); }
 
  private:
   double speed_, next_look_ = 0, since_ = 0;
@@ -64,6 +66,7 @@ class StepClock {
     return whole;
   }
   double seconds() const { return seconds_ + simulation_.helper_seconds(); }
+  void archive(Archive& state) { state(seconds_); }
 
  private:
   Simulation& simulation_;
@@ -72,48 +75,99 @@ class StepClock {
 
 std::string stop_message(double time, double duration) {
   return fmt::format(
-      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again computes what "
-      "is not complete",
+      "stopped at t = {:.6g} s of {:.6g} s, the frames so far are kept; the same command again goes on from "
+      "there",
       time, duration);
 }
 
 }  // namespace
 
-Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recorder,
-                     Plausibility& plausibility, FrameWriter& writer, const RunConfig& config,
-                     const RunControl& control) {
+RunClock::RunClock() : thread_start_s_(bendlab::thread_cpu_s()) {}
+
+double RunClock::wall_s() const {
+  return earlier_wall_s_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+}
+
+double RunClock::thread_cpu_s() const {
+  return earlier_thread_s_ + bendlab::thread_cpu_s() - thread_start_s_;
+}
+
+void RunClock::archive(Archive& state, double recording_now) {
+  double wall = wall_s(), thread = thread_cpu_s(), recording = recording_s(recording_now);
+  state(wall, thread, recording, went_on_at_);
+  if (state.reads()) earlier_wall_s_ = wall, earlier_thread_s_ = thread, earlier_recording_s_ = recording;
+}
+
+Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& config,
+                     const RunControl& control, const Checkpoint* saved) {
+  const auto& [simulation, recorder, plausibility, writer, checkpoints, run_clock] = run;
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
   const std::int64_t steps = step_count(config);
-  writer.push(recorder.capture(simulation));
+
+  std::int64_t done = 0;
+  std::uint64_t frames = 0;
+  double next_frame = frame_interval;
+  Calm calm(config.section("").number("settled_speed"));
+  StepClock clock(simulation);
+  const auto archive = [&](Archive& state) {
+    state(done, next_frame, calm, clock, simulation, recorder, plausibility);
+    run_clock.archive(state, writer.cpu_s());
+  };
+  const auto state = [&] {
+    Archive written;
+    archive(written);
+    return written.bytes();
+  };
+  const auto record = [&] {
+    writer.push(recorder.capture(simulation));
+    ++frames;
+  };
   const auto look = [&](const Moment& moment) {
     recorder.step(simulation, moment);
     plausibility.look(simulation, moment.is_recorded);
   };
-  look({.is_start = true, .is_recorded = true});
-  double next_frame = frame_interval;
-  Calm calm(config.section("").number("settled_speed"));
-  StepClock clock(simulation);
   const auto ended = [&](RunStatus status, std::string message, std::optional<double> settled_at = {}) {
-    return Stepping{status, std::move(message), clock.seconds(), settled_at};
+    return Stepping{status, std::move(message), clock.seconds(), frames, settled_at};
   };
-  for (std::int64_t step = 1; step <= steps; ++step) {
+
+  if (saved) {
+    try {
+      Archive read(saved->state);
+      archive(read);
+      if (!read.at_end()) throw std::runtime_error("the checkpoint has more than the run keeps");
+    } catch (const std::exception& error) {
+      throw Unresumable(error.what());
+    }
+    frames = saved->frames;
+    run_clock.go_on(simulation.time());
+  } else {
+    record();
+    look({.is_start = true, .is_recorded = true});
+  }
+  for (std::int64_t step = done + 1; step <= steps; ++step) {
     if (!clock.step()) return ended(RunStatus::diverged, divergence_message(simulation.divergence(), scene));
     const double time = simulation.time();
-    const bool stop = control.stop && control.stop->load(std::memory_order_relaxed);
     // A cloth on the way to an equilibrium has no velocities: only the method knows whether it has arrived.
     const bool balanced = simulation.settled(),
                settled = balanced || (!simulation.unbalanced() && calm.settled(simulation));
-    const bool last = step == steps || stop || settled;
+    const bool last = step == steps || settled;
     const bool recorded = last || !(time < next_frame - rounding * dt);
     look({.is_recorded = recorded, .is_last = last});
-    if (!recorded) continue;
-    while (next_frame <= time + rounding * dt) next_frame += frame_interval;
-    writer.push(recorder.capture(simulation));
-    if (control.progress) control.progress(time, duration);
+    if (recorded) {
+      while (next_frame <= time + rounding * dt) next_frame += frame_interval;
+      record();
+      if (control.progress) control.progress(time, duration);
+    }
     if (settled) return ended(RunStatus::complete, "", balanced ? time : calm.since());
-    if (stop && step < steps) return ended(RunStatus::interrupted, stop_message(time, duration));
+    if (last) break;
+    done = step;
+    checkpoints.look(frames, state);
+    if (!control.stop || !control.stop->load(std::memory_order_relaxed)) continue;
+    checkpoints.now(frames, state);
+    if (!recorded) record();  // the file shows where it stopped; a run that goes on leaves this frame out
+    return ended(RunStatus::interrupted, stop_message(time, duration));
   }
   const std::optional<double> unbalanced = simulation.unbalanced();
   return ended(RunStatus::complete,

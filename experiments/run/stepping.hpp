@@ -1,28 +1,66 @@
 // Steps a run until it ends, comes to rest, is stopped or diverges, and records its frames.
 #pragma once
 
+#include <chrono>
 #include <optional>
+#include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/solver/simulation.hpp"
+#include "experiments/run/checkpoint.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bendlab {
 
+/// A checkpoint does not fit the run that should go on from it.
+class Unresumable : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Time that a run took, in this process and in those before it.
+class RunClock {
+ public:
+  RunClock();
+  double wall_s() const;
+  double thread_cpu_s() const;  ///< of the thread that steps
+  /// Of the thread that writes; `now` is its time in this process.
+  double recording_s(double now) const { return earlier_recording_s_ + now; }
+  const std::vector<double>& went_on_at() const { return went_on_at_; }  ///< s, simulated times
+  void go_on(double time) { went_on_at_.push_back(time); }
+  void archive(Archive& state, double recording_now);
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+  double thread_start_s_, earlier_wall_s_ = 0, earlier_thread_s_ = 0, earlier_recording_s_ = 0;
+  std::vector<double> went_on_at_;
+};
+
 struct Stepping {
   RunStatus status = RunStatus::complete;
   std::string message;  ///< where it diverged, why it stopped, what is not balanced
   double cpu_s = 0;     ///< of the steps alone
+  std::uint64_t frames = 0;
   std::optional<double> settled_at = std::nullopt;  ///< s
 };
 
-/// Records the first pose and then /output/frames_per_second; measures and verdict look at every step. Throws
-/// RunFileError if frames can't be written.
-Stepping step_to_end(Simulation& simulation, const Scene& scene, Recorder& recorder,
-                     Plausibility& plausibility, FrameWriter& writer, const RunConfig& config,
-                     const RunControl& control);
+/// A run at work: all that changes while it goes on.
+struct RunAtWork {
+  Simulation& simulation;
+  Recorder& recorder;
+  Plausibility& plausibility;
+  FrameWriter& writer;
+  Checkpoints& checkpoints;
+  RunClock& clock;
+};
+
+/// Records the first pose and then /output/frames_per_second; measures and verdict look at every step.
+/// `saved`: where to go on, or null; frames up to there are in the writer's file. Throws RunFileError if
+/// frames can't be written, Unresumable if `saved` does not fit the run.
+Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& config,
+                     const RunControl& control, const Checkpoint* saved);
 
 }  // namespace bendlab

@@ -51,13 +51,16 @@ SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
 TRIANGLES = np.array([[0, 1, 2], [0, 2, 3]])
 
 
+RUN_ID = "0123456789abcdef"
+
+
 def write_run(path, config, committed=3, extra=0, status="complete", summary=None):
     """Writes a square that falls by 0.1 m per frame; `extra` frames are begun but not committed."""
     frames = committed + extra
     path.parent.mkdir(parents=True, exist_ok=True)
     with h5py.File(path, "w") as file:
         file.attrs["status"] = np.bytes_(status)
-        file.attrs["id"] = np.bytes_("0123456789abcdef")
+        file.attrs["id"] = np.bytes_(RUN_ID)
         file.attrs["name"] = np.bytes_(config["name"])
         points = np.concatenate([SQUARE - [0, 0, 0.1 * k] for k in range(frames)])
         points[committed * 4:] = np.nan
@@ -156,7 +159,7 @@ class LoadTest(unittest.TestCase):
         folder.mkdir()
         (folder / "fig1.sweep.json").write_text(json.dumps({
             "settings": settings, "axes": config["sweep"], "models": {"crossover": "Crossover"},
-            "runs": [{"point": point, "id": "1", "folder": name} for name, point in runs],
+            "runs": [{"point": point, "id": RUN_ID, "folder": name} for name, point in runs],
             "overrides": [], **more}))
         return folder
 

@@ -97,6 +97,19 @@ inline std::size_t wrong_frames(const std::filesystem::path& path) {
   return wrong;
 }
 
+/// Whether a new writer can begin with the first frames of an unfinished run, write one more, and finish.
+inline bool goes_on_from(const std::filesystem::path& part, const std::filesystem::path& path,
+                         std::uint64_t frames) try {
+  RunFileWriter writer(path, square_header(), path.string() + ".new.part", {part, frames});
+  writer.write(square_frame(static_cast<int>(frames)));
+  RunFooter footer = square_footer();
+  footer.status = RunStatus::interrupted;
+  writer.finish(footer);
+  return read_run(path).frames == frames + 1 && wrong_frames(path) == 0;
+} catch (const RunFileError&) {
+  return false;
+}
+
 inline std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream in(path, std::ios::binary);
   return {std::istreambuf_iterator<char>(in), {}};

@@ -9,6 +9,7 @@
 
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/point.hpp"
+#include "bendlab/parameters/archive.hpp"
 
 namespace bendlab {
 
@@ -109,6 +110,9 @@ struct Pass {
   std::string name;
   Stage stage = Stage::force;
   std::function<void(PassContext<Real>&)> run;
+  /// Of a pass that keeps something from one substep to the next: writes or reads it. One pass of an effect
+  /// is enough.
+  std::function<void(Archive&)> archive;
 };
 
 }  // namespace bendlab

@@ -98,6 +98,8 @@ class MeshObstacle {
     for (std::size_t v = 0; v < asked_.size(); ++v) push_vertex(context, step, v);
   }
 
+  void archive(Archive& state) { state(asked_); }
+
  private:
   using Vector = Vector3Of<Real>;
   using Step = obstacle::Step<Real>;
@@ -105,6 +107,8 @@ class MeshObstacle {
   struct Asked {
     Vector3 at = Vector3::Zero();
     double distance = 0;  // m, a lower bound of the distance from there to the surface
+
+    void archive(Archive& state) { state(at, distance); }
 
     bool surely_beyond(double reach, const Vector3& x) const {
       const double left = distance - reach;
@@ -315,7 +319,8 @@ template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
   const auto obstacle = std::make_shared<MeshObstacle<Real>>(input);
   return {{"mesh_obstacle", Stage::predicted, [obstacle](PassContext<Real>& c) { obstacle->find_near(c); }},
-          {"mesh_obstacle", Stage::project, [obstacle](PassContext<Real>& c) { obstacle->push_out(c); }}};
+          {"mesh_obstacle", Stage::project, [obstacle](PassContext<Real>& c) { obstacle->push_out(c); },
+           [obstacle](Archive& state) { obstacle->archive(state); }}};
 }
 
 }  // namespace

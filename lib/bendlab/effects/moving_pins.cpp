@@ -206,20 +206,21 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   const Motion motion(input.parameters);
   std::vector<std::size_t> vertices = moving_vertices(input);
   if (vertices.empty() || motion.none()) return {};
+  const auto starts = std::make_shared<std::vector<Vector3>>();
   return {{"moving_pins", Stage::predicted,
-           [motion, vertices = std::move(vertices),
-            starts = std::vector<Vector3>()](PassContext<Real>& context) mutable {
+           [motion, vertices = std::move(vertices), starts](PassContext<Real>& context) {
              State<Real>& state = context.state;
-             if (starts.empty())
+             if (starts->empty())
                for (const std::size_t v : vertices)
-                 starts.push_back(state.previous[v].vector().template cast<double>());
+                 starts->push_back(state.previous[v].vector().template cast<double>());
              const double end = context.time + static_cast<double>(context.substep);
-             motion.at(end, starts, state.origin, [&](std::size_t i, const Vector3& position) {
+             motion.at(end, *starts, state.origin, [&](std::size_t i, const Vector3& position) {
                const Vector3Of<Real> now = position.template cast<Real>();
                context.acted += now != state.previous[vertices[i]].vector();
                state.position[vertices[i]].set(now);
              });
-           }}};
+           },
+           [starts](Archive& state) { state(*starts); }}};
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct NearPair {
   double start;    ///< m, its gap's length at the start of the substep
   Vector3 normal;  ///< the unit vector of that gap
   double target;   ///< m, how far apart it should be: the thickness, or half of the rest distance if less
+
+  void archive(Archive& state) { state(vertices, pairing, start, normal, target); }
 };
 
 /// Finds the pairs that can come nearer than a part of their target while each vertex goes straight from
@@ -47,6 +49,8 @@ class NearPairs {
   bool cover(const Points<Real>& points) const;
 
   const std::vector<NearPair>& pairs() const { return pairs_; }
+  /// What one substep keeps for the next.
+  void archive(Archive& state) { state(part_of_target_, margin_, found_at_, pairs_); }
 
  private:
   struct Triangle {

@@ -183,6 +183,8 @@ class SelfCollision {
     begun_ = false;
   }
 
+  void archive(Archive& state) { near_.archive(state); }
+
  private:
   static Point<Real>& point(State<Real>& state, int vertex) {
     return state.position[static_cast<std::size_t>(vertex)];
@@ -271,7 +273,8 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   const auto collision = std::make_shared<SelfCollision<Real>>(input, input.parameters.number("thickness"));
   return {{"self_collision", Stage::project, [collision](PassContext<Real>& c) { collision->keep_apart(c); }},
           {"self_collision", Stage::velocity,
-           [collision](PassContext<Real>& c) { collision->let_nothing_through(c); }}};
+           [collision](PassContext<Real>& c) { collision->let_nothing_through(c); },
+           [collision](Archive& state) { collision->archive(state); }}};
 }
 
 }  // namespace

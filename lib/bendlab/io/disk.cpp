@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <system_error>
 
+#include "bendlab/io/claim.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -33,7 +35,7 @@ RunFileError system_error(const fs::path& path, const std::string& what) {
   return file_error(path, what, std::system_category().message(code), code);
 }
 
-void synchronise(const fs::path& path, int flags) {
+void wait_for_disk(const fs::path& path, int flags) {
   const Descriptor descriptor(path, flags);
   // A folder on some network file systems refuses fsync with EINVAL: then there is nothing to wait for.
   if (descriptor < 0 || (::fsync(descriptor) != 0 && errno != EINVAL))
@@ -67,33 +69,81 @@ RunFileError file_error(const fs::path& path, const std::string& what, const std
   return RunFileError(fmt::format("{}: {}: {}. {}.", path.string(), what, reason, advice(code)));
 }
 
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw RunFileError(fmt::format("{}: the folder cannot be made: {}; choose another place with --out",
+                                   folder.string(), error.message()));
+}
+
 fs::path part_path(const fs::path& file) {
   return file.string() + ".part";
 }
 
 void require_readable(const fs::path& file) {
+  std::error_code ignored;
+  if (const fs::file_status status = fs::status(file, ignored);
+      fs::exists(status) && !fs::is_regular_file(status))
+    throw file_error(file, "can't be read", "it is no file", 0);
   if (Descriptor(file, O_RDONLY) >= 0) return;
   const RunFileError error = system_error(file, "can't be read");
-  std::error_code ignored;
   if (const auto part = part_path(file); fs::exists(part, ignored))
     throw RunFileError(fmt::format("{} An unfinished run is in '{}'.", error.what(), part.string()));
   throw error;
 }
 
-void require_writable(const fs::path& file) {
-  const Descriptor descriptor(file, O_RDWR | O_CREAT);
-  if (descriptor < 0) throw system_error(file, "can't be written");
-  // HDF5 takes the same lock, but only after it has emptied the file.
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+void remove_abandoned(const fs::path& file) {
+  const Descriptor descriptor(file, O_RDWR | O_NOFOLLOW | O_NONBLOCK);
+  // HDF5 takes the same lock.
+  if (descriptor >= 0 && ::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
     throw file_error(file, "can't be written", "another writer is at work on it", EWOULDBLOCK);
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT) throw system_error(file, "can't be written");
+}
+
+bool write_new(const fs::path& file, std::string_view text, Existing existing) {
+  const Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW);
+  if (descriptor < 0 && errno == EEXIST && existing == Existing::is_no_error) return false;
+  if (descriptor < 0) throw system_error(file, "can't be written");
+  for (std::string_view rest = text; !rest.empty();) {
+    const ssize_t written = ::write(descriptor, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) {
+      const RunFileError error = system_error(file, "can't be written");
+      ::unlink(file.c_str());
+      throw error;
+    }
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+void overwrite(const fs::path& file, std::string_view text) noexcept {
+  const Descriptor descriptor(file, O_WRONLY | O_NOFOLLOW);
+  if (descriptor >= 0) static_cast<void>(::pwrite(descriptor, text.data(), text.size(), 0) < 0);
+}
+
+void replace_file(const fs::path& file, std::string_view text) {
+  const fs::path draft = fmt::format("{}.{}.tmp", file.string(), unique_token());
+  write_new(draft, text);
+  try {
+    publish(draft, file);
+  } catch (const RunFileError&) {
+    ::unlink(draft.c_str());
+    throw;
+  }
+}
+
+void synchronise(const fs::path& file) {
+  wait_for_disk(file, O_RDONLY);
 }
 
 void publish(const fs::path& part, const fs::path& file) {
-  synchronise(part, O_RDONLY);
+  synchronise(part);
   if (::rename(part.c_str(), file.c_str()) != 0)
     throw system_error(part, fmt::format("can't be renamed to '{}'", file.string()));
   const auto folder = file.parent_path();
-  synchronise(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
+  wait_for_disk(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
 }
 
 }  // namespace bendlab

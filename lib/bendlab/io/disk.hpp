@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 
 #include "bendlab/io/run_file.hpp"
 
@@ -12,15 +13,34 @@ namespace bendlab {
 RunFileError file_error(const std::filesystem::path& path, const std::string& what, const std::string& reason,
                         int code);
 
+/// With those above it. Throws RunFileError.
+void make_folder(const std::filesystem::path& folder);
+
 /// `file` with the suffix `.part`.
 std::filesystem::path part_path(const std::filesystem::path& file);
 
-/// Throws RunFileError unless the file can be opened for reading.
+/// Throws RunFileError unless it is a file, no folder or pipe, and can be opened for reading.
 void require_readable(const std::filesystem::path& file);
 
-/// Creates the file if it does not exist. Throws RunFileError unless it can be written and no other writer
-/// has it open.
-void require_writable(const std::filesystem::path& file);
+/// Removes a file that a writer left, or a link of that name. Throws RunFileError if a writer has it open.
+void remove_abandoned(const std::filesystem::path& file);
+
+enum class Existing { is_an_error, is_no_error };
+
+/// Makes a file with this text. Never opens one that exists, nor what a link of that name points to: returns
+/// false then, or throws RunFileError, as it does for every other failure.
+bool write_new(const std::filesystem::path& file, std::string_view text,
+               Existing existing = Existing::is_an_error);
+
+/// Writes over the first bytes of a file that exists. Failures do nothing.
+void overwrite(const std::filesystem::path& file, std::string_view text) noexcept;
+
+/// Replaces a file in one step: readers see the old text or the new one, also after a power cut. Several
+/// processes may do so at once. A link of that name is replaced, not followed. Throws RunFileError.
+void replace_file(const std::filesystem::path& file, std::string_view text);
+
+/// Waits until the disk has the file. Throws RunFileError.
+void synchronise(const std::filesystem::path& file);
 
 /// Flushes `part` to the disk, renames it to `file` and flushes the rename. Throws RunFileError.
 void publish(const std::filesystem::path& part, const std::filesystem::path& file);

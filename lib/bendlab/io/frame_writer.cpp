@@ -15,8 +15,9 @@ double thread_cpu_s() {
 }  // namespace
 
 FrameWriter::FrameWriter(const std::filesystem::path& path, const RunHeader& header,
-                         std::function<void(Frame&)> prepare)
-    : writer_(path, header), prepare_(std::move(prepare)), thread_([this] { run(); }) {}
+                         std::function<void(Frame&)> prepare, const std::filesystem::path& part,
+                         const EarlierFrames& earlier)
+    : writer_(path, header, part, earlier), prepare_(std::move(prepare)), thread_([this] { run(); }) {}
 
 FrameWriter::~FrameWriter() {
   stop();
@@ -34,6 +35,11 @@ void FrameWriter::drain() {
   std::unique_lock lock(mutex_);
   changed_.wait(lock, [&] { return failure_ || (queue_.empty() && !busy_); });
   rethrow_failure();
+}
+
+void FrameWriter::synchronise() {
+  drain();
+  writer_.synchronise();
 }
 
 void FrameWriter::finish(const RunFooter& footer) {

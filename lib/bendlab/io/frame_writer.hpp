@@ -24,7 +24,8 @@ class FrameWriter {
   /// fills metrics and cell fields from time and positions. The caller may use what it accesses only after
   /// drain(). Throws RunFileError if the file can't be created.
   FrameWriter(const std::filesystem::path& path, const RunHeader& header,
-              std::function<void(Frame&)> prepare = {});
+              std::function<void(Frame&)> prepare = {}, const std::filesystem::path& part = {},
+              const EarlierFrames& earlier = {});
 
   /// Writes what is queued and closes. Without finish() the .part file stays.
   ~FrameWriter();
@@ -37,6 +38,9 @@ class FrameWriter {
 
   /// Waits until every frame pushed is in the file. Throws as push() does.
   void drain();
+
+  /// drain(), and waits until the disk has what is in the file.
+  void synchronise();
 
   /// drain(), then RunFileWriter::finish(). If an exception of `prepare` was already thrown, finishes the
   /// file with the frames before it.

@@ -104,6 +104,9 @@ std::vector<std::string> attribute_names(hid_t object) {
 }  // namespace
 
 Lock::Lock() : guard_(library_mutex()) {
+  // Files are closed by their handles. On a full disk that fails, and the library's own attempt at the end of
+  // the process would crash.
+  [[maybe_unused]] static const herr_t once = H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 
@@ -134,7 +137,7 @@ Handle create_file(const std::string& path) {
   // first of two pages new and the second old, so that the checksum fails.
   check(H5Pset_file_space_strategy(creation, H5F_FSPACE_STRATEGY_PAGE, false, 1));
   check(H5Pset_file_space_page_size(creation, 4096));
-  return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, file_access()), H5Fclose};
+  return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, file_access()), H5Fclose};
 }
 
 Handle open_file(const std::string& path, unsigned access) {

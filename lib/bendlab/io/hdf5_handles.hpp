@@ -87,7 +87,7 @@ hid_t type_of() {
   if constexpr (std::is_same_v<T, std::uint64_t>) return H5T_NATIVE_UINT64;
 }
 
-Handle create_file(const std::string& path);                 ///< replaces what is there
+Handle create_file(const std::string& path);                 ///< fails if there is one
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
 /// Throws Failure unless the disk has room for 8 times as many bytes: other runs may be writing, too. Checked

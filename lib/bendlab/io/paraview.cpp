@@ -3,10 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
-#include <fstream>
 #include <iterator>
-#include <system_error>
 
 #include "bendlab/io/disk.hpp"
 
@@ -137,15 +134,12 @@ void write_steps(hid_t file, const ParaViewShape& shape) {
 void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shape) {
   auto path = run_file;
   path.replace_extension(".xdmf");
-  errno = 0;
-  std::ofstream out(path);
-  out << "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
-         "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
+      "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
   const std::string file = escaped(run_file.filename().string());
-  for (std::size_t k = 0; k < shape.times.size(); ++k) out << xdmf_frame(file, shape, k);
-  out << "</Grid>\n</Domain></Xdmf>\n";
-  out.close();  // a full disk may show only now
-  if (!out) throw file_error(path, "can't be written", std::system_category().message(errno), errno);
+  for (std::size_t k = 0; k < shape.times.size(); ++k) text += xdmf_frame(file, shape, k);
+  replace_file(path, text + "</Grid>\n</Domain></Xdmf>\n");
 }
 
 }  // namespace bendlab

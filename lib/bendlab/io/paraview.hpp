@@ -28,8 +28,6 @@ hdf5::Handle create_vtkhdf(hid_t file);
 
 /// Writes what is the same in all frames, below /VTKHDF: topology and the pinned vertices.
 void write_static_part(hid_t vtk, const RunHeader& header);
-inline constexpr const char* static_part[] = {"NumberOfPoints", "Vertices", "Lines",
-                                              "Polygons",       "Strips",   "PointData"};
 
 /// Writes /VTKHDF/Steps, once and last: ParaView crashes if its attribute NSteps and the lengths of its
 /// datasets differ.

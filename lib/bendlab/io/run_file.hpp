@@ -102,24 +102,37 @@ struct RunFooter {
   std::map<std::string, std::string> provenance;  ///< added to the header's
 };
 
-/// Writes `<path>.part`, which finish() renames to `path`. A crash leaves the .part file with every frame
-/// whose write() returned. Writers in several threads take turns frame by frame. The folder has to exist.
-/// Throws RunFileError if the disk fails, std::invalid_argument if sizes don't match the header.
+/// The first frames of a file of the same run, that a new one begins with.
+struct EarlierFrames {
+  std::filesystem::path file;  ///< empty: none
+  std::uint64_t frames = 0;
+};
+
+/// Writes `part`, by default `<path>.part`, which finish() seals (checksum.hpp) and renames to `path`. A
+/// crash leaves the .part file with every frame whose write() returned. Writers in several threads take turns
+/// frame by frame. The folder has to exist. Throws RunFileError if the disk fails or another writer has
+/// `part` open, std::invalid_argument if sizes don't match the header.
 class RunFileWriter {
  public:
-  RunFileWriter(const std::filesystem::path& path, const RunHeader& header);
+  RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
+                const std::filesystem::path& part = {}, const EarlierFrames& earlier = {});
   ~RunFileWriter();  ///< closes what is open; without finish() the .part file stays
   RunFileWriter(const RunFileWriter&) = delete;
   RunFileWriter& operator=(const RunFileWriter&) = delete;
 
   void write(const Frame& frame);
-  /// Writes Steps, footer and the .xdmf sidecar, flushes to disk and renames.
+  /// Waits until the disk has the frames, so that a power cut leaves them.
+  void synchronise();
+  /// Writes Steps, footer, checksum and the .xdmf sidecar, flushes to disk and renames.
   void finish(const RunFooter& footer);
 
  private:
   struct Impl;
   std::unique_ptr<Impl> impl_;
 };
+
+/// Files of unfinished runs in a folder (run.vtkhdf….part), sorted. The folder may be missing.
+std::vector<std::filesystem::path> unfinished_files(const std::filesystem::path& folder);
 
 /// A run as read from its file, finished or not (a .part file), without its frames.
 struct RunRecord {
@@ -151,10 +164,5 @@ std::vector<double> read_metric(const std::filesystem::path& file, const std::st
 
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
-
-/// Repairs an interrupted .part file, so that every committed frame opens in ParaView: copies the committed
-/// frames, with `Steps`, to the name without .part (status `interrupted`), writes the sidecar and removes the
-/// .part file. Returns the number of frames kept. Throws RunFileError, also while a writer has the file open.
-std::uint64_t repair_run(const std::filesystem::path& part_file);
 
 }  // namespace bendlab

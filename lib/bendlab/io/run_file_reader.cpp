@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "bendlab/io/run_series.hpp"
 
 namespace bendlab {
@@ -21,6 +23,17 @@ std::vector<PassTime> read_passes(hid_t timing) {
 }
 
 }  // namespace
+
+std::vector<fs::path> unfinished_files(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    if (const std::string name = entry->path().filename().string();
+        name.starts_with("run.vtkhdf") && name.ends_with(".part"))
+      files.push_back(entry->path());
+  std::ranges::sort(files);
+  return files;
+}
 
 RunRecord read_run(const fs::path& path) {
   return with_run(path, [&](hid_t file) {

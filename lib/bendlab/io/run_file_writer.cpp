@@ -3,6 +3,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bendlab/io/checksum.hpp"
 #include "bendlab/io/run_series.hpp"
 
 namespace bendlab {
@@ -108,12 +109,14 @@ struct RunFileWriter::Impl {
   };
 
   std::filesystem::path path, part;
-  ParaViewShape shape;        // grows with the frames
+  ParaViewShape shape;  // grows with the frames
+  std::vector<std::string> metric_names;
   std::vector<float> narrow;  // positions as they are stored
   bool failed = false;
   std::optional<Open> open;
 
-  void create(const RunHeader& header);
+  void create(const RunHeader& header, const EarlierFrames& earlier);
+  void copy_frames(const EarlierFrames& earlier);
   void append(const Frame& frame);
   std::uint64_t frame_bytes() const;
   void close(const RunFooter& footer);
@@ -139,7 +142,7 @@ struct RunFileWriter::Impl {
   }
 };
 
-void RunFileWriter::Impl::create(const RunHeader& header) {
+void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& earlier) {
   auto& [file, points, time, metrics, cell_fields] = *open;
   file = hdf5::create_file(part.string());
   write_header(file, header);
@@ -152,9 +155,37 @@ void RunFileWriter::Impl::create(const RunHeader& header) {
     shape.cell_fields.push_back(field.name);
   }
   const Handle group = hdf5::create_group(file, "metrics");
-  for (const auto& metric : header.metrics) metrics.push_back(create_metric(group, metric));
+  for (const auto& metric : header.metrics) {
+    metrics.push_back(create_metric(group, metric));
+    metric_names.push_back(metric.name);
+  }
   time = create_metric(group, {"time", "s", "simulated time"});
+  if (!earlier.file.empty()) copy_frames(earlier);
   hdf5::flush(file);
+}
+
+void RunFileWriter::Impl::copy_frames(const EarlierFrames& earlier) {
+  auto& [file, points, time, metrics, cell_fields] = *open;
+  const Handle from = open_run(earlier.file);
+  const ParaViewShape old = read_shape(from);
+  if (old.vertices != shape.vertices || old.triangles != shape.triangles || old.times.size() < earlier.frames)
+    throw hdf5::Failure(fmt::format("'{}' has not the frames to go on from", earlier.file.string()));
+  hdf5::require_room(file, earlier.frames * frame_bytes());
+  const auto copy = [&]<class T>(T, const std::string& name, Series& to, std::uint64_t rows) {
+    const Handle dataset = hdf5::open_dataset(from, name);
+    for (std::uint64_t k = 0; k < earlier.frames; ++k)
+      to.append(std::span<const T>(hdf5::read_rows<T>(dataset, k * rows, rows)));
+  };
+  if (shape.double_positions)
+    copy(double{}, "/VTKHDF/Points", points, shape.vertices);
+  else
+    copy(float{}, "/VTKHDF/Points", points, shape.vertices);
+  for (std::size_t i = 0; i < cell_fields.size(); ++i)
+    copy(float{}, "/VTKHDF/CellData/" + shape.cell_fields[i], cell_fields[i], shape.triangles);
+  for (std::size_t i = 0; i < metrics.size(); ++i)
+    copy(double{}, "/metrics/" + metric_names[i], metrics[i], 1);
+  copy(double{}, "/metrics/time", time, 1);
+  shape.times.assign(old.times.begin(), old.times.begin() + static_cast<std::ptrdiff_t>(earlier.frames));
 }
 
 void RunFileWriter::Impl::append(const Frame& frame) {
@@ -197,19 +228,20 @@ void RunFileWriter::Impl::require_matching(const Frame& frame) const {
   for (const auto& field : frame.cell_fields) require_size("a cell field", field.size(), shape.triangles);
 }
 
-RunFileWriter::RunFileWriter(const std::filesystem::path& path, const RunHeader& header)
+RunFileWriter::RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
+                             const std::filesystem::path& part, const EarlierFrames& earlier)
     : impl_(std::make_unique<Impl>()) {
   require_consistent(header);
   impl_->path = path;
-  impl_->part = part_path(path);
+  impl_->part = part.empty() ? part_path(path) : part;
   impl_->shape = {.vertices = header.rest_positions.size() / 3,
                   .triangles = header.triangles.size() / 3,
                   .times = {},
                   .cell_fields = {},
                   .double_positions = header.double_positions};
-  require_writable(impl_->part);
+  remove_abandoned(impl_->part);
   impl_->open.emplace();
-  impl_->guarded("can't begin the run file", [&] { impl_->create(header); });
+  impl_->guarded("can't begin the run file", [&] { impl_->create(header, earlier); });
 }
 
 RunFileWriter::~RunFileWriter() = default;
@@ -226,8 +258,13 @@ void RunFileWriter::write(const Frame& frame) {
   impl_->shape.times.push_back(frame.time);
 }
 
+void RunFileWriter::synchronise() {
+  if (impl_->open) bendlab::synchronise(impl_->part);
+}
+
 void RunFileWriter::finish(const RunFooter& footer) {
   impl_->guarded("can't finish the run file", [&] { impl_->close(footer); });
+  seal(impl_->part);
   write_xdmf(impl_->path, impl_->shape);
   publish(impl_->part, impl_->path);
 }

@@ -13,6 +13,7 @@
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
+#include "bendlab/parameters/archive.hpp"
 #include "bendlab/parameters/parameter.hpp"
 
 namespace bendlab {
@@ -149,6 +150,10 @@ class Simulation {
   /// How much of the stated stiffness the last substep realised (effective_stiffness.hpp), if the method
   /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
+
+  /// Writes or reads all that further steps depend on, and the counts so far; between steps. A simulation of
+  /// the same input that has read it takes the same steps, to the bit.
+  virtual void archive(Archive& state) = 0;
 };
 
 /// A simulation by input.method in single (Real = float) or double precision, with the passes of the scene's

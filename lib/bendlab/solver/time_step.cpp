@@ -77,8 +77,23 @@ std::size_t TimeStep<Real>::add_statistics(const std::string& name) {
 
 template <class Real>
 void TimeStep<Real>::append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage) {
-  for (Pass<Real>& pass : effect_passes)
-    if (pass.stage == stage) passes.push_back({std::move(pass.run), add_statistics(pass.name)});
+  for (Pass<Real>& pass : effect_passes) {
+    if (pass.stage != stage) continue;
+    passes.push_back({std::move(pass.run), add_statistics(pass.name)});
+    if (pass.archive) effect_archives_.push_back(std::move(pass.archive));
+  }
+}
+
+// Not the divergence: a simulation that has one takes no more steps. Nor contacts, which are of one
+// iteration, nor multipliers, which are of one substep.
+template <class Real>
+void TimeStep<Real>::archive(Archive& state) {
+  double helpers = helper_seconds();
+  state(state_.position, state_.previous, state_.velocity, state_.position_remainder,
+        state_.velocity_remainder, substeps_done_, cut_substeps_, helpers);
+  if (state.reads()) earlier_helper_seconds_ = helpers - workers_.helper_seconds();
+  for (PassStatistics& pass : statistics_) state(pass.seconds, pass.calls, pass.acted);
+  for (const auto& archive : effect_archives_) archive(state);
 }
 
 template <class Real>

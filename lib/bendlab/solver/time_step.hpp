@@ -28,10 +28,11 @@ class TimeStep : public Simulation {
   }
   const Divergence& divergence() const final { return divergence_; }
   const std::vector<PassStatistics>& passes() const final { return statistics_; }
-  double helper_seconds() const final { return workers_.helper_seconds(); }
+  double helper_seconds() const final { return earlier_helper_seconds_ + workers_.helper_seconds(); }
   std::uint64_t projections() const final { return substeps() * projections_per_substep(); }
   std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
   std::size_t memory_bytes() const override;
+  void archive(Archive& state) override;
 
  protected:
   using Passes = std::vector<PlannedPass<Real>>;
@@ -85,6 +86,8 @@ class TimeStep : public Simulation {
   Real bound_;
   Points<Real> rest_;
   std::vector<PassStatistics> statistics_;
+  std::vector<std::function<void(Archive&)>> effect_archives_;
+  double earlier_helper_seconds_ = 0;  // read from an archive
   std::uint64_t substeps_done_ = 0;
   Divergence divergence_{.time = 0, .vertex = -1, .position = Vector3::Zero()};
 };

@@ -100,6 +100,13 @@ class Equilibrium final : public TimeStep<double> {
   const BatchOrder& distance_order() const override { return orders_.distance; }
   const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
 
+  void archive(Archive& state) override {
+    TimeStep<double>::archive(state);
+    state(positions_, multipliers_, convex_, far_, whole_, softness_, last_move_, scale_, unbalanced_,
+          rounding_, inverse_tau_squared_, factor_bytes_);
+    if (state.reads()) system_.soften_strain(softness_);
+  }
+
   std::size_t memory_bytes() const override {
     std::size_t vectors = 0;
     for (const VectorXd* each : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
@@ -224,7 +231,8 @@ class Equilibrium final : public TimeStep<double> {
     matrix.diagonal() += inverse_tau_squared_ * masses_;
     if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
     factor_.factorize(matrix);
-    factor_bytes_ = factor_.cholmod().memory_usage;  // the most that CHOLMOD used at a time
+    // The most that CHOLMOD used at a time.
+    factor_bytes_ = std::max(factor_bytes_, static_cast<std::size_t>(factor_.cholmod().memory_usage));
     return factor_.info() == Eigen::Success;
   }
 

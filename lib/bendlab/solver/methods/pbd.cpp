@@ -187,6 +187,10 @@ class PbdStep final : public TimeStep<Real> {
   std::size_t memory_bytes() const override {
     return Base::memory_bytes() + bytes_of(before_forces_) + bytes_of(moved_) + bytes_of(predicted_);
   }
+  void archive(Archive& state) override {
+    Base::archive(state);
+    state(last_substep_);
+  }
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {

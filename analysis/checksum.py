@@ -1,0 +1,76 @@
+"""The checksum at the end of a finished run file. Layout: lib/bendlab/io/checksum.hpp."""
+import subprocess
+import sys
+from functools import lru_cache
+from pathlib import Path
+
+import xxhash
+
+NAME = b"\nbendlab XXH3-128 "
+LENGTH = len(NAME) + 32 + 1
+TIME_LIMIT = 30  # s, for a child process that reads an unsealed file
+
+
+def checksum(path, size):
+    """Hexadecimal digits of the first `size` bytes."""
+    state = xxhash.xxh3_128()
+    with open(path, "rb") as file:
+        while size > 0 and (block := file.read(min(size, 1 << 20))):
+            state.update(block)
+            size -= len(block)
+    return state.hexdigest().encode()
+
+
+def seal_of(path):
+    """"whole": as it was written; "broken": changed since; "none": unfinished, or not ours."""
+    size = Path(path).stat().st_size
+    if size < LENGTH:
+        return "none"
+    with open(path, "rb") as file:
+        file.seek(size - LENGTH)
+        end = file.read()
+    if not (end.startswith(NAME) and end.endswith(b"\n")):
+        return "none"
+    return "whole" if end[len(NAME):-1] == checksum(path, size - LENGTH) else "broken"
+
+
+def require_readable(path):
+    """OSError unless HDF5 may read the file here: its checksum is right, or a child process has read it."""
+    path = Path(path)
+    if not path.is_file():
+        raise OSError(f"{path} is no file")
+    status = path.stat()
+    why = _problem(str(path), status.st_mtime_ns, status.st_size, status.st_ino)
+    if why:
+        raise OSError(f"{path} {why}")
+
+
+@lru_cache(maxsize=None)
+def _problem(path, *_):
+    seal = seal_of(path)
+    if seal == "broken":
+        return "was changed after it was written: its checksum is another one. Run its config again"
+    if seal == "none":
+        try:
+            child = subprocess.run([sys.executable, __file__, path], timeout=TIME_LIMIT, check=False,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        except subprocess.TimeoutExpired:
+            return f"is read without end by the HDF5 library ({TIME_LIMIT} s)"
+        if child.returncode:
+            return "is damaged: the HDF5 library cannot read it"
+    return ""
+
+
+def _read_everything(path):
+    import h5py
+    with h5py.File(path, "r") as file:
+        def read(_, node):
+            dict(node.attrs)
+            if isinstance(node, h5py.Dataset):
+                node[()]
+        read("", file)
+        file.visititems(read)
+
+
+if __name__ == "__main__":
+    _read_everything(sys.argv[1])

@@ -1,0 +1,174 @@
+#include "experiments/run/checked_read.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <poll.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cmath>
+#include <cstring>
+#include <string>
+#include <system_error>
+#include <utility>
+
+#include "bendlab/io/checksum.hpp"
+#include "bendlab/io/claim.hpp"
+#include "bendlab/io/disk.hpp"
+#include "bendlab/parameters/names.hpp"
+
+extern char** environ;
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr auto time_limit = std::chrono::seconds(10);
+constexpr rlim_t memory_limit = rlim_t{4} << 30;  // bytes
+
+Json to_json(const RunRecord& run) {
+  Json passes = Json::array();
+  for (const PassTime& pass : run.passes) passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
+  return {{"id", run.id},
+          {"name", run.name},
+          {"status", to_string(run.status)},
+          {"frames", run.frames},
+          {"summary", run.summary},
+          {"passes", passes},
+          {"wall_s", run.wall_s},
+          {"cpu_s", run.cpu_s},
+          {"step_cpu_s", run.step_cpu_s},
+          {"config", run.config},
+          {"provenance", run.provenance}};
+}
+
+// null is a number that JSON does not have.
+double number_of(const Json& json) {
+  return json.is_null() ? std::nan("") : json.get<double>();
+}
+
+RunRecord record_of(const Json& json, const fs::path& file) {
+  RunRecord run{.file = file,
+                .id = json.at("id"),
+                .name = json.at("name"),
+                .status = named<RunStatus>(json.at("status").get<std::string>(), run_status_names),
+                .frames = json.at("frames"),
+                .wall_s = number_of(json.at("wall_s")),
+                .cpu_s = number_of(json.at("cpu_s")),
+                .step_cpu_s = number_of(json.at("step_cpu_s")),
+                .provenance = json.at("provenance"),
+                .config = json.at("config")};
+  for (const auto& [name, value] : json.at("summary").items()) run.summary[name] = number_of(value);
+  for (const Json& pass : json.at("passes"))
+    run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
+  return run;
+}
+
+// What a child process wrote until its end, or until it was ended.
+struct Answer {
+  std::string text;
+  int status = 0;
+  bool late = false;
+};
+
+class Pipe {
+ public:
+  Pipe() {
+    if (::pipe2(ends_.data(), O_CLOEXEC) != 0) throw RunFileError("no pipe can be made: too many open files");
+  }
+  ~Pipe() {
+    for (const int end : ends_)
+      if (end >= 0) ::close(end);
+  }
+  int out() const { return ends_[0]; }
+  int in() const { return ends_[1]; }
+  void close_in() { ::close(std::exchange(ends_[1], -1)); }
+
+ private:
+  std::array<int, 2> ends_{-1, -1};
+};
+
+Answer ask_child(const fs::path& file) {
+  Pipe pipe;
+  posix_spawn_file_actions_t actions;
+  posix_spawn_file_actions_init(&actions);
+  posix_spawn_file_actions_adddup2(&actions, pipe.in(), STDOUT_FILENO);
+  posix_spawn_file_actions_addopen(&actions, STDERR_FILENO, "/dev/null", O_WRONLY, 0);
+  std::string program = "/proc/self/exe", command = "read-file", path = fs::absolute(file).string();
+  std::array<char*, 4> arguments = {program.data(), command.data(), path.data(), nullptr};
+  pid_t child = 0;
+  const int failed = ::posix_spawn(&child, program.c_str(), &actions, nullptr, arguments.data(), environ);
+  posix_spawn_file_actions_destroy(&actions);
+  if (failed != 0) throw file_error(file, "can't be read", std::system_category().message(failed), failed);
+  pipe.close_in();
+  Answer answer;
+  const Clock::time_point end = Clock::now() + time_limit;
+  std::array<char, 1 << 16> block{};
+  for (;;) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+    pollfd readable{pipe.out(), POLLIN, 0};
+    if (left <= 0 || ::poll(&readable, 1, static_cast<int>(left)) == 0) {
+      answer.late = true;
+      ::kill(child, SIGKILL);
+      break;
+    }
+    const ssize_t got = ::read(pipe.out(), block.data(), block.size());
+    if (got < 0 && errno == EINTR) continue;
+    if (got <= 0) break;
+    answer.text.append(block.data(), static_cast<std::size_t>(got));
+  }
+  while (::waitpid(child, &answer.status, 0) < 0 && errno == EINTR) {
+  }
+  return answer;
+}
+
+RunRecord read_by_child(const fs::path& file) {
+  const Answer answer = ask_child(file);
+  const auto fail = [&](const std::string& why) {
+    throw file_error(file, "can't be read as a run file", why, 0);
+  };
+  if (answer.late) fail(fmt::format("the HDF5 library reads it without end ({} s)", time_limit.count()));
+  if (WIFSIGNALED(answer.status))
+    fail(fmt::format("the HDF5 library crashes on it ({})", ::strsignal(WTERMSIG(answer.status))));
+  const Json json = Json::parse(answer.text, nullptr, false);
+  if (json.is_discarded()) fail("it is damaged");
+  if (json.contains("error")) throw RunFileError(json["error"].get<std::string>());
+  return record_of(json, file);
+}
+
+}  // namespace
+
+RunRecord read_checked(const fs::path& file) {
+  const Seal seal = seal_of(file);
+  if (seal == Seal::broken)
+    throw file_error(file, "can't be used",
+                     "it was changed after it was written: its checksum is another one", 0);
+  if (seal == Seal::whole) return read_run(file);
+  RunRecord run = read_by_child(file);
+  if (run.status == RunStatus::running && owner_of(file.parent_path()).empty())
+    run.status = RunStatus::interrupted;
+  return run;
+}
+
+int print_record(const fs::path& file) {
+  const rlimit memory{memory_limit, memory_limit};
+  ::setrlimit(RLIMIT_AS, &memory);
+  Json json;
+  try {
+    json = to_json(read_run(file));
+  } catch (const std::exception& error) {
+    json = {{"error", error.what()}};
+  }
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  return 0;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,90 @@
+#include "experiments/run/folder.hpp"
+
+#include <fmt/format.h>
+
+#include <system_error>
+#include <vector>
+
+#include "bendlab/io/checksum.hpp"
+#include "bendlab/io/disk.hpp"
+#include "experiments/run/checked_read.hpp"
+
+namespace bendlab {
+namespace {
+
+RunOutcome outcome_of(const RunRecord& record) {
+  const auto message = record.provenance.find("message");
+  const auto json = [&](const char* name) {
+    const auto text = record.provenance.find(name);
+    return text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
+  };
+  return {.id = record.id,
+          .status = record.status,
+          .reused = true,
+          .file = record.file,
+          .broken = broken_bound_of(json("implausible")),
+          .warnings = warnings_of(json("warnings")),
+          .message = message == record.provenance.end() ? "" : message->second,
+          .wall_s = record.wall_s,
+          .cpu_s = record.cpu_s,
+          .step_cpu_s = record.step_cpu_s,
+          .summary = record.summary,
+          .passes = record.passes};
+}
+
+}  // namespace
+
+Found look_for(const std::filesystem::path& file, const std::string& id) {
+  std::error_code none;
+  if (!std::filesystem::exists(std::filesystem::symlink_status(file, none))) return {};
+  try {
+    switch (seal_of(file)) {
+      case Seal::none:
+        return {{}, "has no checksum, so that it was not finished by this program"};
+      case Seal::broken:
+        return {{}, "was changed after it was written: its checksum is another one"};
+      case Seal::whole:
+        break;
+    }
+    const RunRecord record = read_run(file);
+    if (record.id != id) return {{}, fmt::format("is the file of another run, {}", record.id)};
+    if (is_over(record.status)) return {outcome_of(record), ""};
+  } catch (const RunFileError& error) {
+    return {{}, fmt::format("cannot be read: {}", error.what())};
+  }
+  return {};
+}
+
+std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token) {
+  const std::filesystem::path aside = fmt::format("{}.{}.bad", file.string(), token);
+  std::filesystem::rename(file, aside);
+  return fmt::format("{} {}; it is set aside as {}, and the run is computed again", file.string(), why,
+                     aside.filename().string());
+}
+
+void adopt_finished(const Place& place) {
+  for (const std::filesystem::path& part : unfinished_files(place.folder)) try {
+      if (seal_of(part) != Seal::whole) continue;
+      const RunRecord record = read_run(part);
+      if (record.id == place.id && is_over(record.status)) publish(part, place.file);
+    } catch (const RunFileError&) {  // of no use
+    }
+}
+
+void find_checkpoint(Place& place) {
+  place.saved = read_checkpoint(place.folder, place.id);
+  if (!place.saved) return;
+  std::vector<std::filesystem::path> files = unfinished_files(place.folder);
+  files.push_back(place.file);
+  for (const std::filesystem::path& file : files) try {
+      if (!std::filesystem::exists(file)) continue;
+      const RunRecord record = read_checked(file);
+      if (record.id != place.id || record.frames < place.saved->frames) continue;
+      place.earlier = {file, place.saved->frames};
+      return;
+    } catch (const RunFileError&) {  // of no use
+    }
+  place.saved.reset();
+}
+
+}  // namespace bendlab

@@ -1,0 +1,41 @@
+// What lies in a run's folder from before: a finished file, one that is not the run's, a checkpoint.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "bendlab/io/claim.hpp"
+#include "experiments/run/checkpoint.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+
+/// What a run writes, where, and from where it goes on, while it owns its folder.
+struct Place {
+  std::filesystem::path folder, file, part;
+  std::string id;
+  std::unique_ptr<Claim> claim{};
+  std::optional<Checkpoint> saved{};
+  EarlierFrames earlier{};  ///< of `saved`
+};
+
+/// A run's file as it lies on the disk.
+struct Found {
+  std::optional<RunOutcome>
+      over;           ///< of a run that is whole, or diverged (which it would again, bit for bit)
+  std::string wrong;  ///< why the file cannot be the run's; empty: it may, or there is none
+};
+Found look_for(const std::filesystem::path& file, const std::string& id);
+
+/// Keeps a file that is not the run's beside the new one. Returns what to say of it.
+std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token);
+
+/// A run that was killed between its last byte and the renaming of its file is complete: renames it.
+void adopt_finished(const Place& place);
+
+/// Finds the checkpoint and a file with all its frames, if there are both.
+void find_checkpoint(Place& place);
+
+}  // namespace bendlab

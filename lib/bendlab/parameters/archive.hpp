@@ -1,0 +1,98 @@
+// State as bytes: what a run needs to go on later where it stopped.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstring>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace bendlab {
+
+/// Writes values to bytes, or reads them back: the same list of members does both.
+///
+///   void archive(Archive& a) { a(position_, velocity_, steps_); }
+///
+/// For the program that wrote them, on the same kind of machine: numbers are copied as they lie in memory.
+class Archive {
+ public:
+  Archive() = default;                                                             ///< writes
+  explicit Archive(std::string bytes) : bytes_(std::move(bytes)), reads_(true) {}  ///< reads
+
+  bool reads() const { return reads_; }
+  const std::string& bytes() const { return bytes_; }
+  bool at_end() const { return !reads_ || at_ == bytes_.size(); }
+
+  /// Numbers, enumerators, structs without pointers, texts, vectors, optionals, dense matrices, and what has
+  /// an archive(Archive&) of its own. Throws std::runtime_error if there are not enough bytes to read.
+  template <class... Values>
+  void operator()(Values&... values) {
+    (value(values), ...);
+  }
+
+ private:
+  template <class T>
+  void value(T& v) {
+    if constexpr (requires { v.archive(*this); })
+      v.archive(*this);
+    else if constexpr (std::is_trivially_copyable_v<T>)
+      raw(&v, sizeof(T));
+    else
+      list(v);
+  }
+  template <class T>
+  void value(std::optional<T>& v) {
+    bool there = v.has_value();
+    raw(&there, sizeof there);
+    if (reads_) v = there ? std::optional<T>(T{}) : std::nullopt;
+    if (there) value(*v);
+  }
+  template <class Scalar, int rows, int columns, int options>
+  void value(Eigen::Matrix<Scalar, rows, columns, options>& v) {
+    Eigen::Index size[] = {v.rows(), v.cols()};
+    raw(size, sizeof size);
+    if (reads_) {
+      require(static_cast<std::size_t>(size[0] * size[1]) * sizeof(Scalar));
+      v.resize(size[0], size[1]);
+    }
+    raw(v.data(), static_cast<std::size_t>(v.size()) * sizeof(Scalar));
+  }
+
+  // Texts and vectors.
+  template <class List>
+  void list(List& v) {
+    using Each = typename List::value_type;
+    std::size_t size = v.size();
+    raw(&size, sizeof size);
+    if (reads_) {
+      require(size);
+      v.resize(size);
+    }
+    if constexpr (std::is_trivially_copyable_v<Each> && !requires(Each each) { each.archive(*this); })
+      raw(v.data(), size * sizeof(Each));
+    else
+      for (Each& each : v) value(each);
+  }
+
+  void raw(void* data, std::size_t size) {
+    if (!reads_) {
+      bytes_.append(static_cast<const char*>(data), size);
+      return;
+    }
+    require(size);
+    if (size > 0) std::memcpy(data, bytes_.data() + at_, size);
+    at_ += size;
+  }
+
+  void require(std::size_t size) const {
+    if (size > bytes_.size() - at_) throw std::runtime_error("the archive ends too early");
+  }
+
+  std::string bytes_;
+  std::size_t at_ = 0;
+  bool reads_ = false;
+};
+
+}  // namespace bendlab

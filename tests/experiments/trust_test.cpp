@@ -1,0 +1,202 @@
+// What a person, a disk or another program may do to configs, meshes and results: nothing wrong in silence.
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "bendlab/io/checksum.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/mesh_surface.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+using namespace bendlab;
+using bendlab::test::Workplace;
+using Catch::Matchers::ContainsSubstring;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* tiny = R"({"name": "tiny", "mesh": {"cells": 3}, "duration": 0.1})";
+
+// Of the one run that is there.
+fs::path only_run(const Workplace& place) {
+  const auto files = place.run_files(".vtkhdf");
+  REQUIRE(files.size() == 1);
+  return files.front();
+}
+
+bool reused(Workplace& place) {
+  REQUIRE(place.run("run tiny.json --json") == 0);
+  return place.out_lines().at(0).at("reused");
+}
+
+}  // namespace
+
+TEST_CASE("trust: a run file that was changed is set aside and computed again", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  CHECK_FALSE(reused(place));
+  CHECK(reused(place));
+  const fs::path file = only_run(place);
+  std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
+  stream.seekg(3000);
+  const auto byte = static_cast<char>(stream.get() ^ 4);
+  stream.seekp(3000), stream.put(byte), stream.close();
+  CHECK(place.run("list") == 0);
+  CHECK_THAT(place.err(), ContainsSubstring("was changed after it was written"));
+  CHECK_FALSE(reused(place));
+  CHECK_THAT(place.err(), ContainsSubstring("it is set aside as run.vtkhdf."));
+  CHECK(place.run_files(".bad").size() == 1);
+  CHECK(seal_of(only_run(place)) == Seal::whole);
+  CHECK(reused(place));
+}
+
+TEST_CASE("trust: a run file that was copied from another run is not that run's result", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  CHECK_FALSE(reused(place));
+  const fs::path mine = only_run(place);
+  REQUIRE(place.run("run tiny.json --set /mesh/cells=4 --out other --json") == 0);
+  const fs::path other = place.folder / "other" / "tiny" / place.out_lines().at(0).at("id") / "run.vtkhdf";
+  fs::copy(other, mine, fs::copy_options::overwrite_existing);
+  CHECK_FALSE(reused(place));
+  CHECK_THAT(place.err(), ContainsSubstring("is the file of another run"));
+}
+
+TEST_CASE("trust: files that are no runs do not keep others from being listed", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  CHECK_FALSE(reused(place));
+  const fs::path mine = only_run(place), beside = place.folder / "results" / "tiny";
+  for (const char* name : {"a", "b", "c", "d"}) fs::create_directories(beside / name);
+  std::ofstream(beside / "a" / "run.vtkhdf") << "no HDF5";
+  std::ofstream(beside / "b" / "run.vtkhdf");
+  fs::copy(mine, beside / "c" / "run.vtkhdf.x.part");
+  fs::resize_file(beside / "c" / "run.vtkhdf.x.part", 9000);
+  REQUIRE(mkfifo((beside / "d" / "run.vtkhdf").c_str(), 0600) == 0);
+  CHECK(place.run("list") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("complete"));
+  CHECK(place.run("plan tiny.json") == 0);
+}
+
+TEST_CASE("trust: --force keeps the old file until the new one replaces it", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", R"({"name": "tiny", "mesh": {"cells": 40}, "duration": 30})");
+  CHECK(place.run("run tiny.json --set /duration=0.1") == 0);
+  const fs::path file = only_run(place);
+  const auto before = fs::last_write_time(file);
+  // No room for more than a few frames.
+  CHECK(place.run("run tiny.json --set /duration=0.1 --force",
+                  "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" BENDLAB_PROGRAM) == 5);
+  CHECK(seal_of(file) == Seal::whole);
+  CHECK(fs::last_write_time(file) == before);
+  CHECK(place.run("run tiny.json --set /duration=0.1 --force") == 0);
+  CHECK(fs::last_write_time(file) > before);
+}
+
+TEST_CASE("trust: closed standard streams are not the run file", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  CHECK(place.run("validate tiny.json 2>&-") == 0);
+  CHECK(place.run("run tiny.json 2>&- <&-") == 0);
+  CHECK(seal_of(only_run(place)) == Seal::whole);
+  CHECK(place.run("run tiny.json --force >&-") == 5);
+  CHECK(seal_of(only_run(place)) == Seal::whole);
+}
+
+TEST_CASE("trust: times that cannot be simulated are errors", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  const auto refused = [&](const std::string& change, const std::string& text) {
+    CAPTURE(change);
+    CHECK(place.run("validate tiny.json --set " + change) == 3);
+    CHECK_THAT(place.err(), ContainsSubstring(text));
+  };
+  refused("/duration=1e18", "steps of /solver/dt");
+  refused("/solver/dt=1e-300", "/solver/dt");
+  refused("/solver/dt=1e308", "/solver/dt");
+  refused("/solver/dt=1", "is shorter than a step");
+  refused("/output/frames_per_second=1e12", "/output/frames_per_second");
+  CHECK(place.run("validate tiny.json --set /solver/dt=0.1") == 0);
+}
+
+TEST_CASE("trust: pipes, devices and folders are no configs and no meshes", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", R"({"name": "tiny", "duration": 0.1})");
+  REQUIRE(mkfifo((place.folder / "pipe.obj").c_str(), 0600) == 0);
+  fs::create_directory(place.folder / "folder.obj");
+  for (const char* config : {"pipe.obj", "/dev/zero", "folder.obj"}) {
+    CHECK(place.run(std::string("validate ") + config) == 3);
+    CHECK_THAT(place.err(), ContainsSubstring("the file cannot be read: it is a"));
+  }
+  for (const char* mesh : {"pipe.obj", "/dev/zero", "folder.obj"}) {
+    CHECK(place.run(std::string("run tiny.json --set /mesh/file=") + mesh) == 5);
+    CHECK_THAT(place.err(), ContainsSubstring("the mesh file is a"));
+    CHECK(place.run(std::string("mesh ") + mesh) == 5);
+  }
+}
+
+TEST_CASE("trust: a cloth that diverges on a mesh obstacle ends its own run alone", "[trust]") {
+  const MeshSurface surface(grid(2, 2, 1, 1));
+  const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
+  for (const Vector3& x : {Vector3(nan, 0, 0), Vector3(0, inf, 0), Vector3(1e300, 0, -inf)}) {
+    CHECK(surface.nearest(x).distance == inf);
+    CHECK_FALSE(surface.first_crossing(x, Vector3::Zero()));
+    std::vector<int> found;
+    surface.triangles_in_box(x, x, found);
+    CHECK(found.empty());
+  }
+  Workplace place;
+  place.write("ball.obj",
+              "v -1 -1 -1\nv 1 -1 -1\nv 0 1 -1\nv 0 0 -0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  place.write("wild.json", R"({"name": "wild", "mesh": {"cells": 6}, "duration": 1, "defaults": "paper",
+      "initial": {"velocity": [0, 0, -1e30]}, "pins": {"vertices": []},
+      "effects": [{"type": "gravity"}, {"type": "mesh_obstacle", "file": "ball.obj"}],
+      "sweep": {"/initial/random": [0, 5], "/solver/precision": ["single", "double"]}})");
+  const int code = place.run("run wild.json --jobs 1 --json");
+  CHECK(code == 6);
+  CHECK(place.out_lines().size() == 4);
+}
+
+TEST_CASE("trust: an axis can be added on the command line, and results be chosen and sorted", "[trust]") {
+  Workplace place;
+  place.write("tiny.json",
+              R"({"$schema": "schema.json", "name": "tiny", "mesh": {"cells": 3}, "duration": 0.1})");
+  CHECK(place.run("run tiny.json --sweep /mesh/cells=5,3,4 --sweep /bending/model=none,dihedral --json") ==
+        0);
+  CHECK(place.out_lines().size() == 6);
+  CHECK(place.run("list --where /bending/model=none --sort /mesh/cells --json") == 0);
+  std::vector<int> cells;
+  for (const json& line : place.out_lines()) cells.push_back(line.at("config").at("mesh").at("cells"));
+  CHECK(cells == std::vector<int>{3, 4, 5});
+  CHECK(place.run("list --where /mesh/cells=4 --sort drop --json") == 0);
+  const std::vector<json> sorted = place.out_lines();
+  REQUIRE(sorted.size() == 2);
+  CHECK(sorted[0].at("summary").at("drop") <= sorted[1].at("summary").at("drop"));
+  CHECK(place.run("list --where /mesh/cells=7") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("no such runs"));
+  CHECK(place.run("list --where cells") == 2);
+  CHECK(place.run("run tiny.json --sweep cells") == 2);
+}
+
+TEST_CASE("trust: the shells complete what the program takes", "[trust]") {
+  Workplace place;
+  for (const char* shell : {"bash", "zsh"}) {
+    REQUIRE(place.run(std::string("completion ") + shell) == 0);
+    CHECK_THAT(place.out(), ContainsSubstring("--checkpoint") && ContainsSubstring("/mesh/cells="));
+  }
+  REQUIRE(place.run("completion bash") == 0);
+  place.write("script", place.out());
+  const auto completed = [&](const std::string& words) {
+    const std::string command =
+        "cd '" + place.folder.string() + "' && bash -c '. ./script; COMP_WORDS=(bendlab " + words +
+        "); COMP_CWORD=$((${#COMP_WORDS[@]} - 1)); _bendlab; echo \"${COMPREPLY[@]}\"' >found";
+    return std::system(command.c_str()) == 0 ? bendlab::test::read(place.folder / "found") : "";
+  };
+  CHECK(completed("val") == "validate\n");
+  CHECK(completed("run --for") == "--force\n");
+  CHECK(completed("run a.json --set /solver/subs") == "/solver/substeps=\n");
+  CHECK(completed("show scr") == "script\n");
+}

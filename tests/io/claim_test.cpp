@@ -1,0 +1,141 @@
+// One owner of a folder at a time: among threads, processes, and machines that share a disk.
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <fstream>
+#include <thread>
+#include <vector>
+
+#include "bendlab/io/claim.hpp"
+#include "bendlab/io/disk.hpp"
+#include "tests/catch.hpp"
+#include "tests/io/run_fixture.hpp"
+
+using namespace bendlab;
+using bendlab::test::TemporaryFolder;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace {
+
+// As an owner on another machine writes it: no process here can be asked whether it lives.
+void write_foreign_claim(const fs::path& file, int count) {
+  std::ofstream(file) << "token of another machine\nelsewhere\n1\n2\nanother boot\n" << count << '\n';
+}
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+TEST_CASE("claim: a folder has one owner among many threads", "[io][claim]") {
+  const TemporaryFolder folder;
+  std::atomic<int> owners{0}, most{0}, claims{0};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 8; ++t)
+    threads.emplace_back([&] {
+      for (int i = 0; i < 20; ++i) {
+        const auto claim = Claim::of(folder / "");
+        most = std::max(most.load(), ++owners);
+        ++claims;
+        if (!claim->holds()) most = 100;
+        --owners;
+      }
+    });
+  for (std::thread& thread : threads) thread.join();
+  CHECK(claims == 160);
+  CHECK(most == 1);
+  CHECK(fs::is_empty(folder / ""));  // released claims leave nothing
+}
+
+TEST_CASE("claim: the second waits for the first, says for whom, and may give up", "[io][claim]") {
+  const TemporaryFolder folder;
+  auto first = Claim::of(folder / "");
+  CHECK(owner_of(folder / "") == "process " + std::to_string(getpid()) + " on " + [] {
+    char host[256] = "";
+    gethostname(host, sizeof host);
+    return std::string(host);
+  }());
+  std::string owner;
+  int asked = 0;
+  CHECK(Claim::of(folder / "", {.give_up = [&] { return ++asked > 3; },
+                                .waiting_for = [&](const std::string& name) { owner += name; }}) == nullptr);
+  CHECK(owner == owner_of(folder / ""));
+  std::thread later([&] { std::this_thread::sleep_for(50ms), first.reset(); });
+  CHECK(Claim::of(folder / "") != nullptr);
+  later.join();
+  CHECK(owner_of(folder / "").empty());
+}
+
+TEST_CASE("claim: who was killed is succeeded at once", "[io][claim]") {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    auto claim = Claim::of(folder / "");
+    _exit(claim ? 0 : 1);  // without its destructor, as after kill -9
+  }
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+  REQUIRE(WEXITSTATUS(status) == 0);
+  REQUIRE_FALSE(fs::is_empty(folder / ""));
+  CHECK(owner_of(folder / "").empty());
+  const auto start = std::chrono::steady_clock::now();
+  const auto claim = Claim::of(folder / "");
+  CHECK(seconds_since(start) < 5);  // not after a lease of 60 s
+  CHECK(claim->holds());
+}
+
+TEST_CASE("claim: a silent owner on another machine is succeeded after a lease, one that beats is not",
+          "[io][claim]") {
+  const TemporaryFolder folder;
+  const fs::path file = folder / "run.claim.7";
+  write_foreign_claim(file, 0);
+  CHECK(owner_of(folder / "") == "process 1 on elsewhere");
+  std::atomic<bool> beats{true};
+  std::thread heart([&] {
+    for (int count = 1; beats; ++count) {
+      write_foreign_claim(file, count);
+      std::this_thread::sleep_for(10ms);
+    }
+  });
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(Claim::of(folder / "", {.lease = 0.3s, .give_up = [&] { return seconds_since(start) > 1; }}) ==
+        nullptr);
+  beats = false;
+  heart.join();
+  const auto silent = std::chrono::steady_clock::now();
+  const auto claim = Claim::of(folder / "", {.lease = 0.3s});
+  CHECK(seconds_since(silent) >= 0.3);
+  CHECK(claim->holds());
+  CHECK_FALSE(fs::exists(file));
+  write_foreign_claim(folder / "run.claim.9", 0);  // as if this machine had slept
+  CHECK_FALSE(claim->holds());
+}
+
+TEST_CASE("claim: a folder that cannot be written is an error", "[io][claim]") {
+  const TemporaryFolder folder;
+  CHECK_THROWS_AS(Claim::of(folder / "absent"), RunFileError);
+}
+
+TEST_CASE("disk: a new file is none that exists, nor what a link points to", "[io]") {
+  const TemporaryFolder folder;
+  std::ofstream(folder / "mine") << "kept";
+  fs::create_symlink(folder / "mine", folder / "link");
+  CHECK_THROWS_AS(write_new(folder / "mine", "new"), RunFileError);
+  CHECK_THROWS_AS(write_new(folder / "link", "new"), RunFileError);
+  CHECK_FALSE(write_new(folder / "mine", "new", Existing::is_no_error));
+  replace_file(folder / "link", "new");
+  CHECK_FALSE(fs::is_symlink(folder / "link"));
+  std::string text;
+  std::getline(std::ifstream(folder / "mine"), text);
+  CHECK(text == "kept");
+  std::getline(std::ifstream(folder / "link"), text);
+  CHECK(text == "new");
+  fs::create_symlink(folder / "mine", folder / "run.vtkhdf.part");
+  remove_abandoned(folder / "run.vtkhdf.part");
+  CHECK(fs::exists(folder / "mine"));
+  CHECK_FALSE(fs::exists(fs::symlink_status(folder / "run.vtkhdf.part")));
+}

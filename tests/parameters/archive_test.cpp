@@ -1,0 +1,79 @@
+// State that is written comes back to the bit.
+#include "bendlab/parameters/archive.hpp"
+
+#include <limits>
+
+#include "tests/catch.hpp"
+
+using namespace bendlab;
+
+namespace {
+
+struct Inner {
+  std::vector<std::string> names;
+  int count = 0;
+  void archive(Archive& state) { state(names, count); }
+  bool operator==(const Inner&) const = default;
+};
+
+struct Everything {
+  double number = 0;
+  float not_a_number = 0;
+  bool yes = false;
+  std::string text;
+  std::vector<double> numbers;
+  std::vector<Inner> inner;
+  std::optional<double> there, absent = 1;
+  Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor> matrix;
+  Eigen::VectorXd vector;
+  Eigen::Vector3d fixed = Eigen::Vector3d::Zero();
+  void archive(Archive& state) {
+    state(number, not_a_number, yes, text, numbers, inner, there, absent, matrix, vector, fixed);
+  }
+};
+
+Everything example() {
+  Everything e;
+  e.number = -0.1, e.not_a_number = std::numeric_limits<float>::quiet_NaN(), e.yes = true;
+  e.text = std::string("a\0b", 3);
+  e.numbers = {1, 1e-310, std::numeric_limits<double>::infinity()};
+  e.inner = {{{"x", ""}, 2}, {}};
+  e.there = 4, e.absent.reset();
+  e.matrix.setRandom(4, 3), e.vector.setRandom(7), e.fixed.setRandom();
+  return e;
+}
+
+}  // namespace
+
+TEST_CASE("archive: what is written is read", "[archive]") {
+  Everything written = example(), read;
+  Archive out;
+  written.archive(out);
+  Archive in(out.bytes());
+  read.archive(in);
+  CHECK(in.at_end());
+  CHECK(read.number == written.number);
+  CHECK(std::isnan(read.not_a_number));
+  CHECK(read.yes);
+  CHECK(read.text == written.text);
+  CHECK(read.numbers == written.numbers);
+  CHECK(read.inner == written.inner);
+  CHECK(read.there == written.there);
+  CHECK(read.absent == written.absent);
+  CHECK(read.matrix == written.matrix);
+  CHECK(read.vector == written.vector);
+  CHECK(read.fixed == written.fixed);
+  Archive again;
+  read.archive(again);
+  CHECK(again.bytes() == out.bytes());
+}
+
+TEST_CASE("archive: one that ends too early is an error, wherever", "[archive]") {
+  Archive out;
+  example().archive(out);
+  for (std::size_t size = 0; size < out.bytes().size(); ++size) {
+    Everything read;
+    Archive in(out.bytes().substr(0, size));
+    CHECK_THROWS_AS(read.archive(in), std::runtime_error);
+  }
+}
