@@ -66,7 +66,17 @@ def normal_cloth(groups):
 
 
 def _sound(most, mean):
-    return f"{style.number(most, 2)} ({style.number(mean, 2)})", most <= WRONG and mean <= SOUND_STRAIN
+    text = f"{_against(most, WRONG)} ({_against(mean, SOUND_STRAIN)})"
+    return text, most <= WRONG and mean <= SOUND_STRAIN
+
+
+def _against(value, limit):
+    """The value with as many digits as show on which side of the limit it is."""
+    for digits in (2, 3, 4, 8):
+        shown = float(f"{value:.{digits - 1}e}")
+        if shown != limit and (shown < limit) == (value < limit):
+            break
+    return style.number(value, digits)
 
 
 STIFFNESS_SENTENCE = "해상도에 따라 뻣뻣함 정도가 변하지 않고 안정적으로 SBD 시뮬레이션 결과를 만들었다."

@@ -1,19 +1,25 @@
 #include "experiments/cli/command_line.hpp"
 
+#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <functional>
 
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/cli/completion.hpp"
 #include "experiments/config/nearest_name.hpp"
+#include "experiments/config/overrides.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/measures/reference.hpp"
+#include "experiments/run/checked_read.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
@@ -38,6 +44,7 @@ struct Arguments {
   StiffnessArguments stiffness;
   AdviseArguments advise;
   BenchOptions bench;
+  ListArguments listed;
   std::function<int()> command;
 };
 
@@ -57,6 +64,19 @@ void add_configs(CLI::App* command, Arguments& arguments) {
           "Repeatable")
       ->type_name("/POINTER=VALUE")
       ->allow_extra_args(false);
+  command
+      ->add_option_function<std::string>(
+          "--sweep",
+          [&arguments](const std::string& axis) {
+            try {
+              arguments.configs.overrides.push_back(sweep_override(axis));
+            } catch (const std::invalid_argument& error) {
+              throw UsageError(fmt::format("--sweep: {}", error.what()));
+            }
+          },
+          "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable")
+      ->type_name("/POINTER=VALUES")
+      ->trigger_on_parse();
 }
 
 void add_json(CLI::App* command, Arguments& arguments, const char* what) {
@@ -68,7 +88,15 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
       ->add_option("--jobs,-j", arguments.options.jobs,
                    "How many runs to compute at a time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--force", arguments.options.force, "Compute complete runs again");
+  command->add_flag("--force", arguments.options.force,
+                    "Compute complete runs again; each old file stays until the new one replaces it");
+  command
+      ->add_option(
+          "--checkpoint", arguments.options.checkpoint_interval_s,
+          "How often a run writes what it needs to go on after a crash, in s, where that takes at most "
+          "1 % of its time; 0: only when it is stopped")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
 }
 
 void add_run_commands(CLI::App& app, Arguments& a) {
@@ -123,8 +151,16 @@ void add_run_commands(CLI::App& app, Arguments& a) {
 
 void add_read_commands(CLI::App& app, Arguments& a) {
   CLI::App* list = add_command(app, a, "list", "List the runs below a folder",
-                               [&a] { return list_command(a.folder, a.json); });
-  list->add_option("DIR", a.folder, "Folder of results")->capture_default_str();
+                               [&a] { return list_command(a.listed, a.json); });
+  list->add_option("DIR", a.listed.folder, "Folder of results")->capture_default_str();
+  list->add_option("--where", a.listed.where,
+                   "Only runs whose config has this value, such as /mesh/cells=64. Repeatable")
+      ->type_name("/POINTER=VALUE")
+      ->allow_extra_args(false);
+  list->add_option(
+          "--sort", a.listed.sort,
+          "By a number of the summary, such as drop, or a setting, such as /mesh/cells; smallest first")
+      ->type_name("NAME");
   add_json(list, a, "One JSON object per run");
 
   CLI::App* show = add_command(app, a, "show", "Show a run: summary, time per pass, provenance, config",
@@ -244,6 +280,25 @@ void add_reference(CLI::App& app, Arguments& a, const char* name, const char* su
   add_json(command, a, "As JSON");
 }
 
+// For checked_read.hpp.
+void add_read_file_command(CLI::App& app, Arguments& a) {
+  CLI::App* read = add_command(app, a, "read-file", "Print what is known of a run file",
+                               [&a] { return print_record(a.run); });
+  read->group("");  // --help does not list it
+  read->add_option("FILE", a.run)->required();
+}
+
+void add_completion_command(CLI::App& app, Arguments& a) {
+  CLI::App* completion = add_command(app, a, "completion",
+                                     "Print a script that completes the command line in a shell", [&app, &a] {
+                                       fmt::print("{}", completion_script(app, a.run));
+                                       return int{exit_ok};
+                                     });
+  completion->add_option("SHELL", a.run, "To be read by the shell: source <(bendlab completion bash)")
+      ->required()
+      ->check(CLI::IsMember({"bash", "zsh"}));
+}
+
 int test_command() {
   throw UsageError(
       "the tests are built and run by the start script: ./bendlab test [ctest arguments], in the checkout");
@@ -253,7 +308,8 @@ int test_command() {
 int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
   if (argc > 1 && argv[1][0] != '-') {
     std::vector<std::string> names;
-    for (const CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+    for (const CLI::App* command :
+         app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
       names.push_back(command->get_name());
     if (std::ranges::find(names, argv[1]) == names.end()) {
       fmt::print(stderr, "bendlab: there is no command '{}'{}\nCommands: {}\n", argv[1],
@@ -288,6 +344,8 @@ int dispatch(int argc, char** argv) {
                 methods_text, methods_json);
   add_reference(app, arguments, "schema", "List the settings of a config: units, defaults, ranges, meanings",
                 schema_text, schema_json);
+  add_completion_command(app, arguments);
+  add_read_file_command(app, arguments);
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();
   if (argc == 1) {
@@ -304,9 +362,18 @@ int dispatch(int argc, char** argv) {
   return arguments.command();
 }
 
+// Where a standard stream is closed, the next file that is opened gets its number: a run file, for example,
+// which would get what is printed. Nothing can be written to this stdout, and everything to this stderr.
+void occupy_closed_streams() {
+  for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+    if (fcntl(stream, F_GETFD) == -1 && errno == EBADF)
+      open("/dev/null", stream == STDERR_FILENO ? O_WRONLY : O_RDONLY);
+}
+
 }  // namespace
 
 int command_line(int argc, char** argv) {
+  occupy_closed_streams();
   try {
     const int code = dispatch(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
@@ -314,7 +381,7 @@ int command_line(int argc, char** argv) {
     return exit_io;
   } catch (...) {
     const Failure failure = current_failure();
-    fmt::print(stderr, "bendlab: {}\n", failure.message);
+    std::fputs(fmt::format("bendlab: {}\n", failure.message).c_str(), stderr);  // a full disk may refuse it
     return failure.exit_code;
   }
 }

@@ -38,7 +38,12 @@ std::vector<std::string> reproducible();
 /// Its experiments, then the page of figures and checks, in a folder of its name.
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
 
-int list_command(const std::filesystem::path& folder, bool json);
+struct ListArguments {
+  std::string folder = "results";
+  std::vector<std::string> where;  ///< "/json/pointer=value": runs whose config has these values
+  std::string sort;                ///< a number of the summary, or a pointer into the config; empty: by path
+};
+int list_command(const ListArguments& arguments, bool json);
 
 /// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`.
 int show_command(const std::string& run, const std::filesystem::path& folder, bool json);

@@ -13,6 +13,7 @@
 #include "experiments/cli/mesh_report.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/pointers.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/warnings.hpp"
 #include "experiments/terminal/table.hpp"
@@ -71,25 +72,78 @@ void print_section(const char* heading, const std::map<std::string, std::string>
   fmt::print("\n{}", table.text());
 }
 
+Json stored_config(const RunRecord& record) {
+  const Json config = Json::parse(record.config, nullptr, false);
+  return config.is_discarded() ? Json() : config;
+}
+
+// The runs whose configs have all these values.
+std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<std::string>& where) {
+  for (const std::string& text : where) {
+    const std::size_t equals = text.find('=');
+    if (equals == std::string::npos || !text.starts_with('/'))
+      throw UsageError(fmt::format("--where: '{}' is not of the form /json/pointer=value", text));
+    const std::string pointer = text.substr(0, equals), wanted = text.substr(equals + 1);
+    const Json parsed = Json::parse(wanted, nullptr, false);
+    std::erase_if(records, [&](const RunRecord& record) {
+      const Json config = stored_config(record);
+      const Json* const value = value_at(config, pointer);
+      return value == nullptr || !(*value == parsed || *value == Json(wanted));
+    });
+  }
+  return records;
+}
+
+// Runs without that number come last.
+void sort_by(std::vector<RunRecord>& records, const std::string& name) {
+  const auto key = [&](const RunRecord& record) -> std::pair<bool, Json> {
+    if (name.starts_with('/')) {
+      const Json config = stored_config(record);
+      const Json* const value = value_at(config, name);
+      return {value == nullptr, value ? *value : Json()};
+    }
+    const auto found = record.summary.find(name);
+    return {found == record.summary.end(), found == record.summary.end() ? Json() : Json(found->second)};
+  };
+  std::ranges::stable_sort(records, {}, key);
+}
+
 }  // namespace
 
-int list_command(const fs::path& folder, bool json) {
-  const std::vector<RunRecord> records = read_runs(folder);
-  Table table(
-      {"id", "name", "status", "frames", "written", "vertices", "mean_strain", "pin_max_stretch", "wall_s"});
+int list_command(const ListArguments& arguments, bool json) {
+  std::vector<RunRecord> records = chosen(read_runs(arguments.folder), arguments.where);
+  const std::string& sort = arguments.sort;
+  if (!sort.empty()) sort_by(records, sort);
+  std::vector<std::string> headings = {"id",       "name",        "status",          "frames", "written",
+                                       "vertices", "mean_strain", "pin_max_stretch", "wall_s"};
+  const bool own_column = !sort.empty() && std::ranges::find(headings, sort) == headings.end();
+  if (own_column) headings.push_back(sort);
+  Table table(headings);
   for (const RunRecord& record : records) {
     if (json) fmt::print("{}\n", to_json(record).dump());
     const auto number = [&](const char* name) {
       const auto found = record.summary.find(name);
       return found == record.summary.end() ? std::string() : format_number(found->second);
     };
-    table.add_row({record.id, record.name, to_string(record.status), fmt::format("{}", record.frames),
-                   when(record.file), number("vertices"), number("mean_strain"), number("pin_max_stretch"),
-                   fmt::format("{:.1f}", record.wall_s)});
+    std::vector<std::string> row = {record.id,
+                                    record.name,
+                                    to_string(record.status),
+                                    fmt::format("{}", record.frames),
+                                    when(record.file),
+                                    number("vertices"),
+                                    number("mean_strain"),
+                                    number("pin_max_stretch"),
+                                    fmt::format("{:.1f}", record.wall_s)};
+    if (own_column) {
+      const Json config = stored_config(record);
+      const Json* const value = sort.starts_with('/') ? value_at(config, sort) : nullptr;
+      row.push_back(value ? value->dump() : number(sort.c_str()));
+    }
+    table.add_row(row);
   }
   if (json) return exit_ok;
   if (records.empty())
-    fmt::print("no runs in {}\n", folder.string());
+    fmt::print("no {}runs in {}\n", arguments.where.empty() ? "" : "such ", arguments.folder);
   else
     fmt::print("{}", table.text());
   return exit_ok;

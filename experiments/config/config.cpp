@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
 
+#include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
@@ -21,16 +18,11 @@
 namespace bendlab {
 namespace {
 
-std::string read_file(const std::filesystem::path& file) {
-  const auto fail = [&](std::string_view why) {
-    throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: {}", why)}});
-  };
-  if (std::filesystem::is_directory(file)) fail("it is a folder");
-  std::ifstream stream(file, std::ios::binary);
-  if (!stream) fail(std::strerror(errno));
-  std::string text(std::istreambuf_iterator<char>(stream), {});
-  if (stream.bad()) fail(std::strerror(errno));
-  return text;
+std::string read_file(const std::filesystem::path& file) try {
+  constexpr std::uint64_t most = 64 << 20;  // bytes: a million values of a sweep have 20 MB
+  return read_input_file(file, most);
+} catch (const std::runtime_error& error) {
+  throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: it {}", error.what())}});
 }
 
 // Takes `key` out of the document.
@@ -177,6 +169,7 @@ Json read_document(std::string_view text, std::string_view source_name,
 // `reading`: what was wrong in the text, or in the overrides that `settings` has.
 Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
                           const std::filesystem::path& folder, std::span<const std::string> overrides) {
+  const Json schema = take(settings, "$schema", "");  // for editors
   const Json sweep = take(settings, "sweep", Json::object());
   const Json expect = take(settings, "expect", Json::array());
   const Json because = take(settings, "because", Json::object());
@@ -185,6 +178,8 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
 
   Experiment experiment;
   ConfigProblems problems;
+  if (!schema.is_string())
+    problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
   experiment.axes = read_axes(sweep, settings, covered, problems);
   experiment.expectations = read_expectations(expect, settings, problems);
   check_reasons(because, settings, problems);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/stiffness_settings.hpp"
@@ -83,6 +84,23 @@ std::string unused_text(const Json& document, std::string_view pointer) {
 }
 
 }  // namespace
+
+std::string sweep_override(const std::string& axis) {
+  const std::size_t equals = axis.find('=');
+  if (equals == std::string::npos || !axis.starts_with('/'))
+    throw std::invalid_argument(fmt::format("'{}' is not of the form /json/pointer=value,value", axis));
+  const std::string text = axis.substr(equals + 1);
+  ConfigProblems not_json;
+  std::optional<Json> values = read_strict_json("[" + text + "]", not_json);
+  if (!values || !not_json.empty()) {
+    values = Json::array();
+    for (std::size_t begin = 0, end = 0; end != std::string::npos; begin = end + 1) {
+      end = text.find(',', begin);
+      values->push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
+    }
+  }
+  return fmt::format("{}={}", child_pointer("/sweep", axis.substr(0, equals)), values->dump());
+}
 
 void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems) {
   std::vector<std::string> pointers;

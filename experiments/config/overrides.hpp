@@ -15,4 +15,8 @@ namespace bendlab {
 /// /expect.
 void apply_overrides(Json& document, std::span<const std::string> overrides, ConfigProblems& problems);
 
+/// The override that adds an axis: "/bending/k=0.1,0.2" gives "/sweep/~1bending~1k=[0.1,0.2]". The values are
+/// JSON, else plain texts. Throws std::invalid_argument if the text has no '='.
+std::string sweep_override(const std::string& axis);
+
 }  // namespace bendlab

@@ -172,10 +172,12 @@ Json effects_schema() {
 }
 
 Json sweep_schema() {
-  Json schema = Json::object();
+  Json list = Json::object(), all = Json::object(), schema = Json::object();
+  list["type"] = "array";
+  list["minItems"] = 1;
+  all["const"] = "all";
   schema["type"] = "object";
-  schema["additionalProperties"]["type"] = "array";
-  schema["additionalProperties"]["minItems"] = 1;
+  schema["additionalProperties"]["oneOf"] = Json::array({std::move(list), std::move(all)});
   return schema;
 }
 
@@ -249,6 +251,9 @@ Json schema_json() {
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "bendlab config";
   schema.update(section_schema(*find_section("")));
+  schema["properties"]["$schema"]["type"] = "string";
+  schema["properties"]["$schema"]["description"] =
+      "Where an editor finds this schema; does not affect the runs";
   for (const ConfigList& list : config_lists()) {
     Json entry = list_schema(list.name);
     entry["description"] = list.meaning;
