@@ -70,7 +70,7 @@ def camera_for(cloths, pin, size, azimuth=-62.0, elevation=14.0, aspect=0.8, zoo
     if zoom:
         near = pin + zoom * size * np.array([[sx, sy, sz] for sx in (-1, 1) for sy in (-1, 1)
                                              for sz in (0.2 - 2 / aspect, 0.2)])
-    return _framing(near, axes, size, floor, aspect)
+    return _framing(near, axes, size, floor, aspect, least=0.02)  # of a cloth that has left, the pin alone
 
 
 def scaled(camera, half):

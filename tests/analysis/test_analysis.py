@@ -96,6 +96,14 @@ def config_of(name="fig5", cells=16, model="crossover", seed=1, **more):
             "bending": {"model": model, model: {}}, "initial": {"seed": seed}, **more}
 
 
+class CameraTest(unittest.TestCase):
+    def test_of_a_cloth_that_has_left_its_pin_the_camera_shows_the_pin(self):
+        camera = render.camera_for([SQUARE - [0, 0, 100]], np.zeros(3), 1.4)
+        self.assertTrue(np.isfinite(camera.extent).all())
+        self.assertGreater(camera.extent[1], camera.extent[0])
+        self.assertAlmostEqual(camera.aspect, 0.8)
+
+
 class LoadTest(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
