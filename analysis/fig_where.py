@@ -227,7 +227,7 @@ def _rings(panel, known):
     for n in meshes:
         panel.plot([], [], _look(n)[1], color=_look(n)[0], label=f"N = {n}")
     panel.plot([], [], "o", color=style.GREY, markerfacecolor="white", label="does not fail (below 1)")
-    panel.legend(loc="lower right")
+    panel.legend(loc="lower right", bbox_to_anchor=(1, 0.07), ncols=2)  # above what fails at the pin
     for which in "xy":
         style.plain_log(panel, which)
     panel.set_xlim(2.5, 25)
