@@ -142,7 +142,7 @@ def _file_in(folder):
 def _same_runs(written, computed):
     """Whether a config as written has the runs of the one that was computed, but for its axes. There the
     effects stand even if the config has none."""
-    beside = ("description", "sweep", "expect", "allow", "cover", "because")
+    beside = ("description", "sweep", "expect", "allow", "cover", "because", "$schema")
     decides = lambda settings: {key: value for key, value in settings.items()
                                 if key not in beside and (key != "effects" or key in written)}
     return decides(written) == decides(computed)

@@ -46,7 +46,7 @@ double or_endless(double value) {
 
 // Root mean square of the Green strain at the end of a run, or its mean over the frames.
 double strain_in(const std::filesystem::path& file, bool over_time) {
-  const Trajectory end = read_trajectory(file);
+  const Trajectory end = read_last_pose(file);
   if (!over_time) return or_endless(strain_error(end.rest, end.poses.back()));
   const std::size_t frames = read_metric(file, "time").size();
   double sum = 0;

@@ -7,16 +7,18 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <functional>
+#include <string_view>
+#include <utility>
 
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/completion.hpp"
 #include "experiments/config/nearest_name.hpp"
-#include "experiments/config/overrides.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/measures/reference.hpp"
 #include "experiments/run/checked_read.hpp"
@@ -45,12 +47,40 @@ struct Arguments {
   AdviseArguments advise;
   BenchOptions bench;
   ListArguments listed;
+  CompareArguments compared;
+  RerunArguments repeated;
   std::function<int()> command;
 };
+
+// For --help: a command line that can be typed as it is, in a checkout with results.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 19> examples = {{
+    {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
+    {"plan", "bendlab plan configs/plain/first.json"},
+    {"validate", "bendlab validate configs/recommended.json"},
+    {"reproduce", "bendlab reproduce paper"},
+    {"list", "bendlab list results --where /bending/model=adaptive --sort drop"},
+    {"show", "bendlab show results/first"},
+    {"compare", "bendlab compare results/first results/second"},
+    {"rerun", "bendlab rerun results/first/cells=16"},
+    {"stiffness", "bendlab stiffness results/strip"},
+    {"advise", "bendlab advise configs/advise/strip.json --error 5%"},
+    {"mesh", "bendlab mesh garment.obj --bad-triangles repair"},
+    {"bench", "bendlab bench --quick --filter strain"},
+    {"models", "bendlab models --json"},
+    {"effects", "bendlab effects"},
+    {"measures", "bendlab measures"},
+    {"methods", "bendlab methods"},
+    {"schema", "bendlab schema --json > schema.json"},
+    {"completion", "source <(bendlab completion bash)"},
+    {"test", "./bendlab test -R config"},
+}};
 
 CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name, const char* summary,
                       std::function<int()> command) {
   CLI::App* added = app.add_subcommand(name, summary);
+  const auto example =
+      std::ranges::find(examples, name, &std::pair<std::string_view, std::string_view>::first);
+  if (example != examples.end()) added->footer(fmt::format("Example: {}", example->second));
   added->callback([&arguments, command = std::move(command)] { arguments.command = command; });
   return added;
 }
@@ -65,18 +95,10 @@ void add_configs(CLI::App* command, Arguments& arguments) {
       ->type_name("/POINTER=VALUE")
       ->allow_extra_args(false);
   command
-      ->add_option_function<std::string>(
-          "--sweep",
-          [&arguments](const std::string& axis) {
-            try {
-              arguments.configs.overrides.push_back(sweep_override(axis));
-            } catch (const std::invalid_argument& error) {
-              throw UsageError(fmt::format("--sweep: {}", error.what()));
-            }
-          },
-          "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable")
+      ->add_option("--sweep", arguments.configs.axes,
+                   "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable")
       ->type_name("/POINTER=VALUES")
-      ->trigger_on_parse();
+      ->allow_extra_args(false);
 }
 
 void add_json(CLI::App* command, Arguments& arguments, const char* what) {
@@ -168,6 +190,30 @@ void add_read_commands(CLI::App& app, Arguments& a) {
   show->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
   show->add_option("--results", a.folder, "Where a run's id is looked for")->capture_default_str();
   add_json(show, a, "As one JSON object");
+}
+
+void add_compare_command(CLI::App& app, Arguments& a) {
+  CLI::App* compare = add_command(app, a, "compare", "Show what differs between two runs, or two sweeps",
+                                  [&a] { return compare_command(a.compared, a.json); });
+  compare
+      ->add_option("ONE", a.compared.one,
+                   "Run file, its folder, the beginning of its id, or the folder of a sweep")
+      ->required();
+  compare->add_option("OTHER", a.compared.other, "The same of the other")->required();
+  compare->add_option("--results", a.compared.folder, "Where a run's id is looked for")
+      ->capture_default_str();
+  add_json(compare, a, "One JSON object per pair");
+}
+
+void add_rerun_command(CLI::App& app, Arguments& a) {
+  CLI::App* rerun =
+      add_command(app, a, "rerun", "Compute a run again from its file, and say whether the bits agree",
+                  [&a] { return rerun_command(a.repeated, a.json); });
+  rerun->add_option("RUN", a.repeated.run, "Run file, its folder, or the beginning of the run's id")
+      ->required();
+  rerun->add_option("--out", a.repeated.out, "Keep the repetition in this folder (default: it is not kept)");
+  rerun->add_option("--results", a.repeated.folder, "Where a run's id is looked for")->capture_default_str();
+  add_json(rerun, a, "As one JSON object");
 }
 
 void add_stiffness_command(CLI::App& app, Arguments& a) {
@@ -329,6 +375,8 @@ int dispatch(int argc, char** argv) {
   Arguments arguments;
   add_run_commands(app, arguments);
   add_read_commands(app, arguments);
+  add_compare_command(app, arguments);
+  add_rerun_command(app, arguments);
   add_stiffness_command(app, arguments);
   add_advise_command(app, arguments);
   add_mesh_command(app, arguments);

@@ -16,6 +16,7 @@ namespace bendlab {
 struct ConfigArguments {
   std::vector<std::filesystem::path> files;
   std::vector<std::string> overrides;  ///< "/json/pointer=value"
+  std::vector<std::string> axes;       ///< "/json/pointer=value,value", added to the sweep
 };
 
 /// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is
@@ -47,6 +48,21 @@ int list_command(const ListArguments& arguments, bool json);
 
 /// `run`: a run file, a folder with one, or the beginning of a run's id, looked for in `folder`.
 int show_command(const std::string& run, const std::filesystem::path& folder, bool json);
+
+struct CompareArguments {
+  std::string one, other;          ///< runs as in show_command(), or two folders of sweeps
+  std::string folder = "results";  ///< where ids are looked for
+};
+/// What differs between two runs, or between two sweeps point by point.
+int compare_command(const CompareArguments& arguments, bool json);
+
+struct RerunArguments {
+  std::string run;
+  std::string folder = "results";  ///< where an id is looked for
+  std::filesystem::path out;       ///< empty: the repetition is compared and not kept
+};
+/// Computes a run again from its file. Exit code 1 if a bit differs.
+int rerun_command(const RerunArguments& arguments, bool json);
 
 struct StiffnessArguments {
   std::optional<double> clamp_offset, exclude;  ///< m, see StripSettings

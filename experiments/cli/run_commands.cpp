@@ -8,6 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <set>
+#include <stdexcept>
 #include <system_error>
 
 #include "bendlab/io/claim.hpp"
@@ -18,6 +19,7 @@
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/overrides.hpp"
 #include "experiments/measures/metrics.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -30,11 +32,17 @@ namespace fs = std::filesystem;
 
 /// All configs, or one error with the problems of all.
 std::vector<Experiment> load_experiments(const ConfigArguments& configs) {
+  std::vector<std::string> overrides = configs.overrides;
+  for (const std::string& axis : configs.axes) try {
+      overrides.push_back(sweep_override(axis));
+    } catch (const std::invalid_argument& error) {
+      throw UsageError(fmt::format("--sweep: {}", error.what()));
+    }
   std::vector<Experiment> experiments;
   std::string problems;
   for (const fs::path& file : configs.files) {
     try {
-      experiments.push_back(load_experiment(file, configs.overrides));
+      experiments.push_back(load_experiment(file, overrides));
       check_metrics(experiments.back());
     } catch (const ConfigError& error) {
       problems += (problems.empty() ? "" : "\n") + std::string(error.what());

@@ -178,8 +178,7 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
 
   Experiment experiment;
   ConfigProblems problems;
-  if (!schema.is_string())
-    problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
+  if (!schema.is_string()) problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
   experiment.axes = read_axes(sweep, settings, covered, problems);
   experiment.expectations = read_expectations(expect, settings, problems);
   check_reasons(because, settings, problems);

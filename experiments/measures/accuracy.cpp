@@ -22,9 +22,7 @@ Vector3 middle_of_pins(const Scene& scene) {
 
 // With over_time it has all frames, and the energies of its own scene.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
-  if (!over_time) return read_trajectory(file);
-  const Scene scene = build_scene(config);
-  return read_trajectory(file, &scene);
+  return over_time ? read_motion(file, build_scene(config)) : read_last_pose(file);
 }
 
 class Accuracy final : public Measurement {

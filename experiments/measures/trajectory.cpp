@@ -83,6 +83,13 @@ std::map<std::string, double> over_frames(const std::vector<std::map<std::string
   return errors;
 }
 
+RestMesh rest_of(const std::filesystem::path& file) {
+  const RestRecord rest = read_rest(file);
+  TriangleMesh mesh{.positions = as_rows(rest.positions), .triangles = {}, .texture_coordinates = {}};
+  mesh.triangles = as_rows(rest.triangles);
+  return RestMesh(std::move(mesh));
+}
+
 }  // namespace
 
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
@@ -104,21 +111,24 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
   return over_frames(frames);
 }
 
-Trajectory read_trajectory(const std::filesystem::path& file, const Scene* scene) {
-  const RestRecord rest = read_rest(file);
-  TriangleMesh mesh{.positions = as_rows(rest.positions), .triangles = {}, .texture_coordinates = {}};
-  mesh.triangles = as_rows(rest.triangles);
-  Trajectory trajectory{RestMesh(std::move(mesh)), read_metric(file, "time"), {}, {}};
-  if (!scene) {
-    trajectory.time = {trajectory.time.back()};
-    trajectory.poses = {as_rows(read_positions(file, -1))};
-    return trajectory;
-  }
-  trajectory.energy = read_metric(file, "kinetic_energy");
-  for (std::size_t f = 0; f < trajectory.time.size(); ++f) {
+Trajectory read_last_pose(const std::filesystem::path& file) {
+  Trajectory trajectory{rest_of(file), {read_metric(file, "time").back()}, {}, {}};
+  trajectory.poses = {as_rows(read_positions(file, -1))};
+  return trajectory;
+}
+
+Trajectory read_motion(const std::filesystem::path& file) {
+  Trajectory trajectory{rest_of(file), read_metric(file, "time"), {}, {}};
+  for (std::size_t f = 0; f < trajectory.time.size(); ++f)
     trajectory.poses.push_back(as_rows(read_positions(file, static_cast<std::int64_t>(f))));
-    trajectory.energy[f] += potential_energy(*scene, trajectory.poses[f]);
-  }
+  return trajectory;
+}
+
+Trajectory read_motion(const std::filesystem::path& file, const Scene& scene) {
+  Trajectory trajectory = read_motion(file);
+  trajectory.energy = read_metric(file, "kinetic_energy");
+  for (std::size_t f = 0; f < trajectory.time.size(); ++f)
+    trajectory.energy[f] += potential_energy(scene, trajectory.poses[f]);
   return trajectory;
 }
 

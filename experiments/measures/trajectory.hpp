@@ -33,8 +33,10 @@ struct Comparing {
 std::map<std::string, double> errors_between(const Trajectory& run, const Trajectory& reference,
                                              const Comparing& comparing);
 
-/// The trajectory of a finished run, from its file: with `scene`, which is that run's, all frames and their
-/// energies; without it the last frame. Throws RunFileError.
-Trajectory read_trajectory(const std::filesystem::path& file, const Scene* scene = nullptr);
+/// From a run's file: its last frame; all frames; these with their energies, in the run's scene. Throw
+/// RunFileError.
+Trajectory read_last_pose(const std::filesystem::path& file);
+Trajectory read_motion(const std::filesystem::path& file);
+Trajectory read_motion(const std::filesystem::path& file, const Scene& scene);
 
 }  // namespace bendlab

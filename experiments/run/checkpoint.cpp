@@ -22,8 +22,7 @@ constexpr double largest_share = 0.01;  // of a run's time that checkpoints may 
 
 // The bits of a Cholesky factor depend on the processor for which the BLAS chooses its kernels.
 std::string identity(const std::string& id) {
-  const char* const kernels = std::getenv("OPENBLAS_CORETYPE");
-  return fmt::format("bendlab checkpoint\n{}\n{}\n{}\n", id, processor_name(), kernels ? kernels : "");
+  return fmt::format("bendlab checkpoint\n{}\n{}\n{}\n", id, processor_name(), blas_kernels());
 }
 
 }  // namespace

@@ -1,9 +1,18 @@
 #include "experiments/run/machine.hpp"
 
+#include <dlfcn.h>
+#include <fmt/format.h>
+#include <gnu/libc-version.h>
 #include <unistd.h>
 
+#include <Eigen/Core>
+#include <array>
 #include <ctime>
 #include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/mesh_surface.hpp"
 
 namespace bendlab {
 
@@ -17,6 +26,25 @@ std::string processor_name() {
 std::string host_name() {
   char name[256] = {};
   return gethostname(name, sizeof(name) - 1) == 0 ? name : "unknown";
+}
+
+// The libraries may be other ones than those that the program was compiled with.
+std::string blas_kernels() {
+  using CoreName = const char* (*)();
+  const auto core = reinterpret_cast<CoreName>(dlsym(RTLD_DEFAULT, "openblas_get_corename"));
+  return core ? core() : "unknown";
+}
+
+std::string library_versions() {
+  std::array<int, 3> cholmod{};
+  using CholmodVersion = int (*)(int*);
+  if (const auto version = reinterpret_cast<CholmodVersion>(dlsym(RTLD_DEFAULT, "cholmod_version")))
+    version(cholmod.data());
+  return fmt::format(
+      "Eigen {}.{}.{}, CGAL {}, HDF5 {}, JSON for Modern C++ {}.{}.{}, CHOLMOD {}.{}.{}, glibc {}",
+      EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, cgal_version(), hdf5_version(),
+      NLOHMANN_JSON_VERSION_MAJOR, NLOHMANN_JSON_VERSION_MINOR, NLOHMANN_JSON_VERSION_PATCH, cholmod[0],
+      cholmod[1], cholmod[2], gnu_get_libc_version());
 }
 
 std::string utc_now() {

@@ -219,6 +219,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
                    .step_cpu_s = outcome.step_cpu_s};
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary});
   if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
+  footer.provenance["ended"] = utc_now();
   if (!clock.went_on_at().empty())
     footer.provenance["went_on_at"] = fmt::format("{:.6g} s", fmt::join(clock.went_on_at(), ", "));
   if (outcome.broken) footer.provenance["implausible"] = to_json(*outcome.broken).dump();

@@ -8,8 +8,10 @@
 #include <memory>
 
 #include "bendlab/constraints/pack.hpp"
+#include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "experiments/config/pointers.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/version.hpp"
@@ -108,6 +110,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"vector_bits", std::to_string(8 * pack_bytes)},
                        {"processor", processor_name()},
                        {"host", host_name()},
+                       {"libraries", library_versions()},
+                       {"blas_kernels", blas_kernels()},
                        {"threads", std::to_string(scene.input.settings.threads)},
                        {"precision", std::string(name_in(precision_names, scene.precision))},
                        {"ordering_hash", ordering_hash},
@@ -117,6 +121,9 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
   header.config = config.resolved().dump(2);
+  for (const auto& [pointer, file] : input_files(config))
+    header.inputs.push_back(
+        {pointer, value_at(config.resolved(), pointer)->get<std::string>(), read_input_file(file)});
   header.double_positions = scene.precision == Precision::double_precision;
   return header;
 }

@@ -481,7 +481,9 @@ TEST_CASE("advise: a cantilever's advice is what a run of it gives", "[advise]")
   CHECK(json::parse(bendlab::test::read(place.folder / "best.json")).at("expect").size() == 1);
   check_promise(place, "strip.json", "--budget 0.1ms");
   check_order(place, "strip.json", {"--error 20%", "--error 8%", "--error 3%", "--error 0.01"});
-  CHECK(advice(place, "strip.json --error 8%").at("computed_runs") == 0);
+  // Short runs are timed anew, so that the search may go another way; most of its runs are there already.
+  const json again = advice(place, "strip.json --error 8%");
+  CHECK(again.at("computed_runs").get<std::size_t>() * 2 < again.at("points").size());
 }
 
 TEST_CASE("advise: a curtain's advice is what a run of it gives", "[advise]") {

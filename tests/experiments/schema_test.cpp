@@ -1,6 +1,8 @@
 #include "experiments/config/schema.hpp"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <string>
 
 #include "bendlab/bending/model.hpp"
@@ -142,4 +144,11 @@ TEST_CASE("schema: a resolved config has of /solver what its method reads, and n
     for (const Parameter& row : find_section("/solver")->parameters)
       CHECK(run.resolved()["solver"].contains(row.name) == method->reads(row.name));
   }
+}
+
+TEST_CASE("schema: configs/schema.json is that of this program") {
+  std::ifstream file(BENDLAB_SOURCE_DIR "/configs/schema.json");
+  const std::string text(std::istreambuf_iterator<char>(file), {});
+  INFO("./bendlab schema --json > configs/schema.json");
+  CHECK((text == schema_json().dump(2) + "\n"));
 }

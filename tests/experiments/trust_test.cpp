@@ -167,6 +167,8 @@ TEST_CASE("trust: an axis can be added on the command line, and results be chose
   CHECK(place.run("run tiny.json --sweep /mesh/cells=5,3,4 --sweep /bending/model=none,dihedral --json") ==
         0);
   CHECK(place.out_lines().size() == 6);
+  CHECK(place.run("plan tiny.json --set /material/density=0.4 --sweep /mesh/cells=5,3 --json") == 0);
+  CHECK(place.out_lines().size() == 2);
   CHECK(place.run("list --where /bending/model=none --sort /mesh/cells --json") == 0);
   std::vector<int> cells;
   for (const json& line : place.out_lines()) cells.push_back(line.at("config").at("mesh").at("cells"));
@@ -179,6 +181,88 @@ TEST_CASE("trust: an axis can be added on the command line, and results be chose
   CHECK_THAT(place.out(), ContainsSubstring("no such runs"));
   CHECK(place.run("list --where cells") == 2);
   CHECK(place.run("run tiny.json --sweep cells") == 2);
+}
+
+TEST_CASE("trust: two runs, and two sweeps, are compared", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  const auto run = [&](const std::string& arguments) {
+    REQUIRE(place.run("run tiny.json --json " + arguments) == 0);
+    return place.out_lines().at(0).at("id").get<std::string>();
+  };
+  const std::string one = run("--out a"), again = run("--out b"),
+                    other = run("--out a --set /material/density=0.4"),
+                    finer = run("--out a --set /mesh/cells=4");
+  const auto compared = [&](const std::string& arguments) {
+    REQUIRE(place.run("compare " + arguments + " --json") == 0);
+    return place.out_lines().at(0);
+  };
+  json found = compared("a/tiny/" + one + " b/tiny/" + again);
+  CHECK(found.at("same_bits") == true);
+  CHECK(found.at("settings").empty());
+  CHECK(found.at("cloth").at("rms") == 0);
+  found = compared(one + " " + other + " --results a");
+  CHECK(found.at("settings") ==
+        json::array({{{"pointer", "/material/density"}, {"one", 0.2}, {"other", 0.4}}}));
+  CHECK(found.at("same_bits") == false);
+  found = compared(one + " " + finer + " --results a");
+  bool told = false;
+  for (const json& number : found.at("summary"))
+    if (number.at("name") == "vertices") {
+      CHECK(number.at("relative").get<double>() == 25.0 / 16 - 1);
+      told = true;
+    }
+  CHECK(told);
+  CHECK(found.at("cloth").at("hausdorff").get<double>() > 0);
+  REQUIRE(place.run("run tiny.json --out c --sweep /mesh/cells=3,4") == 0);
+  REQUIRE(place.run("run tiny.json --out d --sweep /mesh/cells=4,5 --set /material/density=0.4") == 0);
+  REQUIRE(place.run("compare c d --json") == 0);
+  CHECK(place.out_lines().size() == 1);
+  REQUIRE(place.run("compare c d") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("1 point in both; 1 only in one, 1 only in other"));
+  CHECK(place.run("compare c nothing") == 2);
+}
+
+TEST_CASE("trust: a run is repeated from its file alone, files that it was made from included", "[trust]") {
+  Workplace place;
+  place.write("ball.obj",
+              "v -1 -1 -1\nv 1 -1 -1\nv 0 1 -1\nv 0 0 -0.1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+  place.write("sheet.obj",
+              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
+  place.write("on.json",
+              R"({"name": "on", "mesh": {"file": "sheet.obj"}, "pins": {"vertices": []}, "duration": 0.5,
+      "effects": [{"type": "gravity"}, {"type": "mesh_obstacle", "file": "ball.obj"}]})");
+  REQUIRE(place.run("run on.json") == 0);
+  const fs::path file = only_run(place);
+  for (const char* input : {"ball.obj", "sheet.obj", "on.json"}) fs::remove(place.folder / input);
+  fs::rename(file, place.folder / "alone.vtkhdf");
+  CHECK(place.run("rerun alone.vtkhdf --json") == 0);
+  const json found = place.out_lines().at(0);
+  CHECK(found.at("same_bits") == true);
+  CHECK(found.at("changed").empty());
+  CHECK(place.run("rerun alone.vtkhdf --out kept") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("the same bits") && ContainsSubstring("by the same program"));
+  CHECK(fs::exists(place.folder / "kept" / "on"));
+  CHECK(place.run("show alone.vtkhdf") == 0);
+  for (const char* told : {"libraries", "Eigen 3", "blas_kernels", "started", "ended"})
+    CHECK_THAT(place.out(), ContainsSubstring(told));
+}
+
+TEST_CASE("trust: every command's help has an example", "[trust]") {
+  Workplace place;
+  REQUIRE(place.run("completion bash") == 0);
+  std::istringstream lines(place.out());
+  int commands = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t end = line.find(") options=");
+    if (end == std::string::npos) continue;
+    const std::string command = line.substr(4, end - 4);
+    CAPTURE(command);
+    REQUIRE(place.run(command + " --help") == 0);
+    CHECK_THAT(place.out(), ContainsSubstring("Example: "));
+    ++commands;
+  }
+  CHECK(commands == 19);
 }
 
 TEST_CASE("trust: the shells complete what the program takes", "[trust]") {

@@ -8,7 +8,8 @@
 //   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
 //   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
 //   /provenance             attributes (commit, compiler, …; as JSON `point`, the place on the sweep, and
-//                           `models`, the labels of all bending models); dataset `config` (resolved, JSON)
+//                           `models`, the labels of all bending models); dataset `config` (resolved, JSON);
+//                           `inputs`/<k>: the bytes of a file that the config names (`pointer`, `name`)
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
@@ -64,6 +65,13 @@ struct ConstraintRecord {
   std::vector<double> softness;     ///< #C, times the scene's compliance; empty unless recorded, or if 1
 };
 
+/// A file that the config names, with what it held.
+struct InputFile {
+  std::string pointer;  ///< of the setting that names it
+  std::string name;     ///< as the config has it
+  std::string bytes;
+};
+
 /// What is known before the first step.
 struct RunHeader {
   std::string id, name;
@@ -75,8 +83,9 @@ struct RunHeader {
   std::vector<Column> cell_fields;  ///< one per field of Frame::cell_fields
   std::vector<ConstraintRecord> constraints;
   std::map<std::string, std::string> provenance;  ///< attribute → text
-  std::string config;                             ///< resolved config as JSON text
-  bool double_positions = false;                  ///< store positions as float64 instead of float32
+  std::vector<InputFile> inputs;
+  std::string config;             ///< resolved config as JSON text
+  bool double_positions = false;  ///< store positions as float64 instead of float32
 };
 
 struct Frame {
@@ -159,10 +168,21 @@ struct RestRecord {
 
 RestRecord read_rest(const std::filesystem::path& file);
 
+/// The files that the run's config names, as they were.
+std::vector<InputFile> read_inputs(const std::filesystem::path& file);
+
 /// One column of /metrics, of the committed frames.
 std::vector<double> read_metric(const std::filesystem::path& file, const std::string& name);
 
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
+
+/// Version of the HDF5 library.
+std::string hdf5_version();
+
+/// Names of what differs to the bit between two run files: datasets, numbers of the summary, the status. Not
+/// times, nor provenance.
+std::vector<std::string> differing_parts(const std::filesystem::path& one,
+                                         const std::filesystem::path& other);
 
 }  // namespace bendlab

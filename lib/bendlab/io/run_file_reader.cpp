@@ -67,6 +67,29 @@ RestRecord read_rest(const fs::path& path) {
   });
 }
 
+std::vector<InputFile> read_inputs(const fs::path& path) {
+  return with_run(path, [&](hid_t file) {
+    std::vector<InputFile> inputs;
+    const Handle provenance = hdf5::open_group(file, "provenance");
+    if (!hdf5::has_link(provenance, "inputs")) return inputs;
+    const Handle group = hdf5::open_group(provenance, "inputs");
+    for (const std::string& name : hdf5::links(group)) {
+      const Handle dataset = hdf5::open_dataset(group, name);
+      const auto bytes = hdf5::read_all<std::uint8_t>(group, name);
+      inputs.push_back({hdf5::read_text_attribute(dataset, "pointer"),
+                        hdf5::read_text_attribute(dataset, "name"),
+                        {bytes.begin(), bytes.end()}});
+    }
+    return inputs;
+  });
+}
+
+std::string hdf5_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
 std::vector<double> read_metric(const fs::path& path, const std::string& name) {
   return with_run(path, [&](hid_t file) {
     const Handle metrics = hdf5::open_group(file, "metrics");

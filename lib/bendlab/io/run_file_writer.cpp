@@ -51,6 +51,16 @@ void write_header(hid_t file, const RunHeader& header) {
   const Handle provenance = hdf5::create_group(file, "provenance");
   write_texts(provenance, header.provenance);
   hdf5::write_texts(provenance, "config", {header.config});
+  if (header.inputs.empty()) return;
+  const Handle inputs = hdf5::create_group(provenance, "inputs");
+  for (std::size_t k = 0; k < header.inputs.size(); ++k) {
+    const InputFile& input = header.inputs[k];
+    const std::string name = std::to_string(k);
+    hdf5::write_array(inputs, name, std::vector<std::uint8_t>(input.bytes.begin(), input.bytes.end()));
+    const Handle dataset = hdf5::open_dataset(inputs, name);
+    hdf5::write_attribute(dataset, "pointer", input.pointer);
+    hdf5::write_attribute(dataset, "name", input.name);
+  }
 }
 
 void write_footer(hid_t file, const RunFooter& footer) {

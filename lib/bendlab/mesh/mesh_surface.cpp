@@ -2,6 +2,7 @@
 
 #include <CGAL/AABB_tree.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/version.h>
 #if __has_include(<CGAL/AABB_traits_3.h>)  // CGAL 6 renamed them
 #include <CGAL/AABB_traits_3.h>
 #include <CGAL/AABB_triangle_primitive_3.h>
@@ -94,6 +95,10 @@ struct MeshSurface::Tree {
     return indices;
   }
 };
+
+std::string cgal_version() {
+  return CGAL_VERSION_STR;
+}
 
 MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
   double volume = 0;  // six times; negative if the normals of a closed mesh point inwards

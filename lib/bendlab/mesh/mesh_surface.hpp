@@ -5,6 +5,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "bendlab/mesh/triangle_mesh.hpp"
@@ -14,6 +15,8 @@ namespace bendlab {
 /// Weights of the point of the triangle a, b, c that is nearest to x: each in [0, 1], with sum 1, and exactly
 /// 0 if the point is on the opposite edge (Ericson 2005, §5.1.5).
 Vector3 nearest_weights(const Vector3& x, const Vector3& a, const Vector3& b, const Vector3& c);
+
+std::string cgal_version();
 
 class MeshSurface {
  public:

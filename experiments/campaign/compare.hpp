@@ -1,0 +1,45 @@
+// What differs between two runs: their settings, their numbers, their cloths.
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/config/strict_json.hpp"
+
+namespace bendlab {
+
+/// A setting that differs; null where one run does not have it.
+struct ChangedSetting {
+  std::string pointer;
+  Json one, other;
+};
+
+/// A number that differs.
+struct ChangedNumber {
+  std::string name;
+  std::optional<double> one, other;
+  std::optional<double> relative;  ///< other / one - 1, where both are there and one is not 0
+};
+
+struct RunDifference {
+  std::vector<ChangedSetting> settings;
+  std::vector<ChangedNumber> summary;  ///< the largest relative change first
+  std::map<std::string, double>
+      cloth;             ///< of measures/trajectory.hpp, over all common frames; in sizes of the mesh
+  std::string no_cloth;  ///< why the cloths cannot be compared; empty: they were
+  std::vector<std::string> differing_parts;  ///< of the files, to the bit; empty: the same
+};
+
+/// Settings that differ between two configs, by pointer.
+std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other);
+/// Numbers that differ to the bit.
+std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& one,
+                                           const std::map<std::string, double>& other);
+
+/// Throws RunFileError.
+RunDifference difference(const RunRecord& one, const RunRecord& other);
+
+}  // namespace bendlab

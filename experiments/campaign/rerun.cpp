@@ -1,0 +1,57 @@
+#include "experiments/campaign/rerun.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "bendlab/io/disk.hpp"
+#include "experiments/config/config.hpp"
+#include "experiments/config/pointers.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// What decides the bits of a result beside its settings.
+constexpr std::array<const char*, 11> decisive = {"version",   "git_commit",     "git_dirty",   "source_hash",
+                                                  "compiler",  "compiler_flags", "build_type",  "vector_bits",
+                                                  "processor", "libraries",      "blas_kernels"};
+
+std::string text_in(const RunRecord& run, const char* name) {
+  const auto found = run.provenance.find(name);
+  return found == run.provenance.end() ? "unknown" : found->second;
+}
+
+// The run's settings, with its input files beside them under names of their own.
+Experiment experiment_of(const RunRecord& run, const fs::path& folder) {
+  Json settings = parse_strict_json(run.config, run.file.string());
+  settings["name"] = run.name;
+  const std::vector<InputFile> inputs = read_inputs(run.file);
+  for (std::size_t k = 0; k < inputs.size(); ++k) {
+    const fs::path file =
+        fs::absolute(folder / fmt::format("input_{}{}", k, fs::path(inputs[k].name).extension().string()));
+    replace_file(file, inputs[k].bytes);
+    set_at(settings, inputs[k].pointer, file.string());
+  }
+  return parse_experiment(settings.dump(), run.file.string());
+}
+
+}  // namespace
+
+Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl& control) {
+  make_folder(folder);
+  const Experiment experiment = experiment_of(run, folder);
+  RunControl again = control;
+  again.force = true;
+  Repetition repetition{execute_run(experiment, experiment.runs.front(), folder, again), {}, {}};
+  if (repetition.outcome.status == RunStatus::interrupted) return repetition;
+  repetition.differing_parts = differing_parts(run.file, repetition.outcome.file);
+  const RunRecord now = read_run(repetition.outcome.file);
+  for (const char* name : decisive)
+    if (const std::pair texts(text_in(run, name), text_in(now, name)); texts.first != texts.second)
+      repetition.changed.emplace(name, texts);
+  return repetition;
+}
+
+}  // namespace bendlab

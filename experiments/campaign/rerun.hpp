@@ -1,0 +1,26 @@
+// A run repeated from its file alone.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+
+struct Repetition {
+  RunOutcome outcome;
+  std::vector<std::string> differing_parts;  ///< of the two files, to the bit; empty: the same
+  /// What may explain that: name → (then, now), of program, compiler, libraries, machine.
+  std::map<std::string, std::pair<std::string, std::string>> changed;
+};
+
+/// Computes the run again below `folder`, with its settings and the files that it was made from, which its
+/// file holds. Throws ConfigError if this program does not know the settings, MeshError and RunFileError.
+Repetition repeat(const RunRecord& run, const std::filesystem::path& folder, const RunControl& control);
+
+}  // namespace bendlab

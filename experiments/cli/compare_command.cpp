@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+
+#include "experiments/campaign/compare.hpp"
+#include "experiments/campaign/errors.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/find_run.hpp"
+#include "experiments/config/counted.hpp"
+#include "experiments/terminal/table.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string text_of(const std::optional<double>& number) {
+  return number ? format_number(*number) : "-";
+}
+
+std::string percent_of(const std::optional<double>& relative) {
+  return relative ? fmt::format("{:+.2g} %", 100 * *relative) : "";
+}
+
+std::string text_of(const Json& value) {
+  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+}
+
+Json number_or_null(const std::optional<double>& number) {
+  return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
+}
+
+Json to_json(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
+  Json settings = Json::array(), summary = Json::array();
+  for (const ChangedSetting& each : found.settings)
+    settings.push_back({{"pointer", each.pointer}, {"one", each.one}, {"other", each.other}});
+  for (const ChangedNumber& each : found.summary)
+    summary.push_back({{"name", each.name},
+                       {"one", number_or_null(each.one)},
+                       {"other", number_or_null(each.other)},
+                       {"relative", number_or_null(each.relative)}});
+  return {{"one", one.file.string()},
+          {"other", other.file.string()},
+          {"same_bits", found.differing_parts.empty()},
+          {"differing_parts", found.differing_parts},
+          {"settings", settings},
+          {"summary", summary},
+          {"cloth", found.cloth},
+          {"no_cloth", found.no_cloth}};
+}
+
+void print_pair(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
+  fmt::print("one:   {}  {}\nother: {}  {}\n", one.id, one.file.string(), other.id, other.file.string());
+  if (found.differing_parts.empty())
+    fmt::print("\nfiles: the same bits in every frame, metric and number\n");
+  else
+    fmt::print("\nfiles: {} differ in their bits: {}\n", counted(found.differing_parts.size(), "part"),
+               fmt::join(found.differing_parts, ", "));
+  if (found.settings.empty()) fmt::print("\nsettings: the same\n");
+  if (!found.settings.empty()) {
+    Table table({"setting", "one", "other"});
+    for (const ChangedSetting& each : found.settings)
+      table.add_row({each.pointer, text_of(each.one), text_of(each.other)});
+    fmt::print("\n{}", table.text());
+  }
+  if (found.summary.empty()) fmt::print("\nsummary: the same\n");
+  if (!found.summary.empty()) {
+    Table table({"number", "one", "other", "change"});
+    for (const ChangedNumber& each : found.summary)
+      table.add_row({each.name, text_of(each.one), text_of(each.other), percent_of(each.relative)});
+    fmt::print("\n{}", table.text());
+  }
+  if (!found.no_cloth.empty()) fmt::print("\ncloths: not compared: {}\n", found.no_cloth);
+  if (!found.cloth.empty()) {
+    fmt::print("\ncloths: distances in sizes of the mesh, over the frames at the same times\n");
+    Table table({"distance", "value"});
+    for (const auto& [name, value] : found.cloth) table.add_row({name, format_number(value)});
+    fmt::print("{}", table.text());
+  }
+}
+
+// Runs of a folder by their place on the sweep.
+std::map<std::string, RunRecord> by_point(const fs::path& folder) {
+  std::map<std::string, RunRecord> runs;
+  for (RunRecord& record : read_runs(folder)) {
+    if (record.file.string().find("/references/") != std::string::npos) continue;
+    const auto point = record.provenance.find("point");
+    runs.insert_or_assign(point == record.provenance.end() ? "{}" : point->second, std::move(record));
+  }
+  return runs;
+}
+
+bool has_many_runs(const std::string& argument) {
+  if (!fs::is_directory(argument)) return false;
+  return !fs::exists(fs::path(argument) / "run.vtkhdf") && unfinished_files(argument).empty();
+}
+
+// Two sweeps, point by point: the numbers that most people look at.
+int compare_sweeps(const CompareArguments& arguments, bool json) {
+  const std::map<std::string, RunRecord> ones = by_point(arguments.one), others = by_point(arguments.other);
+  const std::vector<std::string> names = {"mean_strain", "max_stretch", "drop", "step_cpu_s"};
+  std::vector<std::string> headings = {"point"};
+  for (const std::string& name : names) headings.push_back(name + " (change)");
+  headings.push_back("bits");
+  Table table(headings);
+  std::size_t in_both = 0;
+  for (const auto& [point, one] : ones) {
+    const auto found = others.find(point);
+    if (found == others.end()) continue;
+    ++in_both;
+    const RunRecord& other = found->second;
+    const RunDifference pair = difference(one, other);
+    if (json) fmt::print("{}\n", to_json(one, other, pair).dump());
+    std::vector<std::string> row = {point};
+    for (const std::string& name : names) {
+      const auto value = [&](const RunRecord& record) -> std::optional<double> {
+        if (name == "step_cpu_s") return record.step_cpu_s;
+        const auto at = record.summary.find(name);
+        return at == record.summary.end() ? std::nullopt : std::optional(at->second);
+      };
+      const std::optional<double> before = value(one), after = value(other);
+      row.push_back(before && after && *before != 0
+                        ? fmt::format("{} ({:+.2g} %)", format_number(*after), 100 * (*after / *before - 1))
+                        : text_of(after));
+    }
+    row.push_back(pair.differing_parts.empty() ? "same" : "differ");
+    table.add_row(row);
+  }
+  if (in_both == 0)
+    throw UsageError(
+        fmt::format("'{}' and '{}' have no point of a sweep in common", arguments.one, arguments.other));
+  if (!json)
+    fmt::print("{}{} in both; {} only in one, {} only in other\n", table.text(), counted(in_both, "point"),
+               ones.size() - in_both, others.size() - in_both);
+  return exit_ok;
+}
+
+}  // namespace
+
+int compare_command(const CompareArguments& arguments, bool json) {
+  if (has_many_runs(arguments.one) && has_many_runs(arguments.other)) return compare_sweeps(arguments, json);
+  const RunRecord one = find_run(arguments.one, arguments.folder),
+                  other = find_run(arguments.other, arguments.folder);
+  const RunDifference found = difference(one, other);
+  if (json)
+    fmt::print("{}\n", to_json(one, other, found).dump());
+  else
+    print_pair(one, other, found);
+  return exit_ok;
+}
+
+}  // namespace bendlab

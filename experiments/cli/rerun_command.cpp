@@ -1,0 +1,86 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <stdlib.h>
+
+#include <filesystem>
+
+#include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/rerun.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/find_run.hpp"
+#include "experiments/terminal/signals.hpp"
+#include "experiments/terminal/table.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder of its own, removed at the end.
+class ScratchFolder {
+ public:
+  ScratchFolder() : path_((fs::temp_directory_path() / "bendlab-rerun-XXXXXX").string()) {
+    if (!mkdtemp(path_.data()))
+      throw RunFileError(fmt::format("no folder can be made in '{}'; name one with --out",
+                                     fs::temp_directory_path().string()));
+  }
+  ~ScratchFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
+Json to_json(const RunRecord& run, const Repetition& found) {
+  Json changed = Json::object();
+  for (const auto& [name, texts] : found.changed)
+    changed[name] = {{"then", texts.first}, {"now", texts.second}};
+  return {{"run", run.id},
+          {"file", run.file.string()},
+          {"repeated", found.outcome.file.string()},
+          {"status", to_string(found.outcome.status)},
+          {"same_bits", found.differing_parts.empty()},
+          {"differing_parts", found.differing_parts},
+          {"changed", changed}};
+}
+
+void print(const RunRecord& run, const Repetition& found) {
+  fmt::print("{}  {}\n", run.id, run.file.string());
+  if (found.differing_parts.empty())
+    fmt::print("repeated: the same bits in every frame, metric and number\n");
+  else
+    fmt::print("repeated: DIFFERENT BITS in {}\n", fmt::join(found.differing_parts, ", "));
+  if (found.changed.empty()) {
+    fmt::print("by the same program, on the same machine with the same libraries\n");
+    return;
+  }
+  Table table({"changed since", "then", "now"});
+  for (const auto& [name, texts] : found.changed) table.add_row({name, texts.first, texts.second});
+  fmt::print("\n{}", table.text());
+}
+
+}  // namespace
+
+int rerun_command(const RerunArguments& arguments, bool json) {
+  const RunRecord run = find_run(arguments.run, arguments.folder);
+  if (!is_over(run.status))
+    throw UsageError(fmt::format("'{}' is {}: only a run that is over can be repeated", run.file.string(),
+                                 to_string(run.status)));
+  catch_stop_signals();
+  const ScratchFolder scratch;
+  const Repetition found =
+      repeat(run, arguments.out.empty() ? fs::path(scratch.path()) : arguments.out, {.stop = &stop_flag()});
+  if (stop_exit_code() != 0) return stop_exit_code();
+  if (json)
+    fmt::print("{}\n", to_json(run, found).dump());
+  else
+    print(run, found);
+  return found.differing_parts.empty() ? exit_ok : exit_failed;
+}
+
+}  // namespace bendlab

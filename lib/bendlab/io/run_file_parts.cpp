@@ -1,0 +1,76 @@
+#include <algorithm>
+#include <set>
+
+#include "bendlab/io/run_series.hpp"
+
+namespace bendlab {
+namespace {
+
+using hdf5::Handle;
+
+// Paths of all datasets of numbers below a group.
+void collect(hid_t group, const std::string& path, std::set<std::string>& datasets) {
+  for (const std::string& name : hdf5::links(group)) {
+    const Handle object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
+    const std::string below = path.empty() ? name : path + "/" + name;
+    if (H5Iget_type(object) == H5I_GROUP)
+      collect(object, below, datasets);
+    else if (H5Iget_type(object) == H5I_DATASET)
+      datasets.insert(below);
+  }
+}
+
+std::set<std::string> datasets_in(hid_t file) {
+  std::set<std::string> datasets;
+  for (const char* group : {"VTKHDF", "rest", "metrics", "constraints"})
+    if (hdf5::has_link(file, group)) collect(hdf5::open_group(file, group), group, datasets);
+  return datasets;
+}
+
+// Shape, size of an entry, and values, as they lie in memory.
+std::string bytes_of(hid_t file, const std::string& path) {
+  const Handle dataset = hdf5::open_dataset(file, path), type(H5Dget_type(dataset), H5Tclose);
+  std::size_t count = 1;
+  std::string bytes;
+  for (const hsize_t length : hdf5::shape_of(dataset)) {
+    count *= length;
+    bytes += std::to_string(length) + " ";
+  }
+  const std::size_t head = bytes.size();
+  bytes.resize(head + count * H5Tget_size(type));
+  if (count > 0) hdf5::check(H5Dread(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, bytes.data() + head));
+  return bytes;
+}
+
+// Everything that is compared at once: texts and numbers by name.
+std::map<std::string, std::string> small_parts(hid_t file) {
+  std::map<std::string, std::string> parts = {{"status", hdf5::read_text_attribute(file, "status")}};
+  if (!hdf5::has_link(file, "summary")) return parts;
+  for (const auto& [name, value] : hdf5::read_number_attributes(hdf5::open_group(file, "summary")))
+    parts["summary/" + name] = std::string(reinterpret_cast<const char*>(&value), sizeof value);
+  return parts;
+}
+
+}  // namespace
+
+std::vector<std::string> differing_parts(const std::filesystem::path& one,
+                                         const std::filesystem::path& other) {
+  using Parts = std::map<std::string, std::string>;
+  const Parts mine = with_run(one, small_parts), others = with_run(other, small_parts);
+  std::set<std::string> differing;
+  for (const auto& [first, second] : {std::pair(&mine, &others), std::pair(&others, &mine)})
+    for (const auto& [name, bytes] : *first)
+      if (const auto found = second->find(name); found == second->end() || found->second != bytes)
+        differing.insert(name);
+  std::set<std::string> datasets = with_run(one, datasets_in);
+  datasets.merge(with_run(other, datasets_in));
+  for (const std::string& name : datasets) {
+    const auto bytes = [&](hid_t file) {
+      return H5Lexists(file, name.c_str(), H5P_DEFAULT) > 0 ? bytes_of(file, name) : std::string("absent");
+    };
+    if (with_run(one, bytes) != with_run(other, bytes)) differing.insert(name);
+  }
+  return {differing.begin(), differing.end()};
+}
+
+}  // namespace bendlab
