@@ -38,7 +38,8 @@ const Rooms experiment_rooms = {
     {"campaign", {"config", "scene", "measures", "run", "terminal"}},
     {"advise", {"config", "scene", "measures", "run", "terminal", "campaign"}},
     {"bench", {"config", "scene", "measures", "run", "terminal", "campaign"}},
-    {"cli", {"config", "scene", "measures", "run", "terminal", "campaign", "advise", "bench"}},
+    {"export", {"config", "scene", "measures", "campaign"}},
+    {"cli", {"config", "scene", "measures", "run", "terminal", "campaign", "advise", "bench", "export"}},
 };
 
 /// What the #include lines of a file name.

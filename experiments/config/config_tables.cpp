@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <deque>
+#include <stdexcept>
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/bending/model.hpp"
@@ -16,6 +17,7 @@
 #include "bendlab/mesh/material_coordinates.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/parameters/registry.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/precision.hpp"
 #include "experiments/config/config.hpp"
@@ -30,13 +32,18 @@ using Names = std::span<const std::string_view>;
 constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {
     stiffness_kind_names[0], stiffness_kind_names[1], stiffness_kind_names[2], "physical"};
 constexpr std::array<std::string_view, 3> precisions = {"auto", precision_names[0], precision_names[1]};
-constexpr std::array measures_on_request = {
+constexpr std::array listed_measures_on_request = {
 #define BENDLAB_MEASURE(name)
 #define BENDLAB_MEASURE_ON_REQUEST(name) std::string_view(#name),
 #include "experiments/measures/measures.def"
 #undef BENDLAB_MEASURE
 #undef BENDLAB_MEASURE_ON_REQUEST
 };
+
+Registry<std::string_view>& measures_on_request() {
+  static Registry<std::string_view> names("measure", listed_measures_on_request);
+  return names;
+}
 
 constexpr std::array<std::string_view, 1> allowed = {name_in(run_status_names, RunStatus::implausible)};
 
@@ -368,17 +375,20 @@ constexpr std::array initial = {
                          "flat sheet, for example, or another method, and is not recorded"},
 };
 
-constexpr std::array output = {
-    Parameter{.name = "frames_per_second", .type = number, .unit = "1/s", .default_value = 30.0,
-              .meaning = "Recorded frames per simulated second, at most one a step",
-              .minimum = 0, .maximum = 1e6, .above = true},
-    Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
-              .meaning = "true: the run file lists every constraint; false: only their counts and hash"},
-    Parameter{.name = "measures", .type = texts, .unit = "", .default_value = Names(),
-              .meaning = "Measures to take in addition to those that every run has; `bendlab measures` says "
-                         "what each finds out, the names of its numbers, and its cost",
-              .choices = measures_on_request},
-};
+const std::array<Parameter, 3>& output() {
+  static const std::array<Parameter, 3> table = {
+      Parameter{.name = "frames_per_second", .type = number, .unit = "1/s", .default_value = 30.0,
+                .meaning = "Recorded frames per simulated second, at most one a step",
+                .minimum = 0, .maximum = 1e6, .above = true},
+      Parameter{.name = "constraints", .type = boolean, .unit = "", .default_value = false,
+                .meaning = "true: the run file lists every constraint; false: only their counts and hash"},
+      Parameter{.name = "measures", .type = texts, .unit = "", .default_value = Names(),
+                .meaning = "Measures to take in addition to those that every run has; `bendlab measures` "
+                           "says what each finds out, the names of its numbers, and its cost",
+                .choices = measures_on_request().rows()},
+  };
+  return table;
+}
 
 constexpr std::array accuracy = {
     Parameter{.name = "solver", .type = texts, .unit = "", .default_value = {},
@@ -469,6 +479,15 @@ constexpr std::array lists = {
                "runs"},
 };
 
+// A model's settings stand in /bending beside those that all models share.
+void check_names_of_added_models() {
+  for (const BendingModel* model : added_bending_models())
+    if (std::ranges::find(bending(), model->name, &Parameter::name) != bending().end())
+      throw std::invalid_argument(
+          fmt::format("the bending model '{}' has the name of a setting, /bending/{}; choose another name",
+                      model->name, model->name));
+}
+
 std::vector<ConfigSection> make_sections() {
   static std::deque<std::string> pointers;  // the models' sections refer to these texts
   std::vector<ConfigSection> sections = {
@@ -479,6 +498,7 @@ std::vector<ConfigSection> make_sections() {
       {"/material/strain", "Strain constraints of the triangles", strain},
       {"/bending", "The bending model and the stiffness of its constraints", bending()},
   };
+  check_names_of_added_models();
   for (const BendingModel* model : bending_models())
     if (!model->parameters.empty())
       sections.push_back(
@@ -488,7 +508,7 @@ std::vector<ConfigSection> make_sections() {
   const std::array<ConfigSection, 5> rest = {{
       {"/solver", "Time stepping and projection", solver()},
       {"/initial", "The pose at time 0", initial},
-      {"/output", "What is measured and recorded", output},
+      {"/output", "What is measured and recorded", output()},
       {"/accuracy", "Errors of the run, measured against references", accuracy},
       {"/quality", "When a triangle counts as bad", quality},
   }};
@@ -515,6 +535,10 @@ std::span<const ConfigSection> config_sections() {
 const ConfigSection* find_section(std::string_view pointer) {
   const auto found = std::ranges::find(config_sections(), pointer, &ConfigSection::pointer);
   return found == config_sections().end() ? nullptr : &*found;
+}
+
+void add_measure_on_request(std::string_view name) {
+  measures_on_request().add(name);
 }
 
 std::string_view section_key(const ConfigSection& section) {

@@ -28,6 +28,9 @@ const ConfigSection* find_section(std::string_view pointer);
 /// The sections directly below `pointer`.
 std::vector<const ConfigSection*> child_sections(std::string_view pointer);
 
+/// Lets /output/measures name a further measure. Throws std::logic_error if sections were read before.
+void add_measure_on_request(std::string_view name);
+
 /// The last part of a section's pointer: its key in the parent object.
 std::string_view section_key(const ConfigSection& section);
 

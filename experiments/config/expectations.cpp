@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <ranges>
 
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/nearest_name.hpp"
@@ -81,7 +80,8 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
   ExpectationResult result{expectation, std::nullopt, false, ""};
   const auto found = summary.find(expectation.metric);
   if (found == summary.end()) {
-    const auto metrics = std::views::keys(summary);
+    std::vector<std::string> metrics;
+    for (const auto& [name, value] : summary) metrics.push_back(name);
     result.message = fmt::format(
         "there is no metric '{}'{} The run has: {}", expectation.metric,
         nearest_name(expectation.metric, metrics).empty() ? "." : suggestion(expectation.metric, metrics),

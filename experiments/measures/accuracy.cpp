@@ -168,6 +168,7 @@ extern const Measure accuracy{
           const ParameterValues settings = config.section("/accuracy");
           return settings.has("solver") || settings.has("physical");
         },
+    .when = "if /accuracy names a reference",
     .gives = quantities,
     .makes_runs = true,
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {

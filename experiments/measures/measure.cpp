@@ -1,10 +1,17 @@
 #include "experiments/measures/measure.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <set>
 #include <stdexcept>
+
+#include "bendlab/parameters/registry.hpp"
+#include "experiments/config/config_tables.hpp"
+#include "experiments/measures/metrics.hpp"
 
 namespace bendlab {
 
@@ -23,6 +30,35 @@ std::size_t index_of(std::span<const Column> columns, std::string_view name) {
   if (found == columns.end())
     throw std::logic_error("no measure of this run has the column " + std::string(name));
   return static_cast<std::size_t>(found - columns.begin());
+}
+
+constexpr std::array listed = {
+#define BENDLAB_MEASURE(name) &measure::name,
+#define BENDLAB_MEASURE_ON_REQUEST(name) &measure::name,
+#include "experiments/measures/measures.def"
+#undef BENDLAB_MEASURE
+#undef BENDLAB_MEASURE_ON_REQUEST
+};
+
+Registry<const Measure*>& registry() {
+  static Registry<const Measure*> all("measure", listed);
+  return all;
+}
+
+// A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
+template <class Row>
+void check_names(const Measure& measure, std::vector<Row> (*Measure::*rows)()) {
+  if (!(measure.*rows)) return;
+  std::set<std::string, std::less<>> taken(names_of_facts().begin(), names_of_facts().end());
+  taken.emplace("time");  // of a frame
+  for (const Measure* other : registry().so_far())
+    for (const Row& row : other->*rows ? (other->*rows)() : std::vector<Row>{}) taken.insert(row.name);
+  for (const Row& row : (measure.*rows)())
+    if (!taken.insert(row.name).second)
+      throw std::invalid_argument(
+          fmt::format("the measure '{}' cannot be registered: there is a number '{}' already; choose another "
+                      "name for it (`bendlab measures` lists those there are)",
+                      measure.name, row.name));
 }
 
 }  // namespace
@@ -68,14 +104,21 @@ double FrameHistory::last_second_median(std::string_view column) const {
 }
 
 std::span<const Measure* const> measures() {
-  static constexpr std::array all = {
-#define BENDLAB_MEASURE(name) &measure::name,
-#define BENDLAB_MEASURE_ON_REQUEST(name) &measure::name,
-#include "experiments/measures/measures.def"
-#undef BENDLAB_MEASURE
-#undef BENDLAB_MEASURE_ON_REQUEST
-  };
-  return all;
+  return registry().rows();
+}
+
+void register_measure(const Measure& measure) {
+  if (measure.begin == nullptr)
+    throw std::invalid_argument(
+        fmt::format("the measure '{}' cannot be registered: it has no begin()", measure.name));
+  check_names(measure, &Measure::columns), check_names(measure, &Measure::fields);
+  check_names(measure, &Measure::gives);
+  registry().add(&measure);
+  if (measure.applies == nullptr) add_measure_on_request(measure.name);
+}
+
+std::span<const Measure* const> added_measures() {
+  return registry().added();
 }
 
 bool applies(const Measure& measure, const RunConfig& config, const Scene& scene) {

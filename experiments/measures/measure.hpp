@@ -1,6 +1,6 @@
 // Measures: what is found out about a run. Each is one file here and one line in measures.def, and nothing
-// else knows its name. A run has those that every run has, and those that its config asks for; the others
-// cost it nothing.
+// else knows its name; a program that uses this library may register its own. A run has those that every run
+// has, and those that its config asks for; the others cost it nothing.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ class MeasuredFrame {
   const Positions& positions() const { return positions_; }  ///< #V by 3, m
   const std::vector<PrincipalStretches>& stretches() const;  ///< #T
   const StretchSummary& stretch() const;
-  /// What a measure that comes earlier in measures.def gave for this frame. Throws std::logic_error for a
+  /// What a measure that comes earlier in measures() gave for this frame. Throws std::logic_error for a
   /// column that no measure of this run has.
   double value(std::string_view column) const;
 
@@ -129,6 +129,7 @@ struct Measure {
   std::string_view cost;     ///< a line: what that takes
   /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
   bool (*applies)(const RunConfig&, const Scene&) = nullptr;
+  std::string_view when = "where it applies";  ///< a few words, unless that is always or on request
   std::vector<Column> (*columns)() = nullptr;  ///< of every frame: names, units, meanings
   std::vector<Column> (*fields)() = nullptr;   ///< of every triangle of every frame
   std::vector<Quantity> (*gives)() = nullptr;  ///< of the run; a number without a meaning there is left out
@@ -138,8 +139,17 @@ struct Measure {
   std::unique_ptr<Measurement> (*begin)(const RunConfig&, const Scene&) = nullptr;
 };
 
-/// All, in the order of measures.def.
+/// All, in the order of measures.def; then those that the program added.
 std::span<const Measure* const> measures();
+
+/// Adds a measure of the program's own, which has to stay where it is. To be called before a config is read,
+/// by one thread. Throws std::invalid_argument if its name or one of its numbers' is taken or it has no
+/// begin(), std::logic_error if it is too late.
+void register_measure(const Measure& measure);
+void register_measure(const Measure&&) = delete;
+
+/// The measures that the program added.
+std::span<const Measure* const> added_measures();
 
 /// Whether a run of `config` on `scene` has the measure.
 bool applies(const Measure& measure, const RunConfig& config, const Scene& scene);

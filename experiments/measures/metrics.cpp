@@ -12,7 +12,6 @@
 namespace bendlab {
 namespace {
 
-// Numbers of the scene and of the solver, which no measure gives: facts_of() and the stepping's.
 constexpr std::array<std::string_view, 12> facts = {"size",
                                                     "vertices",
                                                     "triangles",
@@ -50,6 +49,10 @@ bool asked_for(const Measure& measure, const RunConfig& run) {
 }
 
 }  // namespace
+
+std::span<const std::string_view> names_of_facts() {
+  return facts;
+}
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
   // Bending models choose these names themselves.

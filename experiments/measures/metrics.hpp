@@ -2,11 +2,16 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "experiments/config/config.hpp"
 
 namespace bendlab {
+
+/// Numbers of the scene and of the solver, which no measure gives: those of facts_of() and of the stepping.
+std::span<const std::string_view> names_of_facts();
 
 /// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run
 /// of the experiment has. Nothing if some run may have it.

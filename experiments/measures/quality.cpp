@@ -1,8 +1,10 @@
 #include "bendlab/mesh/quality.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
+#include <set>
 
 #include "experiments/measures/measure.hpp"
 
@@ -70,10 +72,18 @@ class Quality final : public Measurement {
     const MeshQuality rest =
         measure_quality(scene_.rest.positions(), scene_.rest.triangles(), scene_.thresholds);
     findings.summary["rest_degenerate_triangles"] = rest.degenerate_triangles;
-    for_quality_columns([&](const auto&, std::size_t m, const Statistic& statistic, const std::string& name) {
-      if (const double value = rest.measures[m].*statistic.value; !std::isnan(value))
-        findings.summary["rest_" + name] = value;
-    });
+    std::set<std::string> infinite;
+    for_quality_columns(
+        [&](const QualityMeasure& each, std::size_t m, const Statistic& statistic, const std::string& name) {
+          if (const double value = rest.measures[m].*statistic.value; std::isfinite(value))
+            findings.summary["rest_" + name] = value;
+          else
+            infinite.insert(fmt::format("rest_{}", each.name));
+        });
+    if (!infinite.empty())
+      findings.messages.push_back(
+          fmt::format("{}: infinite for triangles without area, and left out of the summary where they are",
+                      fmt::join(infinite, ", ")));
   }
 
  private:

@@ -9,7 +9,7 @@ namespace {
 
 std::string_view when(const Measure& measure) {
   if (!measure.applies) return "if /output/measures names it";
-  return measure.applies == always ? "always" : "if /accuracy names a reference";
+  return measure.applies == always ? "always" : measure.when;
 }
 
 template <class Rows>

@@ -14,6 +14,7 @@
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/run/machine.hpp"
+#include "experiments/run/own_code.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
@@ -120,6 +121,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
+  if (const std::string own = own_code_hash(config); !own.empty()) header.provenance["own_code"] = own;
   header.config = config.resolved().dump(2);
   for (const auto& [pointer, file] : input_files(config))
     header.inputs.push_back(

@@ -77,3 +77,26 @@ TEST_CASE("archive: one that ends too early is an error, wherever", "[archive]")
     CHECK_THROWS_AS(read.archive(in), std::runtime_error);
   }
 }
+
+TEST_CASE("archive: bytes that no value has are an error, or a value", "[archive]") {
+  const auto matrix_of = [](Eigen::Index rows, Eigen::Index columns) {
+    Archive out;
+    out(rows, columns);
+    std::vector<double> values(4, 1.0);
+    return out.bytes() + std::string(reinterpret_cast<const char*>(values.data()), 4 * sizeof(double));
+  };
+  const auto read = []<class Value>(Value value, const std::string& bytes) {
+    Archive in(bytes);
+    in(value);
+    return value;
+  };
+  CHECK(read(Eigen::MatrixXd(), matrix_of(2, 2)) == Eigen::MatrixXd::Ones(2, 2));
+  constexpr Eigen::Index half = Eigen::Index{1} << 32;  // the product of two is 0 in 64 bits
+  using Sizes = std::vector<std::pair<Eigen::Index, Eigen::Index>>;
+  for (const auto& [rows, columns] : Sizes{{half, half}, {-1, -4}, {-2, 1}, {3, 2}, {half, 1}})
+    CHECK_THROWS_AS(read(Eigen::MatrixXd(), matrix_of(rows, columns)), std::runtime_error);
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+  CHECK_THROWS_AS(read(Rows(), matrix_of(4, 1)), std::runtime_error);
+  CHECK(read(false, "\2"));
+  CHECK(read(std::optional<char>(), "\2x") == 'x');
+}

@@ -1,7 +1,12 @@
 #include "bendlab/bending/model.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <stdexcept>
+
+#include "bendlab/parameters/registry.hpp"
 
 namespace bendlab {
 
@@ -11,13 +16,23 @@ namespace models {
 #undef BENDLAB_BENDING_MODEL
 }  // namespace models
 
-std::span<const BendingModel* const> bending_models() {
-  static constexpr std::array all = {
+namespace {
+
+constexpr std::array listed = {
 #define BENDLAB_BENDING_MODEL(name) &models::name,
 #include "bendlab/bending/models.def"
 #undef BENDLAB_BENDING_MODEL
-  };
+};
+
+Registry<const BendingModel*>& registry() {
+  static Registry<const BendingModel*> all("bending model", listed);
   return all;
+}
+
+}  // namespace
+
+std::span<const BendingModel* const> bending_models() {
+  return registry().rows();
 }
 
 const BendingModel* find_bending_model(std::string_view name) {
@@ -25,6 +40,17 @@ const BendingModel* find_bending_model(std::string_view name) {
   const auto found =
       std::find_if(all.begin(), all.end(), [&](const BendingModel* m) { return m->name == name; });
   return found == all.end() ? nullptr : *found;
+}
+
+void register_bending_model(const BendingModel& model) {
+  if (model.build == nullptr)
+    throw std::invalid_argument(
+        fmt::format("the bending model '{}' cannot be registered: it has no build()", model.name));
+  registry().add(&model);
+}
+
+std::span<const BendingModel* const> added_bending_models() {
+  return registry().added();
 }
 
 }  // namespace bendlab

@@ -1,5 +1,6 @@
 // The interface of a bending model: a pure function from the rest mesh to constraints, called once per scene.
-// A new model is one file in models/, one line in models.def, one test and one config.
+// A new model is one file in models/, one line in models.def, one test and one config; a program that uses
+// this library may register its own.
 #pragma once
 
 #include <span>
@@ -46,10 +47,19 @@ struct BendingModel {
   BendingConstraints (*build)(const BendingInput&);
 };
 
-/// Every registered bending model, in the order of models.def.
+/// Every registered bending model, in the order of models.def; then those that the program added.
 std::span<const BendingModel* const> bending_models();
 
 /// The model of that name, or nullptr.
 const BendingModel* find_bending_model(std::string_view name);
+
+/// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
+/// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it
+/// is too late.
+void register_bending_model(const BendingModel& model);
+void register_bending_model(const BendingModel&&) = delete;
+
+/// The models that the program added.
+std::span<const BendingModel* const> added_bending_models();
 
 }  // namespace bendlab

@@ -18,11 +18,15 @@
 
 #include "bendlab/constraints/large_array.hpp"
 #include "bendlab/constraints/lists.hpp"
-#include "bendlab/constraints/pack.hpp"
+#include "bendlab/constraints/point.hpp"
 #include "bendlab/constraints/stiffness.hpp"
 #include "bendlab/constraints/tolerances.hpp"
 
 namespace bendlab {
+
+/// Lanes of a group: as many as the widest pack of any processor has (pack.hpp), so that the order of a batch
+/// is the same on all.
+inline constexpr int max_lanes = 16;
 
 /// The order of a batch's constraints.
 struct BatchOrder {

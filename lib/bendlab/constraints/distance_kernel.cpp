@@ -8,6 +8,7 @@
 //
 // The scalar code beside it: distance_constraint() and project_by_oracle() in oracle.hpp.
 #include "bendlab/constraints/kernels.hpp"
+#include "bendlab/constraints/pack.hpp"
 
 namespace bendlab {
 namespace {

@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "bendlab/constraints/kernels.hpp"
+#include "bendlab/constraints/pack.hpp"
 
 namespace bendlab {
 

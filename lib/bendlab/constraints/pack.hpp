@@ -14,7 +14,7 @@
 #include <cstring>
 #include <utility>
 
-#include "bendlab/constraints/point.hpp"
+#include "bendlab/constraints/quad.hpp"
 
 #if defined(__AVX512F__)
 #include <immintrin.h>
@@ -36,7 +36,6 @@ template <class Real>
 inline constexpr int lanes = pack_bytes / static_cast<int>(sizeof(Real)) < 4
                                  ? 4
                                  : pack_bytes / static_cast<int>(sizeof(Real));
-inline constexpr int max_lanes = 16;
 
 template <class Real>
 struct PackType {
@@ -44,8 +43,6 @@ struct PackType {
 };
 template <class Real>
 using Pack = typename PackType<Real>::type;
-
-#define BENDLAB_INLINE inline __attribute__((always_inline))
 
 template <class Real>
 BENDLAB_INLINE Pack<Real> broadcast(Real value) {
@@ -191,18 +188,6 @@ BENDLAB_INLINE void transpose(Pack<Real>& a, Pack<Real>& b, Pack<Real>& c, Pack<
   d = blend<2, 3, 6, 7, Real>(ab_high, cd_high);
 }
 
-template <class Real>
-struct QuadType {
-  typedef Real type __attribute__((vector_size(4 * sizeof(Real))));
-};
-
-template <class Real>
-BENDLAB_INLINE typename QuadType<Real>::type load_point(const Point<Real>& point) {
-  typename QuadType<Real>::type quad;
-  std::memcpy(&quad, &point, sizeof(quad));
-  return quad;
-}
-
 template <int first, class Vector, int... lane>
 BENDLAB_INLINE auto part_of(const Vector& vector, std::integer_sequence<int, lane...>) {
   return __builtin_shufflevector(vector, vector, (first + lane)...);
@@ -239,11 +224,6 @@ BENDLAB_INLINE Pack<Real> rows_by_fours(const Point<Real>* points, const int* of
     return (Pack<Real>)_mm512_insertf32x4(row, (__m128)load_point(point_at(points, offsets[12])), 3);
 #endif
   }
-}
-
-template <class Real>
-BENDLAB_INLINE void store_point(Point<Real>& point, const typename QuadType<Real>::type& quad) {
-  std::memcpy(static_cast<void*>(&point), &quad, sizeof(quad));
 }
 
 // The inverse of rows_by_fours(). Storing a quarter of a 512-bit register takes a shuffle, storing half of a

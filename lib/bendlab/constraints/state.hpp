@@ -9,6 +9,7 @@
 
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/constraints/point.hpp"
+#include "bendlab/constraints/quad.hpp"
 #include "bendlab/parameters/archive.hpp"
 
 namespace bendlab {
@@ -47,7 +48,7 @@ struct State {
   Eigen::Vector3d origin = Eigen::Vector3d::Zero();
   /// v += change; with velocity_remainder no digit of a small change is lost.
   void accelerate(std::size_t vertex, const Vector3Of<Real>& change) {
-    using Quad = detail::QuadType<Real>::type;
+    using Quad = typename detail::QuadType<Real>::type;
     const Quad by = {change.x(), change.y(), change.z(), 0};
     Quad v = detail::load_point(velocity[vertex]);
     if (!velocity_remainder.empty()) {

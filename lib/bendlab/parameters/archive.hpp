@@ -26,7 +26,8 @@ class Archive {
   bool at_end() const { return !reads_ || at_ == bytes_.size(); }
 
   /// Numbers, enumerators, structs without pointers, texts, vectors, optionals, dense matrices, and what has
-  /// an archive(Archive&) of its own. Throws std::runtime_error if there are not enough bytes to read.
+  /// an archive(Archive&) of its own. Throws std::runtime_error if there are not enough bytes to read, or a
+  /// matrix does not fit.
   template <class... Values>
   void operator()(Values&... values) {
     (value(values), ...);
@@ -37,15 +38,23 @@ class Archive {
   void value(T& v) {
     if constexpr (requires { v.archive(*this); })
       v.archive(*this);
+    else if constexpr (std::is_same_v<T, bool>)
+      truth(v);
     else if constexpr (std::is_trivially_copyable_v<T>)
       raw(&v, sizeof(T));
     else
       list(v);
   }
+  // Most bytes are no bool.
+  void truth(bool& v) {
+    auto byte = static_cast<unsigned char>(v);
+    raw(&byte, sizeof byte);
+    v = byte != 0;
+  }
   template <class T>
   void value(std::optional<T>& v) {
     bool there = v.has_value();
-    raw(&there, sizeof there);
+    truth(there);
     if (reads_) v = there ? std::optional<T>(T{}) : std::nullopt;
     if (there) value(*v);
   }
@@ -54,7 +63,10 @@ class Archive {
     Eigen::Index size[] = {v.rows(), v.cols()};
     raw(size, sizeof size);
     if (reads_) {
-      require(static_cast<std::size_t>(size[0] * size[1]) * sizeof(Scalar));
+      const auto left = static_cast<Eigen::Index>((bytes_.size() - at_) / sizeof(Scalar));
+      if ((rows != Eigen::Dynamic && size[0] != rows) || (columns != Eigen::Dynamic && size[1] != columns))
+        throw std::runtime_error("the archive has a matrix of another size");
+      if (size[0] < 0 || size[1] < 0 || (size[0] > 0 && size[1] > left / size[0])) throw_too_short();
       v.resize(size[0], size[1]);
     }
     raw(v.data(), static_cast<std::size_t>(v.size()) * sizeof(Scalar));
@@ -87,8 +99,9 @@ class Archive {
   }
 
   void require(std::size_t size) const {
-    if (size > bytes_.size() - at_) throw std::runtime_error("the archive ends too early");
+    if (size > bytes_.size() - at_) throw_too_short();
   }
+  [[noreturn]] static void throw_too_short() { throw std::runtime_error("the archive ends too early"); }
 
   std::string bytes_;
   std::size_t at_ = 0;

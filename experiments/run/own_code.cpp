@@ -1,0 +1,36 @@
+#include "experiments/run/own_code.hpp"
+
+#include <algorithm>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/parameters/input_file.hpp"
+#include "experiments/measures/measure.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+namespace {
+
+bool has_added_model(const RunConfig& config) {
+  return std::ranges::any_of(added_bending_models(), [&](const BendingModel* model) {
+    return model->name == config.bending_model();
+  });
+}
+
+// Whether a measure applies is known only when there is a scene: here it counts if it may.
+bool may_have_added_measure(const RunConfig& config) {
+  const std::vector<std::string>& asked = config.section("/output").texts("measures");
+  return std::ranges::any_of(added_measures(), [&](const Measure* measure) {
+    return measure->applies != nullptr || std::ranges::find(asked, measure->name) != asked.end();
+  });
+}
+
+}  // namespace
+
+std::string own_code_hash(const RunConfig& config) {
+  if (!has_added_model(config) && !may_have_added_measure(config)) return "";
+  static const std::string hash = hex_hash(read_input_file("/proc/self/exe"));
+  return hash;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,66 @@
+// Bending models and measures that a program may not add. Those that it may: tests/install.
+#include "bendlab/bending/model.hpp"
+#include "experiments/measures/measure.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+
+BendingConstraints no_constraints(const BendingInput&) {
+  return {};
+}
+
+std::unique_ptr<Measurement> nothing(const RunConfig&, const Scene&) {
+  return std::make_unique<Measurement>();
+}
+
+std::vector<Quantity> number(const char* name) {
+  return {{name, "1", "a number"}};
+}
+
+TEST_CASE("own rows: a model needs a name of its own, and to build something", "[measures]") {
+  static constexpr BendingModel taken{.name = "lod", .build = no_constraints}, empty{.name = "own"};
+  CHECK_THROWS_WITH(register_bending_model(taken), ContainsSubstring("bending model 'lod'"));
+  CHECK_THROWS_WITH(register_bending_model(empty),
+                    ContainsSubstring("'own'") && ContainsSubstring("build()"));
+  CHECK(added_bending_models().empty());
+}
+
+TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", "[measures]") {
+  static constexpr Measure taken{.name = "drape", .begin = nothing}, empty{.name = "own"},
+      summary{.name = "own", .gives = [] { return number("drop"); }, .begin = nothing},
+      fact{.name = "own", .gives = [] { return number("vertices"); }, .begin = nothing},
+      twice{.name = "own",
+            .gives =
+                [] {
+                  return std::vector{number("a")[0], number("a")[0]};
+                },
+            .begin = nothing},
+      frame{.name = "own",
+            .columns =
+                [] {
+                  return std::vector<Column>{{"time", "s", "the time"}};
+                },
+            .begin = nothing};
+  CHECK_THROWS_WITH(register_measure(taken), ContainsSubstring("measure 'drape'"));
+  CHECK_THROWS_WITH(register_measure(empty), ContainsSubstring("begin()"));
+  CHECK_THROWS_WITH(register_measure(summary), ContainsSubstring("number 'drop'"));
+  CHECK_THROWS_WITH(register_measure(fact), ContainsSubstring("number 'vertices'"));
+  CHECK_THROWS_WITH(register_measure(twice), ContainsSubstring("number 'a'"));
+  CHECK_THROWS_WITH(register_measure(frame), ContainsSubstring("number 'time'"));
+  CHECK(added_measures().empty());
+}
+
+TEST_CASE("own rows: after a config was read it is too late", "[measures]") {
+  static constexpr BendingModel model{.name = "own", .build = no_constraints};
+  static constexpr Measure measure{.name = "own", .begin = nothing};
+  parse_experiment(R"({"name": "first"})", "test");
+  measures();
+  CHECK_THROWS_AS(register_bending_model(model), std::logic_error);
+  CHECK_THROWS_AS(register_measure(measure), std::logic_error);
+}
+
+}  // namespace
+}  // namespace bendlab
