@@ -180,6 +180,47 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
   });
 }
 
+// Which bound, by how much and where.
+std::string what_broke(const BrokenBound& broken) {
+  const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
+  switch (bound) {
+    case Bound::finite:
+      if (vertex < 0) return "the summary has numbers that are not finite";
+      return fmt::format("vertex {} has no finite position or velocity", vertex);
+    case Bound::stretch:
+      return fmt::format(
+          "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
+          "cannot stretch more than {:.3g} times",
+          vertex, measured, limit);
+    case Bound::mean_strain:
+      return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
+                         limit);
+    case Bound::reach:
+      return fmt::format(
+          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
+          "long, stretched",
+          vertex, measured, limit);
+    case Bound::speed:
+      return fmt::format("vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}",
+                         vertex, measured, limit);
+    case Bound::momentum:
+      return fmt::format(
+          "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
+          "most {:.3g}",
+          measured, limit);
+    case Bound::fall:
+      return fmt::format(
+          "the centre of mass is {:.3g} m away from v0 t + g t²/2, but rounding explains at most {:.3g}",
+          measured, limit);
+    case Bound::energy:
+      return fmt::format(
+          "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
+          "the solver explain at most {:.3g}",
+          measured, limit);
+  }
+  return std::string();
+}
+
 Json number(double value) {
   return std::isfinite(value) ? Json(value) : Json(nullptr);
 }
@@ -210,53 +251,15 @@ Correction worst_correction(const SimulationInput& input, const Positions& posit
 }
 
 std::string text_of(const BrokenBound& broken) {
-  const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
-  const std::string what = [&] {
-    switch (bound) {
-      case Bound::finite:
-        return fmt::format("vertex {} has no finite position or velocity", vertex);
-      case Bound::stretch:
-        return fmt::format(
-            "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
-            "cannot stretch more than {:.3g} times",
-            vertex, measured, limit);
-      case Bound::mean_strain:
-        return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
-                           limit);
-      case Bound::reach:
-        return fmt::format(
-            "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
-            "long, stretched",
-            vertex, measured, limit);
-      case Bound::speed:
-        return fmt::format(
-            "vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}", vertex,
-            measured, limit);
-      case Bound::momentum:
-        return fmt::format(
-            "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
-            "most {:.3g}",
-            measured, limit);
-      case Bound::fall:
-        return fmt::format(
-            "the centre of mass is {:.3g} m away from v0 t + g t²/2, but rounding explains at most {:.3g}",
-            measured, limit);
-      case Bound::energy:
-        return fmt::format(
-            "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
-            "the solver explain at most {:.3g}",
-            measured, limit);
-    }
-    return std::string();
-  }();
+  const Correction& correction = broken.correction;
   const std::string cause = correction.kind.empty()
                                 ? ""
                                 : fmt::format(
                                       "; of the constraints there, one of kind {} asks for the largest "
                                       "correction, {:.3g} m",
                                       correction.kind, correction.length);
-  return fmt::format("at t = {:.6g} s {}{}{}{}", time, what, cause,
-                     advice.empty() ? "" : ". Measured to help: ", advice);
+  return fmt::format("at t = {:.6g} s {}{}{}{}", broken.time, what_broke(broken), cause,
+                     broken.advice.empty() ? "" : ". Measured to help: ", broken.advice);
 }
 
 Json to_json(const BrokenBound& broken) {

@@ -18,7 +18,7 @@ namespace bendlab {
 
 /// What a run may not do. plausibility.cpp says when each is checked, and why its limit is what it is.
 enum class Bound {
-  finite,       ///< a coordinate or a velocity is not a number
+  finite,       ///< a coordinate, a velocity or a number of the summary is not finite
   stretch,      ///< of the most stretched triangle: length over rest length
   mean_strain,  ///< mean over triangles, the metric of that name
   reach,        ///< distance of a vertex from its nearest pin, m

@@ -1,11 +1,14 @@
 #include "experiments/run/run.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <xxhash.h>
 
 #include <cctype>
 #include <chrono>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <memory>
 #include <optional>
 
@@ -17,6 +20,7 @@
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/folder.hpp"
 #include "experiments/run/machine.hpp"
+#include "experiments/run/own_code.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run_header.hpp"
 #include "experiments/run/stepping.hpp"
@@ -42,6 +46,21 @@ void add_verdict(std::optional<BrokenBound> broken, RunOutcome& outcome) {
   if (outcome.status == RunStatus::complete) outcome.status = RunStatus::implausible;
   add_message(outcome, "implausible: " + text_of(*broken));
   outcome.broken = std::move(broken);
+}
+
+// A run with a number that is not finite is not complete. (Measures leave out what is infinite by its
+// meaning.)
+void judge_summary(double time, RunOutcome& outcome) {
+  if (!is_whole(outcome.status)) return;
+  std::vector<std::string> names;
+  for (const auto& [name, value] : outcome.summary)
+    if (!std::isfinite(value)) names.push_back(name);
+  if (names.empty()) return;
+  outcome.status = RunStatus::implausible;
+  const BrokenBound broken{
+      .bound = Bound::finite, .measured = std::numeric_limits<double>::quiet_NaN(), .time = time};
+  add_message(outcome, fmt::format("implausible: {}: {}", text_of(broken), fmt::join(names, ", ")));
+  if (!outcome.broken) outcome.broken = broken;
 }
 
 // Leaves out the effects that cannot act. Returns the scene as it was.
@@ -132,7 +151,8 @@ std::string hex_hash(const std::string& text) {
 }
 
 std::string run_id(const RunConfig& config) {
-  std::string identity = identity_text(config.resolved()) + std::string(build_info().source_hash);
+  std::string identity =
+      identity_text(config.resolved()) + std::string(build_info().source_hash) + own_code_hash(config);
   for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
   if (const std::optional<RunConfig> before = run_before(config))
     identity += id_of_other(*before, "/initial/after");
@@ -154,6 +174,9 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 
 namespace {
 
+// Short runs write small files. What a crash may cost is not worth more.
+constexpr InMemory in_memory{.bytes = 1 << 20, .seconds = 1};
+
 RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
                    const RunControl& control, const StartingPose* start, const Place& place) {
   RunClock clock;
@@ -173,7 +196,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   const auto prepare = [&](Frame& frame) { recorder.complete(frame, plausibility); };
   try {
     if (place.saved) recorder.take_earlier(place.earlier);
-    opened.emplace(place.file, header, prepare, place.part, place.earlier);
+    opened.emplace(place.file, header, prepare, place.part, place.earlier, in_memory);
   } catch (const RunFileError& error) {
     if (!place.saved) throw;
     throw Unresumable(error.what());
@@ -211,6 +234,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   outcome.cpu_s = clock.thread_cpu_s() + recording_s + simulation->helper_seconds();
   outcome.wall_s = clock.wall_s();
   add_findings(recorder.findings(end, true), outcome);
+  judge_summary(simulation->time(), outcome);
   RunFooter footer{.status = outcome.status,
                    .summary = outcome.summary,
                    .passes = outcome.passes,
@@ -252,7 +276,10 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     if (const Found found = look_for(place.file, place.id); found.over) return *found.over;
   make_folder(place.folder);
   place.claim = Claim::of(place.folder, {.give_up = [&] { return control.stop && control.stop->load(); },
+                                         .when_owned = control.when_owned,
                                          .waiting_for = control.waiting_for});
+  if (!place.claim && control.when_owned != WhenOwned::wait && !(control.stop && control.stop->load()))
+    return {.id = place.id, .status = RunStatus::running, .left = true, .file = place.file};
   if (!place.claim) return stopped_while_waiting(place);
   if (!control.force) adopt_finished(place);
   const Found found = look_for(place.file, place.id);  // another process may have made it meanwhile

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "bendlab/io/claim.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/run/plausibility.hpp"
@@ -26,7 +27,8 @@ struct RunControl {
   bool force = false;  ///< compute it although its file is complete; that stays until the new one replaces it
   /// How often a run writes what it needs to go on after a crash, s; 0: only when it is stopped.
   double checkpoint_interval_s = 10;
-  /// Called if another process is computing the run, with its name: this one waits for it.
+  WhenOwned when_owned = WhenOwned::wait;  ///< what to do if another process is computing it
+  /// Called if another process is computing the run, with its name, before this one waits.
   std::function<void(const std::string& owner)> waiting_for;
 };
 
@@ -35,6 +37,7 @@ struct RunOutcome {
   RunStatus status = RunStatus::complete;
   bool differs = false;  ///< `minimal` changed a bit: an effect that could not act did
   bool reused = false;   ///< the file was there and complete; nothing was computed
+  bool left = false;     ///< another process is computing it, and was left to it
   std::filesystem::path file;
   std::optional<BrokenBound> broken{};  ///< why it is implausible; also of a run that diverged after that
   std::vector<Warning> warnings{};
@@ -49,7 +52,8 @@ struct RunOutcome {
 std::string hex_hash(const std::string& text);
 
 /// Hash (16 hex digits) of the resolved config, the bytes of the files that it names, the program's sources,
-/// and the ids of the runs that it starts after or is compared with.
+/// its file where they are not all ours (own_code.hpp), and the ids of the runs that it starts after or is
+/// compared with.
 std::string run_id(const RunConfig& config);
 
 /// `<out>/<experiment>/<readable place on the sweep>-<id>`; the id where it is known.

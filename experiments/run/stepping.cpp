@@ -100,7 +100,13 @@ void RunClock::archive(Archive& state, double recording_now) {
 
 Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved) {
-  const auto& [simulation, recorder, plausibility, writer, checkpoints, run_clock] = run;
+  // No structured bindings: clang before 16 has lambdas that cannot capture them.
+  Simulation& simulation = run.simulation;
+  Recorder& recorder = run.recorder;
+  Plausibility& plausibility = run.plausibility;
+  FrameWriter& writer = run.writer;
+  Checkpoints& checkpoints = run.checkpoints;
+  RunClock& run_clock = run.clock;
   const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
   const double frame_interval = 1 / config.section("/output").number("frames_per_second");
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it

@@ -40,7 +40,7 @@ class Workplace {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// Starts `bendlab run CONFIG` and sends it a signal as soon as it writes its first run.
+  /// Starts `bendlab run CONFIG` and sends it a signal as soon as it computes its first run.
   int run_and_signal(const std::string& config, int signal) {
     const pid_t child = fork();
     if (child == 0) {
@@ -50,7 +50,7 @@ class Workplace {
       _exit(98);
     }
     int status = 0;
-    while (run_files(".part").empty() && waitpid(child, &status, WNOHANG) == 0)
+    while (run_files(".1").empty() && waitpid(child, &status, WNOHANG) == 0)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     kill(child, signal);
     waitpid(child, &status, 0);

@@ -88,6 +88,49 @@ TEST_CASE("claim: who was killed is succeeded at once", "[io][claim]") {
   CHECK(claim->holds());
 }
 
+TEST_CASE("claim: an owner that has ended is dead before its parent asks", "[io][claim]") {
+  const TemporaryFolder folder;
+  const pid_t child = fork();
+  if (child == 0) {
+    auto claim = Claim::of(folder / "");
+    static_cast<void>(claim.release());
+    _exit(0);
+  }
+  siginfo_t info{};
+  REQUIRE(waitid(P_PID, static_cast<id_t>(child), &info, WEXITED | WNOWAIT) == 0);  // it stays a zombie
+  CHECK(owner_of(folder / "").empty());
+  CHECK(heartbeat_in(folder / "").empty());
+  CHECK(Claim::of(folder / "", {.when_owned = WhenOwned::leave}));
+  int status = 0;
+  REQUIRE(waitpid(child, &status, 0) == child);
+}
+
+TEST_CASE("claim: a folder may be left to its owner", "[io][claim]") {
+  const TemporaryFolder folder, elsewhere;
+  auto owner = Claim::of(folder / "");
+  CHECK_FALSE(heartbeat_in(folder / "").empty());
+  CHECK_FALSE(Claim::of(folder / "", {.when_owned = WhenOwned::leave}));
+  CHECK_FALSE(Claim::of(folder / "", {.when_owned = WhenOwned::leave_living}));
+  owner.reset();
+  CHECK(heartbeat_in(folder / "").empty());
+  CHECK(Claim::of(folder / "", {.when_owned = WhenOwned::leave}));
+
+  // Nobody here knows whether an owner elsewhere lives: its heartbeat tells.
+  const fs::path file = elsewhere / "run.claim.1";
+  write_foreign_claim(file, 1);
+  CHECK_FALSE(Claim::of(elsewhere / "", {.lease = 100ms, .when_owned = WhenOwned::leave}));
+  const std::string before = heartbeat_in(elsewhere / "");
+  std::thread heart([&] {
+    std::this_thread::sleep_for(20ms);
+    write_foreign_claim(elsewhere / "new", 2);
+    fs::rename(elsewhere / "new", file);
+  });
+  CHECK_FALSE(Claim::of(elsewhere / "", {.lease = 10s, .when_owned = WhenOwned::leave_living}));
+  heart.join();
+  CHECK(heartbeat_in(elsewhere / "") != before);
+  CHECK(Claim::of(elsewhere / "", {.lease = 100ms, .when_owned = WhenOwned::leave_living}));
+}
+
 TEST_CASE("claim: a silent owner on another machine is succeeded after a lease, one that beats is not",
           "[io][claim]") {
   const TemporaryFolder folder;

@@ -1,9 +1,11 @@
 // What is written is read back, by us and by h5py; bad paths and files are refused in words.
 #include "bendlab/io/run_file.hpp"
+#include "bendlab/io/checksum.hpp"
 
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <thread>
@@ -31,7 +33,6 @@ TEST_CASE("run file: what is written is read back", "[io]") {
   const auto path = folder / "run.vtkhdf";
   write_square_run(path, 3);
 
-  CHECK(fs::exists(folder / "run.xdmf"));
   CHECK_FALSE(fs::exists(folder / "run.vtkhdf.part"));
   const RunRecord run = read_run(path);
   CHECK(run.file == path);
@@ -151,10 +152,11 @@ assert run['summary'].attrs['drop'] == 0.5 and run.attrs['status'] == 'complete'
 )"));
 }
 
-TEST_CASE("run file: the xdmf sidecar selects each frame's rows", "[io]") {
+TEST_CASE("run file: an xdmf text selects each frame's rows", "[io]") {
   const TemporaryFolder folder;
   write_square_run(folder / "a & b.vtkhdf", 3);
-  const std::string text = bytes_of(folder / "a & b.xdmf");
+  const std::string text =
+      xdmf_of(folder / "a & b.vtkhdf", "a & b.vtkhdf", std::array<std::int64_t, 2>{1, 2});
   CHECK_THAT(text, ContainsSubstring("a &amp; b.vtkhdf:/VTKHDF/Points"));
   CHECK_THAT(text, ContainsSubstring("<Time Value=\"0.25\"/>"));
   CHECK_THAT(text, ContainsSubstring(">8 0 1 1 4 3<"));  // points of frame 2: rows 8 to 11 of 12
@@ -185,7 +187,6 @@ TEST_CASE("run file: an unfinished run is read up to its last frame", "[io]") {
 
   CHECK_FALSE(goes_on_from(part, path, 6));
   CHECK(goes_on_from(part, path, 5));
-  CHECK(fs::exists(folder / "run.xdmf"));
   CHECK(read_run(path).status == RunStatus::interrupted);
   CHECK(wrong_frames(path) == 0);
 }
@@ -200,6 +201,73 @@ TEST_CASE("run file: a writer keeps others off its file", "[io]") {
   writer.finish({});
   CHECK(wrong_frames(folder / "run.vtkhdf") == 0);
   CHECK(read_run(folder / "run.vtkhdf").frames == 2);
+}
+
+TEST_CASE("run file: a short run's file has the same, in less than half of the space", "[io]") {
+  constexpr InMemory second{.bytes = 1 << 20, .seconds = 100};
+  const TemporaryFolder folder;
+  const auto growing = folder / "growing.vtkhdf", small = folder / "small.vtkhdf";
+  const int frames = GENERATE(0, 1, 3, 700);  // 700: beyond the rows from which arrays are compressed
+  write_square_run(growing, frames);
+  {
+    RunFileWriter writer(small, square_header(), {}, {}, second);
+    for (int k = 0; k < frames; ++k) writer.write(square_frame(k));
+    CHECK_FALSE(fs::exists(folder / "small.vtkhdf.part"));
+    writer.finish(square_footer());
+  }
+  CHECK(seal_of(small) == Seal::whole);
+  CHECK(differing_parts(growing, small).empty());
+  CHECK(differing_parts(small, growing).empty());
+  CHECK(wrong_frames(small) == 0);
+  CHECK(read_run(small).summary == read_run(growing).summary);
+  CHECK(read_run(small).provenance == read_run(growing).provenance);
+  CHECK(read_run(small).config == read_run(growing).config);
+  if (frames == 3) CHECK(fs::file_size(small) * 2 < fs::file_size(growing));
+  CHECK(h5py_accepts(small, R"(
+other = h5py.File(sys.argv[1].replace('small', 'growing'))
+names = []
+run.visit(names.append)
+theirs = []
+other.visit(theirs.append)
+assert sorted(names) == sorted(theirs)
+for name in names:
+    texts = [{key: str(value) for key, value in file[name].attrs.items()} for file in (run, other)]
+    assert texts[0] == texts[1], name
+    if isinstance(run[name], h5py.Dataset):
+        assert run[name].dtype == other[name].dtype and np.array_equal(run[name][()], other[name][()]), name
+)"));
+}
+
+TEST_CASE("run file: what was kept in memory is in the file once it is too much, or the writer ends",
+          "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  const InMemory limits = GENERATE(InMemory{.bytes = 300, .seconds = 100},  // two frames of 128 bytes
+                                   InMemory{.bytes = 1 << 20, .seconds = 1e-9});
+  {
+    RunFileWriter writer(path, square_header(), {}, {}, limits);
+    for (int k = 0; k < 3; ++k) writer.write(square_frame(k));
+    CHECK(read_run(part).frames == 3);
+    writer.write(square_frame(3));
+    CHECK(read_run(part).frames == 4);
+  }
+  CHECK(wrong_frames(part) == 0);
+  fs::remove(part);
+  {
+    RunFileWriter writer(path, square_header(), {}, {}, {.bytes = 1 << 20, .seconds = 100});
+    writer.write(square_frame(0));
+    writer.synchronise();
+    CHECK(read_run(part).frames == 1);
+    writer.write(square_frame(1));
+    writer.finish(square_footer());
+  }
+  CHECK(wrong_frames(path) == 0);
+  {
+    RunFileWriter writer(path, square_header(), {}, {}, {.bytes = 1 << 20, .seconds = 100});
+    writer.write(square_frame(0));
+  }
+  CHECK(read_run(part).frames == 1);
+  CHECK(goes_on_from(part, path, 1));
 }
 
 TEST_CASE("run file: two threads write two files", "[io]") {

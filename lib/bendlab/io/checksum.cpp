@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <xxhash.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <fstream>
@@ -25,7 +26,7 @@ std::string checksum_of(const fs::path& file, std::uint64_t bytes) {
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> state(XXH3_createState(), &XXH3_freeState);
   XXH3_128bits_reset(state.get());
   std::ifstream stream(file, std::ios::binary);
-  std::vector<char> block(1 << 20);
+  std::vector<char> block(std::min<std::uint64_t>(bytes, 1 << 20));
   for (std::uint64_t rest = bytes; rest > 0;) {
     const auto wanted = static_cast<std::streamsize>(std::min<std::uint64_t>(rest, block.size()));
     if (!stream.read(block.data(), wanted))

@@ -44,16 +44,19 @@ std::string host() {
   return name;
 }
 
-// When a process began, in ticks since the machine did; "" if there is no such process. A process's number is
-// used again, but not with the same beginning.
+// When a process began, in ticks since the machine did; "" if there is no such process, or one that has ended
+// and that its parent has not asked about yet. A process's number is used again, but not with the same
+// beginning.
 std::string beginning_of(long process) {
   const std::string line = first_line(fmt::format("/proc/{}/stat", process));
   const std::size_t end_of_name = line.rfind(')');
   if (end_of_name == std::string::npos) return "";
   std::istringstream fields(line.substr(end_of_name + 1));
-  std::string field;
-  constexpr int beginning = 20;  // proc(5): the 22nd, and the name is the second
-  for (int i = 0; i < beginning && fields >> field; ++i) {
+  std::string state, field;
+  fields >> state;
+  if (state == "Z" || state == "X") return "";
+  constexpr int beginning = 22, before = 3;  // proc(5): name and state are the second and third
+  for (int i = before; i < beginning && fields >> field; ++i) {
   }
   return field;
 }
@@ -191,16 +194,22 @@ class Watch {
     if (owner.is_dead()) return true;
     if (owner.is_known_here() && !owner.token.empty()) return false;  // its process lives
     if (owner.token != token_ || owner.count != count_) {
+      has_beaten_ = owner.token == token_;
       token_ = owner.token, count_ = owner.count, since_ = Clock::now();
       return false;
     }
     return Clock::now() - since_ > lease_;
+  }
+  // Of an owner for which is_over() said no.
+  bool lives(const Owner& owner) const {
+    return !owner.token.empty() && (owner.is_known_here() || has_beaten_);
   }
 
  private:
   std::chrono::duration<double> lease_;
   std::string token_ = "none", count_;
   Clock::time_point since_ = Clock::now();
+  bool has_beaten_ = false;
 };
 
 }  // namespace
@@ -239,6 +248,9 @@ std::unique_ptr<Claim> Claim::of(const fs::path& folder, const Options& options)
       continue;
     }
     if (options.give_up && options.give_up()) return nullptr;
+    if (options.when_owned == WhenOwned::leave ||
+        (options.when_owned == WhenOwned::leave_living && watch.lives(owner)))
+      return nullptr;
     if (!said && options.waiting_for && !owner.token.empty()) options.waiting_for(owner.name()), said = true;
     std::this_thread::sleep_for(pause);
     pause = std::min(pause * 2, std::chrono::milliseconds(250));
@@ -257,10 +269,24 @@ bool Claim::holds() const {
          highest_in(file_.parent_path()) <= number_of(file_.filename().string());
 }
 
-std::string owner_of(const fs::path& folder) {
+namespace {
+
+Owner living_owner_of(const fs::path& folder) {
   const int number = highest_in(folder);
-  const Owner owner = number > 0 ? Owner::read(claim_file(folder, number)) : Owner{};
-  return owner.token.empty() || owner.is_dead() ? "" : owner.name();
+  Owner owner = number > 0 ? Owner::read(claim_file(folder, number)) : Owner{};
+  return owner.token.empty() || owner.is_dead() ? Owner{} : owner;
+}
+
+}  // namespace
+
+std::string heartbeat_in(const fs::path& folder) {
+  const Owner owner = living_owner_of(folder);
+  return owner.token.empty() ? "" : owner.token + " " + owner.count;
+}
+
+std::string owner_of(const fs::path& folder) {
+  const Owner owner = living_owner_of(folder);
+  return owner.token.empty() ? "" : owner.name();
 }
 
 }  // namespace bendlab

@@ -123,11 +123,11 @@ void overwrite(const fs::path& file, std::string_view text) noexcept {
   if (descriptor >= 0) static_cast<void>(::pwrite(descriptor, text.data(), text.size(), 0) < 0);
 }
 
-void replace_file(const fs::path& file, std::string_view text) {
+void replace_file(const fs::path& file, std::string_view text, Wait wait) {
   const fs::path draft = fmt::format("{}.{}.tmp", file.string(), unique_token());
   write_new(draft, text);
   try {
-    publish(draft, file);
+    publish(draft, file, wait);
   } catch (const RunFileError&) {
     ::unlink(draft.c_str());
     throw;
@@ -138,10 +138,11 @@ void synchronise(const fs::path& file) {
   wait_for_disk(file, O_RDONLY);
 }
 
-void publish(const fs::path& part, const fs::path& file) {
-  synchronise(part);
+void publish(const fs::path& part, const fs::path& file, Wait wait) {
+  if (wait == Wait::for_disk) synchronise(part);
   if (::rename(part.c_str(), file.c_str()) != 0)
     throw system_error(part, fmt::format("can't be renamed to '{}'", file.string()));
+  if (wait == Wait::no) return;
   const auto folder = file.parent_path();
   wait_for_disk(folder.empty() ? "." : folder, O_RDONLY | O_DIRECTORY);
 }

@@ -35,14 +35,17 @@ bool write_new(const std::filesystem::path& file, std::string_view text,
 /// Writes over the first bytes of a file that exists. Failures do nothing.
 void overwrite(const std::filesystem::path& file, std::string_view text) noexcept;
 
+enum class Wait { for_disk, no };
+
 /// Replaces a file in one step: readers see the old text or the new one, also after a power cut. Several
 /// processes may do so at once. A link of that name is replaced, not followed. Throws RunFileError.
-void replace_file(const std::filesystem::path& file, std::string_view text);
+void replace_file(const std::filesystem::path& file, std::string_view text, Wait wait = Wait::for_disk);
 
 /// Waits until the disk has the file. Throws RunFileError.
 void synchronise(const std::filesystem::path& file);
 
 /// Flushes `part` to the disk, renames it to `file` and flushes the rename. Throws RunFileError.
-void publish(const std::filesystem::path& part, const std::filesystem::path& file);
+void publish(const std::filesystem::path& part, const std::filesystem::path& file,
+             Wait wait = Wait::for_disk);
 
 }  // namespace bendlab

@@ -16,8 +16,8 @@ double thread_cpu_s() {
 
 FrameWriter::FrameWriter(const std::filesystem::path& path, const RunHeader& header,
                          std::function<void(Frame&)> prepare, const std::filesystem::path& part,
-                         const EarlierFrames& earlier)
-    : writer_(path, header, part, earlier), prepare_(std::move(prepare)), thread_([this] { run(); }) {}
+                         const EarlierFrames& earlier, const InMemory& first)
+    : writer_(path, header, part, earlier, first), prepare_(std::move(prepare)), thread_([this] { run(); }) {}
 
 FrameWriter::~FrameWriter() {
   stop();

@@ -25,7 +25,7 @@ class FrameWriter {
   /// drain(). Throws RunFileError if the file can't be created.
   FrameWriter(const std::filesystem::path& path, const RunHeader& header,
               std::function<void(Frame&)> prepare = {}, const std::filesystem::path& part = {},
-              const EarlierFrames& earlier = {});
+              const EarlierFrames& earlier = {}, const InMemory& first = {});
 
   /// Writes what is queued and closes. Without finish() the .part file stays.
   ~FrameWriter();

@@ -56,6 +56,17 @@ Handle dataset_creation() {
   return creation;
 }
 
+/// Creation list of groups, the root among them: links and attributes stay in the group's own header, however
+/// many there are. An index beside it would take more space than a run of four frames.
+Handle group_creation(hid_t kind) {
+  constexpr unsigned most = 10000;
+  Handle creation(H5Pcreate(kind), H5Pclose);
+  check(H5Pset_link_phase_change(creation, most, most));
+  check(H5Pset_attr_phase_change(creation, most, most));
+  check(H5Pset_obj_track_times(creation, false));  // equal runs give equal bytes
+  return creation;
+}
+
 /// Datasets created in this scope have the format of HDF5 1.10. Its chunk index is an extensible array, whose
 /// entries stay where they were written. The default index is a B-tree: its nodes split every 32 chunks, and
 /// a process that is killed between the writes of the halves loses a dataset (13 of 1500 kills of a run that
@@ -140,6 +151,14 @@ Handle create_file(const std::string& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, creation, file_access()), H5Fclose};
 }
 
+Handle create_small_file(const std::string& path) {
+  constexpr std::size_t growth = 1 << 16;  // bytes
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  check(H5Pset_fapl_core(access, growth, true));
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
+  return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, group_creation(H5P_FILE_CREATE), access), H5Fclose};
+}
+
 Handle open_file(const std::string& path, unsigned access) {
   return {H5Fopen(path.c_str(), access, file_access()), H5Fclose};
 }
@@ -167,7 +186,8 @@ void flush(hid_t file) {
 }
 
 Handle create_group(hid_t parent, const std::string& name) {
-  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose};
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, group_creation(H5P_GROUP_CREATE), H5P_DEFAULT),
+          H5Gclose};
 }
 
 Handle open_group(hid_t parent, const std::string& name) {
@@ -183,17 +203,12 @@ bool has_link(hid_t parent, const std::string& name) {
 }
 
 std::vector<std::string> links(hid_t group) {
-  H5G_info_t info;
-  check(H5Gget_info(group, &info));
   std::vector<std::string> names;
-  for (hsize_t i = 0; i < info.nlinks; ++i) {
-    const auto name = [&](char* buffer, std::size_t size) {
-      return check(H5Lget_name_by_idx(group, ".", H5_INDEX_NAME, H5_ITER_INC, i, buffer, size, H5P_DEFAULT));
-    };
-    std::string text(static_cast<std::size_t>(name(nullptr, 0)), '\0');
-    name(text.data(), text.size() + 1);
-    names.push_back(std::move(text));
-  }
+  const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
+    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
+    return 0;
+  };
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names));
   return names;
 }
 
@@ -259,6 +274,19 @@ std::map<std::string, double> read_number_attributes(hid_t object) {
   return numbers;
 }
 
+namespace {
+
+Handle write_dataset(hid_t parent, const std::string& name, hid_t type, const void* values,
+                     std::span<const hsize_t> shape, hid_t creation) {
+  Handle dataset(
+      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dclose);
+  if (shape[0] > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  return dataset;
+}
+
+}  // namespace
+
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape) {
   constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
@@ -270,10 +298,12 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
     check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
     check(H5Pset_deflate(creation, 1));
   }
-  const Handle space = simple_space(shape);
-  const Handle dataset(H5Dcreate2(parent, name.c_str(), type, space, H5P_DEFAULT, creation, H5P_DEFAULT),
-                       H5Dclose);
-  if (shape[0] > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
+  write_dataset(parent, name, type, values, shape, creation);
+}
+
+Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
+                         std::span<const hsize_t> shape) {
+  return write_dataset(parent, name, type, values, shape, dataset_creation());
 }
 
 void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {
@@ -284,7 +314,10 @@ void write_texts(hid_t parent, const std::string& name, const std::vector<std::s
   const Handle dataset(
       H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
       H5Dclose);
-  if (!texts.empty()) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
+  // The library clears a buffer of 1 MiB for every write of texts, unless it is told that less will do.
+  const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
+  check(H5Pset_buffer(transfer, 4096, nullptr, nullptr));
+  if (!texts.empty()) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer, values.data()));
 }
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {

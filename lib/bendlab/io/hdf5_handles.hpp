@@ -90,6 +90,10 @@ hid_t type_of() {
 Handle create_file(const std::string& path);                 ///< fails if there is one
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
+/// A file that is in memory until it is closed, in the format of HDF5 1.8, which takes less space than the
+/// first. Fails if there is one of that name.
+Handle create_small_file(const std::string& path);
+
 /// Throws Failure unless the disk has room for 8 times as many bytes: other runs may be writing, too. Checked
 /// before a flush, because one that fails half-way on a full disk can leave a file that doesn't open.
 void require_room(hid_t file, std::uint64_t bytes);
@@ -126,6 +130,16 @@ template <class T>
 void write_array(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns = 0) {
   const hsize_t shape[] = {values.size() / (columns ? columns : 1), columns};
   write_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
+}
+
+/// The same, never compressed. Returns the dataset.
+Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
+                         std::span<const hsize_t> shape);
+template <class T>
+Handle write_plain_array(hid_t parent, const std::string& name, const std::vector<T>& values,
+                         hsize_t columns = 0) {
+  const hsize_t shape[] = {values.size() / (columns ? columns : 1), columns};
+  return write_plain_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
 }
 
 void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);

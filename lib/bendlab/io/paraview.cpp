@@ -5,8 +5,6 @@
 #include <array>
 #include <iterator>
 
-#include "bendlab/io/disk.hpp"
-
 namespace bendlab {
 namespace {
 
@@ -131,15 +129,14 @@ void write_steps(hid_t file, const ParaViewShape& shape) {
     hdf5::write_array(cell_data, field, offsets(frames, shape.triangles));
 }
 
-void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shape) {
-  auto path = run_file;
-  path.replace_extension(".xdmf");
+std::string xdmf_text(const std::string& run_file, const ParaViewShape& shape,
+                      std::span<const std::int64_t> frames) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\"><Domain>\n"
       "<Grid Name=\"run\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
-  const std::string file = escaped(run_file.filename().string());
-  for (std::size_t k = 0; k < shape.times.size(); ++k) text += xdmf_frame(file, shape, k);
-  replace_file(path, text + "</Grid>\n</Domain></Xdmf>\n");
+  const std::string file = escaped(run_file);
+  for (const std::int64_t k : frames) text += xdmf_frame(file, shape, static_cast<std::size_t>(k));
+  return text + "</Grid>\n</Domain></Xdmf>\n";
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-// ParaView's view of a run: the group /VTKHDF (ParaView 5.12 and later) and an .xdmf sidecar (5.11 and
+// ParaView's view of a run: the group /VTKHDF (ParaView 5.12 and later) and an .xdmf text (5.11 and
 // earlier).
 //
 // VTKHDF 2.0 PolyData, https://docs.vtk.org/en/latest/vtk_file_formats/vtkhdf_file_format/. The topology is
@@ -6,7 +6,8 @@
 // header.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,8 @@ void write_static_part(hid_t vtk, const RunHeader& header);
 /// datasets differ.
 void write_steps(hid_t file, const ParaViewShape& shape);
 
-/// Writes `<stem of run_file>.xdmf` beside the run file, with a relative path to it. Throws RunFileError.
-void write_xdmf(const std::filesystem::path& run_file, const ParaViewShape& shape);
+/// An XDMF description of some frames in `run_file`, a path from where the text will lie.
+std::string xdmf_text(const std::string& run_file, const ParaViewShape& shape,
+                      std::span<const std::int64_t> frames);
 
 }  // namespace bendlab

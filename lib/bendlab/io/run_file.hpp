@@ -117,14 +117,23 @@ struct EarlierFrames {
   std::uint64_t frames = 0;
 };
 
+/// How much of a run is kept in memory before its file is begun. A run that is over by then writes its file
+/// at once, in less time and space; a crash costs it no more than this.
+struct InMemory {
+  std::uint64_t bytes = 0;  ///< of frames
+  double seconds = 0;       ///< of wall time; 0: the file is begun before the first frame
+};
+
 /// Writes `part`, by default `<path>.part`, which finish() seals (checksum.hpp) and renames to `path`. A
 /// crash leaves the .part file with every frame whose write() returned. Writers in several threads take turns
 /// frame by frame. The folder has to exist. Throws RunFileError if the disk fails or another writer has
-/// `part` open, std::invalid_argument if sizes don't match the header.
+/// `part` open, std::invalid_argument if sizes don't match the header. With `first` there is no file before
+/// that much is known, synchronise() or the destructor.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
-                const std::filesystem::path& part = {}, const EarlierFrames& earlier = {});
+                const std::filesystem::path& part = {}, const EarlierFrames& earlier = {},
+                const InMemory& first = {});
   ~RunFileWriter();  ///< closes what is open; without finish() the .part file stays
   RunFileWriter(const RunFileWriter&) = delete;
   RunFileWriter& operator=(const RunFileWriter&) = delete;
@@ -132,7 +141,8 @@ class RunFileWriter {
   void write(const Frame& frame);
   /// Waits until the disk has the frames, so that a power cut leaves them.
   void synchronise();
-  /// Writes Steps, footer, checksum and the .xdmf sidecar, flushes to disk and renames.
+  /// Writes Steps, footer and checksum, waits for the disk and renames. A run that was in memory until now is
+  /// not waited for: its checksum tells if a power cut took it, and it is soon computed again.
   void finish(const RunFooter& footer);
 
  private:
@@ -154,6 +164,8 @@ struct RunRecord {
   double wall_s = 0, cpu_s = 0, step_cpu_s = 0;
   std::map<std::string, std::string> provenance;
   std::string config;
+  std::vector<std::string> metrics;                  ///< names of the columns, `time` among them
+  std::map<std::string, std::uint64_t> constraints;  ///< kind → how many
 };
 
 RunRecord read_run(const std::filesystem::path& file);
@@ -164,6 +176,7 @@ struct RestRecord {
   std::vector<int> triangles;        ///< 3T
   std::vector<std::uint8_t> pinned;  ///< V
   std::vector<int> pin_seeds;
+  bool double_positions = false;  ///< of the frames
 };
 
 RestRecord read_rest(const std::filesystem::path& file);
@@ -174,8 +187,22 @@ std::vector<InputFile> read_inputs(const std::filesystem::path& file);
 /// One column of /metrics, of the committed frames.
 std::vector<double> read_metric(const std::filesystem::path& file, const std::string& name);
 
+/// A column of /metrics with its values, one per committed frame.
+struct MetricRecord {
+  Column column;
+  std::vector<double> values;
+};
+
+/// Every column of /metrics: `time`, then the others by name.
+std::vector<MetricRecord> read_metrics(const std::filesystem::path& file);
+
 /// Positions (3V) of committed frame `frame`; negative counts from the end (-1 is the last).
 std::vector<double> read_positions(const std::filesystem::path& file, std::int64_t frame);
+
+/// An XDMF text through which programs that do not read VTKHDF with time, such as ParaView before 5.12, read
+/// these frames. `as_seen`: the run file's path from where the text will lie. Throws RunFileError.
+std::string xdmf_of(const std::filesystem::path& run_file, const std::string& as_seen,
+                    std::span<const std::int64_t> frames);
 
 /// Version of the HDF5 library.
 std::string hdf5_version();

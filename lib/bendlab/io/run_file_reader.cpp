@@ -46,6 +46,11 @@ RunRecord read_run(const fs::path& path) {
     const Handle provenance = hdf5::open_group(file, "provenance");
     run.provenance = hdf5::read_text_attributes(provenance);
     run.config = hdf5::read_texts(provenance, "config").at(0);
+    run.metrics = hdf5::links(hdf5::open_group(file, "metrics"));
+    const Handle constraints = hdf5::open_group(file, "constraints");
+    for (const std::string& kind : hdf5::links(constraints))
+      run.constraints[kind] = static_cast<std::uint64_t>(
+          hdf5::read_number_attribute(hdf5::open_group(constraints, kind), "count"));
     if (run.status == RunStatus::running || !hdf5::has_link(file, "summary")) return run;
     const Handle timing = hdf5::open_group(file, "timing");
     run.passes = read_passes(timing);
@@ -63,7 +68,8 @@ RestRecord read_rest(const fs::path& path) {
     return RestRecord{.positions = hdf5::read_all<double>(rest, "positions"),
                       .triangles = hdf5::read_all<int>(rest, "triangles"),
                       .pinned = hdf5::read_all<std::uint8_t>(rest, "pinned"),
-                      .pin_seeds = hdf5::read_all<int>(rest, "pin_seeds")};
+                      .pin_seeds = hdf5::read_all<int>(rest, "pin_seeds"),
+                      .double_positions = read_shape(file).double_positions};
   });
 }
 
@@ -84,6 +90,11 @@ std::vector<InputFile> read_inputs(const fs::path& path) {
   });
 }
 
+std::string xdmf_of(const fs::path& run_file, const std::string& as_seen,
+                    std::span<const std::int64_t> frames) {
+  return xdmf_text(as_seen, with_run(run_file, read_shape), frames);
+}
+
 std::string hdf5_version() {
   unsigned major = 0, minor = 0, release = 0;
   H5get_libversion(&major, &minor, &release);
@@ -100,6 +111,23 @@ std::vector<double> read_metric(const fs::path& path, const std::string& name) {
     }
     const std::uint64_t frames = read_shape(file).times.size();
     return hdf5::read_rows<double>(hdf5::open_dataset(metrics, name), 0, frames);
+  });
+}
+
+std::vector<MetricRecord> read_metrics(const fs::path& path) {
+  return with_run(path, [&](hid_t file) {
+    const Handle metrics = hdf5::open_group(file, "metrics");
+    const std::uint64_t frames = read_shape(file).times.size();
+    std::vector<MetricRecord> records;
+    for (const std::string& name : hdf5::links(metrics)) {
+      const Handle dataset = hdf5::open_dataset(metrics, name);
+      std::map<std::string, std::string> texts = hdf5::read_text_attributes(dataset);
+      records.push_back(
+          {{name, texts["unit"], texts["meaning"]}, hdf5::read_rows<double>(dataset, 0, frames)});
+    }
+    std::stable_partition(records.begin(), records.end(),
+                          [](const MetricRecord& each) { return each.column.name == "time"; });
+    return records;
   });
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <chrono>
 #include <optional>
 #include <stdexcept>
 
@@ -87,6 +88,48 @@ void write_footer(hid_t file, const RunFooter& footer) {
   hdf5::write_attribute(file, "status", to_string(footer.status));
 }
 
+void describe(hid_t dataset, const Column& column) {
+  hdf5::write_attribute(dataset, "unit", column.unit);
+  hdf5::write_attribute(dataset, "meaning", column.meaning);
+}
+
+// All frames at once, as datasets that do not grow.
+void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>& frames) {
+  const auto joined = [&]<class T>(T, const auto& part_of) {
+    std::vector<T> values;
+    for (const Frame& frame : frames) {
+      const auto& part = part_of(frame);
+      values.insert(values.end(), part.begin(), part.end());
+    }
+    return values;
+  };
+  const auto positions = [](const Frame& frame) -> const auto& {
+    return frame.positions;
+  };
+  const Handle vtk = hdf5::open_group(file, "VTKHDF");
+  if (header.double_positions)
+    hdf5::write_plain_array(vtk, "Points", joined(double{}, positions), 3);
+  else
+    hdf5::write_plain_array(vtk, "Points", joined(float{}, positions), 3);
+  const Handle cell_data = hdf5::create_group(vtk, "CellData");
+  for (std::size_t i = 0; i < header.cell_fields.size(); ++i) {
+    const auto field = [&](const Frame& frame) -> const auto& {
+      return frame.cell_fields[i];
+    };
+    describe(hdf5::write_plain_array(cell_data, header.cell_fields[i].name, joined(float{}, field)),
+             header.cell_fields[i]);
+  }
+  const Handle metrics = hdf5::create_group(file, "metrics");
+  const auto write_metric = [&](const Column& column, const auto& value_of) {
+    std::vector<double> values;
+    for (const Frame& frame : frames) values.push_back(value_of(frame));
+    describe(hdf5::write_plain_array(metrics, column.name, values), column);
+  };
+  for (std::size_t i = 0; i < header.metrics.size(); ++i)
+    write_metric(header.metrics[i], [&](const Frame& frame) { return frame.metrics[i]; });
+  write_metric({"time", "s", "simulated time"}, [](const Frame& frame) { return frame.time; });
+}
+
 void require_size(const char* what, std::size_t size, std::size_t expected) {
   if (size != expected)
     throw std::invalid_argument(fmt::format("run file: {} has {} values, expected {}", what, size, expected));
@@ -125,6 +168,21 @@ struct RunFileWriter::Impl {
   bool failed = false;
   std::optional<Open> open;
 
+  /// What is written when the file is begun, or at once at the end.
+  struct Kept {
+    RunHeader header;
+    std::vector<Frame> frames;
+    std::uint64_t bytes = 0;
+    InMemory limits;
+    std::chrono::steady_clock::time_point begun = std::chrono::steady_clock::now();
+  };
+  std::optional<Kept> kept;
+
+  void begin(const RunHeader& header, const EarlierFrames& earlier);
+  void begin_with_kept();
+  void keep(const Frame& frame);
+  void write_now(const Frame& frame);
+  void write_kept(const RunFooter& footer);
   void create(const RunHeader& header, const EarlierFrames& earlier);
   void copy_frames(const EarlierFrames& earlier);
   void append(const Frame& frame);
@@ -147,10 +205,44 @@ struct RunFileWriter::Impl {
   }
 
   ~Impl() {
+    if (kept) try {
+        begin_with_kept();
+      } catch (const RunFileError&) {  // the disk is full or gone, and nobody is left to hear it
+      }
     const hdf5::Lock lock;
     open.reset();
   }
 };
+
+void RunFileWriter::Impl::begin(const RunHeader& header, const EarlierFrames& earlier) {
+  remove_abandoned(part);
+  open.emplace();
+  guarded("can't begin the run file", [&] { create(header, earlier); });
+}
+
+void RunFileWriter::Impl::begin_with_kept() {
+  const Kept before = std::move(*kept);
+  kept.reset();
+  shape.times.clear();
+  shape.cell_fields.clear();
+  begin(before.header, {});
+  for (const Frame& frame : before.frames) write_now(frame);
+}
+
+void RunFileWriter::Impl::keep(const Frame& frame) {
+  kept->frames.push_back(frame);
+  shape.times.push_back(frame.time);
+  kept->bytes += frame.positions.size() * sizeof(double) + frame.metrics.size() * sizeof(double) +
+                 frame.cell_fields.size() * shape.triangles * sizeof(float);
+  const std::chrono::duration<double> waited = std::chrono::steady_clock::now() - kept->begun;
+  if (kept->bytes > kept->limits.bytes || waited.count() > kept->limits.seconds) begin_with_kept();
+}
+
+void RunFileWriter::Impl::write_now(const Frame& frame) {
+  if (!shape.double_positions) narrow.assign(frame.positions.begin(), frame.positions.end());
+  guarded(fmt::format("can't write frame {}", shape.times.size()), [&] { append(frame); });
+  shape.times.push_back(frame.time);
+}
 
 void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& earlier) {
   auto& [file, points, time, metrics, cell_fields] = *open;
@@ -220,6 +312,24 @@ std::uint64_t RunFileWriter::Impl::frame_bytes() const {
          (1 + fields + open->metrics.size()) * index_bytes;
 }
 
+// Writes the whole file of a run whose frames were all kept.
+void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
+  remove_abandoned(part);
+  try {
+    const hdf5::Lock lock;
+    Handle file = hdf5::create_small_file(part.string());
+    write_header(file, kept->header);
+    write_static_part(create_vtkhdf(file), kept->header);
+    write_frames(file, kept->header, kept->frames);
+    write_steps(file, shape);
+    write_footer(file, footer);
+    file.close();
+  } catch (const hdf5::Failure& failure) {
+    throw file_error(part, "can't be written", failure.what(), failure.code());
+  }
+  kept.reset();
+}
+
 void RunFileWriter::Impl::close(const RunFooter& footer) {
   // Steps has at most 16 numbers a frame beside its offsets of cell fields; the footer is small.
   hdf5::require_room(open->file, footer_bytes + 8 * (16 + shape.cell_fields.size()) * shape.times.size());
@@ -232,14 +342,17 @@ void RunFileWriter::Impl::close(const RunFooter& footer) {
 }
 
 void RunFileWriter::Impl::require_matching(const Frame& frame) const {
+  const std::size_t metrics = kept ? kept->header.metrics.size() : open->metrics.size();
+  const std::size_t fields = kept ? kept->header.cell_fields.size() : open->cell_fields.size();
   require_size("Frame::positions", frame.positions.size(), 3 * shape.vertices);
-  require_size("Frame::metrics", frame.metrics.size(), open->metrics.size());
-  require_size("Frame::cell_fields", frame.cell_fields.size(), open->cell_fields.size());
+  require_size("Frame::metrics", frame.metrics.size(), metrics);
+  require_size("Frame::cell_fields", frame.cell_fields.size(), fields);
   for (const auto& field : frame.cell_fields) require_size("a cell field", field.size(), shape.triangles);
 }
 
 RunFileWriter::RunFileWriter(const std::filesystem::path& path, const RunHeader& header,
-                             const std::filesystem::path& part, const EarlierFrames& earlier)
+                             const std::filesystem::path& part, const EarlierFrames& earlier,
+                             const InMemory& first)
     : impl_(std::make_unique<Impl>()) {
   require_consistent(header);
   impl_->path = path;
@@ -249,34 +362,38 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& path, const RunHeader&
                   .times = {},
                   .cell_fields = {},
                   .double_positions = header.double_positions};
-  remove_abandoned(impl_->part);
-  impl_->open.emplace();
-  impl_->guarded("can't begin the run file", [&] { impl_->create(header, earlier); });
+  if (first.seconds > 0 && earlier.file.empty()) {
+    for (const Column& field : header.cell_fields) impl_->shape.cell_fields.push_back(field.name);
+    impl_->kept.emplace(Impl::Kept{.header = header, .frames = {}, .limits = first});
+  } else {
+    impl_->begin(header, earlier);
+  }
 }
 
 RunFileWriter::~RunFileWriter() = default;
 
 void RunFileWriter::write(const Frame& frame) {
-  if (impl_->open) impl_->require_matching(frame);
-  if (!impl_->shape.double_positions) {
-    impl_->narrow.resize(frame.positions.size());
-    for (std::size_t i = 0; i < frame.positions.size(); ++i)
-      impl_->narrow[i] = static_cast<float>(frame.positions[i]);
-  }
-  const std::string what = fmt::format("can't write frame {}", impl_->shape.times.size());
-  impl_->guarded(what, [&] { impl_->append(frame); });
-  impl_->shape.times.push_back(frame.time);
+  if (impl_->kept || impl_->open) impl_->require_matching(frame);
+  if (impl_->kept)
+    impl_->keep(frame);
+  else
+    impl_->write_now(frame);
 }
 
 void RunFileWriter::synchronise() {
+  if (impl_->kept) impl_->begin_with_kept();
   if (impl_->open) bendlab::synchronise(impl_->part);
 }
 
 void RunFileWriter::finish(const RunFooter& footer) {
-  impl_->guarded("can't finish the run file", [&] { impl_->close(footer); });
+  const bool is_small = impl_->kept.has_value();
+  if (is_small)
+    impl_->write_kept(footer);
+  else
+    impl_->guarded("can't finish the run file", [&] { impl_->close(footer); });
   seal(impl_->part);
-  write_xdmf(impl_->path, impl_->shape);
-  publish(impl_->part, impl_->path);
+  const bool replaces = std::filesystem::exists(impl_->path);
+  publish(impl_->part, impl_->path, is_small && !replaces ? Wait::no : Wait::for_disk);
 }
 
 }  // namespace bendlab
