@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/bending/push_bound.hpp"
@@ -24,13 +25,19 @@
 namespace bendlab {
 namespace {
 
+// As many as make the cells of a grid squares; more than a mesh may have are as many as an int holds.
+int rows_of_squares(double width, double height, int cells) {
+  constexpr double most = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
+}
+
 TriangleMesh generate(const ParameterValues& mesh) {
   const double width = mesh.number("width"), height = mesh.number("height");
   const int cells = static_cast<int>(mesh.integer("cells"));
   const double radius = mesh.number("radius");
   switch (named<Generator>(mesh.text("generator"), generator_names)) {
     case Generator::grid:
-      return grid(width, height, cells, std::max(1, static_cast<int>(std::lround(cells * height / width))),
+      return grid(width, height, cells, rows_of_squares(width, height, cells),
                   named<Diagonal>(mesh.text("diagonal"), diagonal_names));
     case Generator::equilateral:
       return equilateral(width, height, cells, named<Rows>(mesh.text("rows"), rows_names));
@@ -46,6 +53,16 @@ TriangleMesh generate(const ParameterValues& mesh) {
   throw std::logic_error("generate: unknown generator");
 }
 
+// A cone whose tip is far smaller than its base, for example, has triangles that count as having no area.
+void require_areas(const TriangleMesh& mesh) {
+  const std::vector<char> without = triangles_without_area(mesh);
+  if (const auto count = std::ranges::count_if(without, [](char each) { return each != 0; }); count > 0)
+    throw std::invalid_argument(fmt::format(
+        "with these lengths {} of {} triangles have no area (they are thinner than {:.0e} of the mesh); "
+        "choose lengths that differ less",
+        count, without.size(), zero_area_thickness));
+}
+
 // A generated mesh is sound unless /mesh/flaw puts a defect into it.
 AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
   TriangleMesh generated;
@@ -53,6 +70,7 @@ AcceptedMesh generated_mesh(const ParameterValues& mesh, BadTriangles policy) {
     generated = generate(mesh);
     if (mesh.has("shuffle"))
       generated = shuffled(generated, static_cast<std::uint64_t>(mesh.integer("shuffle")));
+    require_areas(generated);
   } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
     throw ConfigError("mesh generator", {{"/mesh", error.what()}});
   }
@@ -106,6 +124,24 @@ Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<st
   }
   return make_pins(rest, std::move(seeds), static_cast<int>(values.integer("ring")),
                    values.number("distance"));
+}
+
+// Areas and their inverses have to stay within single precision. An offset rounds coordinates, by less than
+// the height of a triangle that counts as one without area.
+void require_numbers_hold(const TriangleMesh& mesh, bool has_offset) {
+  constexpr double smallest = 1e-18, largest = 1e18, epsilon = std::numeric_limits<double>::epsilon();
+  const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm(),
+               farthest = mesh.positions.cwiseAbs().maxCoeff();
+  if (!(size >= smallest && size <= largest))
+    throw MeshError(
+        fmt::format("mesh: can't be simulated: it is {:.3g} m large, and the numbers of a simulation hold "
+                    "sizes from {} to {} m; check its extent and /mesh/scale",
+                    size, smallest, largest));
+  if (has_offset && !(farthest * epsilon <= zero_area_thickness * size))
+    throw MeshError(
+        fmt::format("mesh: can't be simulated: {:.3g} m from the origin coordinates are rounded to {:.2g} m, "
+                    "too coarse for a mesh of {:.3g} m; choose a smaller /mesh/offset",
+                    farthest, farthest * epsilon, size));
 }
 
 StiffnessKind stiffness_kind(const std::string& name) {
@@ -254,8 +290,10 @@ AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const BadTriangles policy = policy_for_bad_triangles(values);
   AcceptedMesh accepted = config.mesh_file().empty() ? generated_mesh(values, policy)
                                                      : mesh_from_file(config.mesh_file(), policy);
+  const Eigen::RowVector3d offset(values.numbers("offset").data());
   accepted.mesh.positions *= values.number("scale");
-  accepted.mesh.positions.rowwise() += Eigen::RowVector3d(values.numbers("offset").data());
+  accepted.mesh.positions.rowwise() += offset;
+  require_numbers_hold(accepted.mesh, !offset.isZero(0));
   return accepted;
 }
 

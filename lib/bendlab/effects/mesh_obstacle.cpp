@@ -199,7 +199,7 @@ class MeshObstacle {
       }
     for (std::vector<int>* list : {&corners_, &ridges_}) {
       std::ranges::sort(*list);
-      list->erase(std::ranges::unique(*list).begin(), list->end());
+      list->erase(std::unique(list->begin(), list->end()), list->end());
     }
     const auto [low, high] = bounds(x, reach);
     for (const int corner : corners_)

@@ -70,7 +70,10 @@ constexpr std::string_view ply_header =
 }  // namespace
 
 PolygonSoup read_polygon_soup(const std::filesystem::path& path) {
-  const std::string bytes = read_bytes(path);
+  return parse_polygon_soup(path, read_bytes(path));
+}
+
+PolygonSoup parse_polygon_soup(const std::filesystem::path& path, const std::string& bytes) {
   try {
     return parse(extension_of(path), bytes);
   } catch (const std::invalid_argument& error) {

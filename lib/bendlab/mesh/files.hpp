@@ -32,6 +32,9 @@ class MeshFileError : public std::runtime_error {
 /// points become one vertex. Vertices and indices are not checked. Throws MeshFileError.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
+/// The same of a file's bytes; `path` is its name.
+PolygonSoup parse_polygon_soup(const std::filesystem::path& path, const std::string& bytes);
+
 /// A mesh that can be simulated, by the policy of bad_triangles.hpp. Throws MeshFileError with every problem
 /// that the policy refuses.
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy);

@@ -1,0 +1,73 @@
+// `bendlab export`: a run for other programs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "bendlab/parameters/names.hpp"
+#include "experiments/campaign/errors.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/find_run.hpp"
+#include "experiments/config/counted.hpp"
+#include "experiments/export/format.hpp"
+#include "experiments/terminal/signals.hpp"
+
+namespace bendlab {
+namespace {
+
+Json to_json(const RunRecord& run, const Format& format, const Exported& exported) {
+  return {{"id", run.id},
+          {"name", run.name},
+          {"file", run.file.string()},
+          {"format", format.name},
+          {"to", exported.to.string()},
+          {"files", exported.files},
+          {"bytes", exported.bytes},
+          {"frames", exported.frames.size()},
+          {"first_frame", exported.frames.front().number},
+          {"last_frame", exported.frames.back().number},
+          {"surfaces", exported.surfaces},
+          {"notes", exported.notes}};
+}
+
+std::string size_text(std::uint64_t bytes) {
+  constexpr double kilo = 1e3, mega = 1e6;
+  const auto size = static_cast<double>(bytes);
+  if (size < kilo) return fmt::format("{} bytes", bytes);
+  return size < mega ? fmt::format("{:.1f} kB", size / kilo) : fmt::format("{:.1f} MB", size / mega);
+}
+
+void print_exported(const RunRecord& run, const Exported& exported) {
+  fmt::print("{}: {}, {}\n{}  {}  {}: {} to {}\n", exported.to.string(), counted(exported.files, "file"),
+             size_text(exported.bytes), run.id, run.name, counted(exported.frames.size(), "frame"),
+             exported.frames.front().number, exported.frames.back().number);
+}
+
+}  // namespace
+
+std::vector<std::pair<std::string, std::string>> export_formats() {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const Format* format : formats()) names.emplace_back(format->name, format->summary);
+  return names;
+}
+
+int export_command(const ExportArguments& arguments, bool json) {
+  const Format& format = *find_format(arguments.format);
+  const RunRecord run = find_run(arguments.run, arguments.folder);
+  ExportOptions options{
+      .frames = arguments.frames, .to = arguments.to, .force = arguments.force, .stop = &stop_flag()};
+  if (!arguments.up.empty()) options.up = named<UpAxis>(arguments.up, up_axis_names);
+  catch_stop_signals();
+  try {
+    const Exported exported = export_run(run, format, options);
+    for (const std::string& note : exported.notes) fmt::print(stderr, "bendlab: {}\n", note);
+    if (json)
+      fmt::print("{}\n", to_json(run, format, exported).dump());
+    else
+      print_exported(run, exported);
+    return exit_ok;
+  } catch (const ExportStopped&) {
+    fmt::print(stderr, "bendlab: stopped; nothing was written\n");
+    return stop_exit_code();
+  }
+}
+
+}  // namespace bendlab

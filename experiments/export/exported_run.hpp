@@ -1,0 +1,49 @@
+// What an export takes from a run: its cloth, its obstacles, and the chosen frames.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "experiments/export/surface.hpp"
+
+namespace bendlab {
+
+/// Which axis of the coordinates points up.
+enum class UpAxis { y, z };
+inline constexpr std::array<std::string_view, 2> up_axis_names = {"y", "z"};
+
+struct ExportedFrame {
+  std::int64_t number = 0;  ///< in the run, from 0
+  double time = 0;          ///< s
+};
+
+struct ExportedRun {
+  RunRecord record;
+  std::string version;                ///< of the program that computed it
+  std::vector<ExportedFrame> frames;  ///< the chosen ones, at least one
+  std::int64_t step = 1;              ///< from one of them to the next
+  double frames_per_second = 0;
+  UpAxis up = UpAxis::z;
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< from the run's coordinates to those with `up` up
+  bool double_positions = false;                       ///< the run stores float64
+  std::vector<Surface> surfaces;                       ///< the cloth, then the obstacles
+  std::vector<std::string> notes;                      ///< what is left out, and why
+
+  /// Of a surface in a frame, #V by 3, m. Throws RunFileError.
+  Positions positions(const Surface& surface, const ExportedFrame& frame) const;
+
+  /// The frame's time in frames: its number, where the run recorded frames at even times.
+  double time_code(const ExportedFrame& frame) const;
+};
+
+/// `frames`: "FIRST:LAST:STEP", any of them left out, or one number; negative numbers count from the end;
+/// empty: all. `up`: the run is turned so that this axis is up; by default it is not turned, and gravity
+/// tells which one is. Throws UsageError for frames that the run does not have, RunFileError.
+ExportedRun open_for_export(const RunRecord& record, std::string_view frames, std::optional<UpAxis> up);
+
+}  // namespace bendlab

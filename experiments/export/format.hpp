@@ -1,0 +1,61 @@
+// The formats of other programs in which a run can leave. Each is one file here and one row in format.cpp,
+// and nothing else knows its name.
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "experiments/export/exported_run.hpp"
+#include "experiments/export/output.hpp"
+
+namespace bendlab {
+
+/// What a file that --to names can hold.
+enum class InOneFile { nothing, a_frame, everything };
+
+struct Format {
+  std::string_view name;     ///< of --format; the extension of its files
+  std::string_view summary;  ///< a line: what it writes
+  InOneFile in_one_file = InOneFile::nothing;
+  bool has_times = false;  ///< else its frames are taken to be evenly spaced
+  /// Throws RunFileError, ExportStopped.
+  void (*write)(const ExportedRun& run, Output& output) = nullptr;
+};
+
+/// All, in the order of their table.
+std::span<const Format* const> formats();
+
+/// The format of that name, or nullptr.
+const Format* find_format(std::string_view name);
+
+/// A line for comments in files: program, run, experiment, units.
+std::string description_of(const ExportedRun& run);
+
+struct ExportOptions {
+  std::string frames;                       ///< see open_for_export()
+  std::optional<UpAxis> up;                 ///< see open_for_export()
+  std::filesystem::path to;                 ///< empty: export/<format> beside the run file
+  bool force = false;                       ///< replace what is there
+  const std::atomic<bool>* stop = nullptr;  ///< null: nobody stops it
+};
+
+struct Exported {
+  std::filesystem::path to;
+  std::vector<ExportedFrame> frames;
+  std::vector<std::string> surfaces;  ///< their names
+  std::size_t files = 0;
+  std::uint64_t bytes = 0;
+  std::vector<std::string> notes;  ///< what is left out, and why; times that are lost
+};
+
+/// Writes a run's frames in a format: every file appears whole, at the end. Throws UsageError for options
+/// that do not go together, or something that is there already; RunFileError; ExportStopped.
+Exported export_run(const RunRecord& record, const Format& format, const ExportOptions& options);
+
+}  // namespace bendlab

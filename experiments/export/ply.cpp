@@ -1,0 +1,70 @@
+// PLY: a binary file per frame, little endian, positions as floats. A vertex has one pair of texture
+// coordinates (s, t); a surface with seams, where a vertex has several, has none.
+#include <optional>
+
+#include "experiments/export/format.hpp"
+
+namespace bendlab {
+namespace {
+
+// The row of `texture` that each vertex has; nothing where there is no texture, or a seam.
+std::optional<std::vector<int>> texture_of_vertices(const Surface& surface) {
+  if (surface.texture.rows() == 0) return std::nullopt;
+  std::vector<int> rows(static_cast<std::size_t>(surface.positions.rows()), -1);
+  for (Eigen::Index corner = 0; corner < surface.triangles.size(); ++corner) {
+    int& row = rows[static_cast<std::size_t>(surface.triangles.data()[corner])];
+    const int here = surface.texture_corners.data()[corner];
+    if (row >= 0 && row != here) return std::nullopt;
+    row = here;
+  }
+  for (int& row : rows) row = std::max(row, 0);  // of a vertex without triangles
+  return rows;
+}
+
+std::string ply_header(const ExportedRun& run, const Surface& surface, bool textured) {
+  return fmt::format(
+      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty float x\nproperty float "
+      "y\nproperty float z\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
+      description_of(run), surface.positions.rows(), textured ? "property float s\nproperty float t\n" : "",
+      surface.triangles.rows());
+}
+
+void write_frame(const Surface& surface, const std::optional<std::vector<int>>& texture,
+                 const Positions& positions, OutputFile& file) {
+  for (Eigen::Index v = 0; v < positions.rows(); ++v) {
+    for (int c = 0; c < 3; ++c) file.write_number(static_cast<float>(positions(v, c)));
+    if (!texture) continue;
+    const int row = (*texture)[static_cast<std::size_t>(v)];
+    for (int c = 0; c < 2; ++c) file.write_number(static_cast<float>(surface.texture(row, c)));
+  }
+  for (const auto& triangle : surface.triangles.rowwise()) {
+    file.write_number(std::uint8_t{3});
+    for (int c = 0; c < 3; ++c) file.write_number(std::int32_t{triangle(c)});
+  }
+}
+
+void write_ply(const ExportedRun& run, Output& output) {
+  for (const Surface& surface : run.surfaces) {
+    const std::optional<std::vector<int>> texture = texture_of_vertices(surface);
+    const std::string header = ply_header(run, surface, texture.has_value());
+    for (const ExportedFrame& frame : run.frames) {
+      output.file(output.stem_of(surface, frame.number) + ".ply", [&](OutputFile& file) {
+        file.write(header);
+        write_frame(surface, texture, run.positions(surface, frame), file);
+      });
+      if (!surface.moves()) break;
+    }
+  }
+}
+
+}  // namespace
+
+namespace format {
+extern const Format ply{
+    .name = "ply",
+    .summary = "a binary PLY file per frame, cloth.0000.ply and so on; smaller and faster than obj",
+    .in_one_file = InOneFile::a_frame,
+    .write = write_ply,
+};
+}  // namespace format
+}  // namespace bendlab

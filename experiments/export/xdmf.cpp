@@ -1,0 +1,28 @@
+// XDMF: a text with which ParaView before 5.12 reads the run file itself. It is of use only with that file.
+#include "experiments/export/format.hpp"
+
+namespace bendlab {
+namespace {
+
+void write_xdmf(const ExportedRun& run, Output& output) {
+  const std::filesystem::path folder = output.is_file() ? output.to().parent_path() : output.to();
+  const std::filesystem::path seen = std::filesystem::proximate(std::filesystem::absolute(run.record.file),
+                                                                std::filesystem::absolute(folder));
+  std::vector<std::int64_t> frames;
+  for (const ExportedFrame& frame : run.frames) frames.push_back(frame.number);
+  output.file(output.stem_of(run.surfaces.front()) + ".xdmf",
+              [&](OutputFile& file) { file.write(xdmf_of(run.record.file, seen.string(), frames)); });
+}
+
+}  // namespace
+
+namespace format {
+extern const Format xdmf{
+    .name = "xdmf",
+    .summary = "a text with which ParaView before 5.12 reads the run file itself, as it is, never turned",
+    .in_one_file = InOneFile::everything,
+    .has_times = true,
+    .write = write_xdmf,
+};
+}  // namespace format
+}  // namespace bendlab
