@@ -5,12 +5,17 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <numeric>
+#include <queue>
 #include <set>
+#include <system_error>
 #include <thread>
 
+#include "bendlab/io/disk.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/terminal/progress.hpp"
@@ -20,18 +25,6 @@ namespace bendlab {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A guess at a run's work, good enough to start the long ones first.
-double expected_cost(const RunConfig& config) {
-  const auto number = [&](const char* pointer, double otherwise) {
-    const Json::json_pointer at(pointer);
-    const bool there = config.resolved().contains(at) && config.resolved().at(at).is_number();
-    return there ? config.resolved().at(at).get<double>() : otherwise;
-  };
-  const double cells = number("/mesh/cells", 64);
-  return cells * cells * number("/solver/substeps", 1) * number("/solver/iterations", 1) *
-         number("/duration", 1) / number("/solver/dt", 1);
-}
 
 int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   if (wanted > 0) return wanted;
@@ -57,6 +50,21 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   return result;
 }
 
+constexpr const char* failure_name = "run.failure";
+
+// Of no consequence if it can't be written: the process that meets the failure tells it, too.
+void keep_failure(const CampaignRun& run, const fs::path& out) try {
+  const fs::path folder = run_folder(out, *run.experiment, *run.config);
+  make_folder(folder);
+  replace_file(folder / failure_name, run.error + "\n", Wait::no);
+} catch (const std::exception&) {
+}
+
+void remove_failure(const fs::path& run_file) {
+  std::error_code ignored;
+  fs::remove(run_file.parent_path() / failure_name, ignored);
+}
+
 void execute(CampaignRun& run, const CampaignOptions& options, const RunControl& control) {
   try {
     run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
@@ -65,14 +73,65 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
       run.exit_code = exit_failed;
     if (run.outcome->status == RunStatus::diverged) run.exit_code = exit_numerical;
     if (run.outcome->status == RunStatus::interrupted) run.exit_code = stop_exit_code();
+    if (options.shard && is_over(run.outcome->status)) remove_failure(run.outcome->file);
   } catch (...) {
     const Failure failure = current_failure();
     run.exit_code = failure.exit_code;
     run.error = failure.message;
+    if (options.shard) keep_failure(run, options.out);
   }
 }
 
+// Long runs first; with a shard, its own runs before those of the others.
+std::vector<std::size_t> order_of(const std::vector<double>& costs, const std::optional<Shard>& shard) {
+  std::vector<std::size_t> order(costs.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return costs[a] > costs[b]; });
+  if (!shard) return order;
+  const std::vector<std::size_t> shards = shards_of(costs, shard->count);
+  const auto turn = [&](std::size_t run) {
+    return (shards[run] + shard->count - shard->index) % shard->count;
+  };
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return turn(a) < turn(b); });
+  return order;
+}
+
 }  // namespace
+
+double expected_cpu_s(const RunConfig& config) {
+  constexpr double per_cell = 5e-8, per_run = 4e-3;  // s; the first of two triangles and their bending
+  const auto number = [&](const char* pointer, double otherwise) {
+    const Json::json_pointer at(pointer);
+    const bool there = config.resolved().contains(at) && config.resolved().at(at).is_number();
+    return there ? config.resolved().at(at).get<double>() : otherwise;
+  };
+  const double cells = number("/mesh/cells", 64);
+  return per_run + per_cell * cells * cells * number("/solver/substeps", 1) *
+                       number("/solver/iterations", 1) * number("/duration", 1) / number("/solver/dt", 1);
+}
+
+std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count) {
+  std::vector<std::size_t> order(expected_s.size()), shards(expected_s.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return expected_s[a] > expected_s[b]; });
+  using Load = std::pair<double, std::size_t>;  // s, shard
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> emptiest;
+  for (std::size_t shard = 0; shard < count; ++shard) emptiest.push({0.0, shard});
+  for (const std::size_t run : order) {
+    const auto [load, shard] = emptiest.top();
+    emptiest.pop();
+    shards[run] = shard;
+    emptiest.push({load + expected_s[run], shard});
+  }
+  return shards;
+}
+
+std::string failure_in(const fs::path& folder) {
+  std::ifstream stream(folder / failure_name);
+  std::string text{std::istreambuf_iterator<char>(stream), {}};
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
 
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments) {
   std::vector<CampaignRun> runs;
@@ -87,10 +146,8 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   const std::vector<std::size_t> executed_as = first_of_equals(runs);
   std::vector<double> costs;
   for (std::size_t i = 0; i < runs.size(); ++i)
-    costs.push_back(executed_as[i] == i ? expected_cost(*runs[i].config) : 0.0);
-  std::vector<std::size_t> order(runs.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return costs[a] > costs[b]; });
+    costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
+  const std::vector<std::size_t> order = order_of(costs, options.shard);
 
   Progress progress(costs);
   std::atomic<std::size_t> next{0};
@@ -105,6 +162,9 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
     progress.finish(index, run.outcome && !run.outcome->reused);
     const std::string& text = run.outcome ? run.outcome->message : run.error;
     const std::lock_guard lock(mutex);
+    if (options.shard && run.outcome && !run.outcome->reused && !run.outcome->left)
+      progress.message(fmt::format("{}: {} in {:.3g} s", run_text(run), to_string(run.outcome->status),
+                                   run.outcome->wall_s));
     // A text that many runs share, like a note on their mesh, is printed for the first of them.
     const bool expected =
         run.outcome && run.outcome->status == RunStatus::implausible && run.exit_code == exit_ok;
@@ -133,6 +193,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
           .minimal = options.minimal,
           .force = options.force || options.minimal,
           .checkpoint_interval_s = options.checkpoint_interval_s,
+          .when_owned = options.when_owned,
           .waiting_for =
               [&, index](const std::string& owner) {
                 progress.message(

@@ -22,13 +22,33 @@ struct CampaignRun {
   bool started() const { return outcome.has_value() || !error.empty(); }
 };
 
+/// A part of a campaign: the `index`-th of `count`.
+struct Shard {
+  std::size_t index = 0, count = 1;
+};
+
 struct CampaignOptions {
   std::filesystem::path out = "results";
   int jobs = 0;          ///< runs side by side; 0: cores / the threads that a run takes
   bool force = false;    ///< compute complete runs again
   bool minimal = false;  ///< without effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
+  /// Together with other processes: the runs of the shard first, then the others. Each run that is computed
+  /// is told on stderr, and why one failed is kept in its folder.
+  std::optional<Shard> shard{};
+  WhenOwned when_owned = WhenOwned::wait;
 };
+
+/// CPU time that a run is expected to take, s: a guess from its resolution and iterations, good enough to
+/// start the long ones first and to share them out.
+double expected_cpu_s(const RunConfig& config);
+
+/// For each run the shard that it belongs to, so that all take about as long: the longest run goes to the
+/// emptiest shard, then the next one.
+std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count);
+
+/// Why a run failed in a process that worked with others: a text in its folder; empty if there is none.
+std::string failure_in(const std::filesystem::path& folder);
 
 /// Every run of every experiment, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);

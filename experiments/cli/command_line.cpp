@@ -20,6 +20,7 @@
 #include "experiments/cli/completion.hpp"
 #include "experiments/config/nearest_name.hpp"
 #include "experiments/config/schema.hpp"
+#include "experiments/export/exported_run.hpp"
 #include "experiments/measures/reference.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/version.hpp"
@@ -49,19 +50,27 @@ struct Arguments {
   ListArguments listed;
   CompareArguments compared;
   RerunArguments repeated;
+  WorkArguments work;
+  SubmitArguments submitted;
+  std::filesystem::path plan;
+  ExportArguments exported;
   std::function<int()> command;
 };
 
 // For --help: a command line that can be typed as it is, in a checkout with results.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 19> examples = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 23> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
     {"validate", "bendlab validate configs/recommended.json"},
     {"reproduce", "bendlab reproduce paper"},
+    {"work", "bendlab work results/plans/first-0a1b2c3d.plan.json --shard 0/8"},
+    {"status", "bendlab status results/plans/first-0a1b2c3d.plan.json"},
+    {"submit", "bendlab submit configs/plain/first.json --time 30:00 --sbatch=--partition=short --dry-run"},
     {"list", "bendlab list results --where /bending/model=adaptive --sort drop"},
     {"show", "bendlab show results/first"},
     {"compare", "bendlab compare results/first results/second"},
     {"rerun", "bendlab rerun results/first/cells=16"},
+    {"export", "bendlab export results/first/cells=16 --format usda --to first.usda"},
     {"stiffness", "bendlab stiffness results/strip"},
     {"advise", "bendlab advise configs/advise/strip.json --error 5%"},
     {"mesh", "bendlab mesh garment.obj --bad-triangles repair"},
@@ -105,13 +114,14 @@ void add_json(CLI::App* command, Arguments& arguments, const char* what) {
   command->add_flag("--json", arguments.json, what);
 }
 
-void add_campaign(CLI::App* command, Arguments& arguments) {
+void add_jobs(CLI::App* command, Arguments& arguments) {
   command
       ->add_option("--jobs,-j", arguments.options.jobs,
                    "How many runs to compute at a time (default: cores / threads of a run)")
       ->check(CLI::Range(1, 1024));
-  command->add_flag("--force", arguments.options.force,
-                    "Compute complete runs again; each old file stays until the new one replaces it");
+}
+
+void add_checkpoint(CLI::App* command, Arguments& arguments) {
   command
       ->add_option(
           "--checkpoint", arguments.options.checkpoint_interval_s,
@@ -119,6 +129,13 @@ void add_campaign(CLI::App* command, Arguments& arguments) {
           "1 % of its time; 0: only when it is stopped")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+}
+
+void add_campaign(CLI::App* command, Arguments& arguments) {
+  add_jobs(command, arguments);
+  command->add_flag("--force", arguments.options.force,
+                    "Compute complete runs again; each old file stays until the new one replaces it");
+  add_checkpoint(command, arguments);
 }
 
 void add_run_commands(CLI::App& app, Arguments& a) {
@@ -140,8 +157,9 @@ void add_run_commands(CLI::App& app, Arguments& a) {
 
   CLI::App* plan =
       add_command(app, a, "plan", "List the runs of experiments: place in the sweep, id, whether complete",
-                  [&a] { return plan_command(a.configs, a.options.out, a.json); });
+                  [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
   add_configs(plan, a);
+  plan->add_option("--write", a.plan, "Write the plan to a file, for 'bendlab work'")->type_name("PLAN");
   plan->add_option("--out", a.options.out, "Folder of the results")->capture_default_str();
   add_json(plan, a, "One JSON object per run");
 
@@ -169,6 +187,55 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       ->excludes(full);
   reproduce->add_option("--out", a.reproduce.out,
                         "Folder for the results (default: results in the checkout)");
+}
+
+void add_plan_file(CLI::App* command, std::filesystem::path& file) {
+  command->add_option("PLAN", file, "File that 'submit' or 'plan --write' wrote")->required();
+}
+
+void add_work_commands(CLI::App& app, Arguments& a) {
+  CLI::App* work =
+      add_command(app, a, "work", "Compute the runs of a plan, together with other processes and machines",
+                  [&a] { return work_command(a.work, a.options, a.json); });
+  add_plan_file(work, a.work.plan);
+  work->add_option(
+          "--shard", a.work.shard,
+          "Begin with the runs of part i of n, 0 ≤ i < n; the other runs follow, if nobody has begun "
+          "them (default: 0/1)")
+      ->type_name("i/n");
+  add_jobs(work, a);
+  add_checkpoint(work, a);
+  add_json(work, a, "One JSON object per run that was computed here");
+
+  CLI::App* status = add_command(app, a, "status", "Show how far the runs of a plan are, from any machine",
+                                 [&a] { return status_command(a.work.plan, a.json); });
+  add_plan_file(status, a.work.plan);
+  add_json(status, a, "One JSON object per run");
+
+  CLI::App* submit =
+      add_command(app, a, "submit", "Write a plan, and submit it to Slurm as a job array of workers",
+                  [&a] { return submit_command(a.configs, a.options.out, a.submitted); });
+  add_configs(submit, a);
+  submit->add_option("--out", a.options.out, "Folder for the results, on a disk that all machines share")
+      ->capture_default_str();
+  submit
+      ->add_option(
+          "--tasks", a.submitted.tasks,
+          "Tasks of the array (default: as many as are expected to last a minute each, at most 1000)")
+      ->check(CLI::Range(1, 100000));
+  submit->add_option("--cpus", a.submitted.cpus, "Cores of a task, and runs that it computes at a time")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  submit
+      ->add_option("--time", a.submitted.time,
+                   "Time limit of a task, as sbatch takes it; a task that it stops goes on in the queue")
+      ->type_name("TIME");
+  submit
+      ->add_option("--sbatch", a.submitted.sbatch,
+                   "Another option for sbatch, as --sbatch=--mem=4G. Repeatable")
+      ->type_name("OPTION")
+      ->allow_extra_args(false);
+  submit->add_flag("--dry-run", a.submitted.dry_run, "Print the batch file, and write and submit nothing");
 }
 
 void add_read_commands(CLI::App& app, Arguments& a) {
@@ -214,6 +281,44 @@ void add_rerun_command(CLI::App& app, Arguments& a) {
   rerun->add_option("--out", a.repeated.out, "Keep the repetition in this folder (default: it is not kept)");
   rerun->add_option("--results", a.repeated.folder, "Where a run's id is looked for")->capture_default_str();
   add_json(rerun, a, "As one JSON object");
+}
+
+void add_export_command(CLI::App& app, Arguments& a) {
+  CLI::App* exported =
+      add_command(app, a, "export", "Write a run for Blender, Houdini, a spreadsheet or other programs",
+                  [&a] { return export_command(a.exported, a.json); });
+  exported->add_option("RUN", a.exported.run, "Run file, its folder, or the beginning of the run's id")
+      ->required();
+  std::vector<std::string> names;
+  std::string meanings = "Formats:\n";
+  for (const auto& [name, summary] : export_formats()) {
+    names.push_back(name);
+    meanings += fmt::format("  {:<5} {}\n", name, summary);
+  }
+  exported->footer(
+      meanings +
+      "Obstacles go with the cloth, but for csv. Houdini, Maya and the defaults of Blender's OBJ importer\n"
+      "take y for up: --up y, or choose forward axis Y and up axis Z in Blender.\n" +
+      exported->get_footer());
+  exported->add_option("--format", a.exported.format, "What to write, see below")
+      ->required()
+      ->check(CLI::IsMember(names));
+  exported
+      ->add_option("--to", a.exported.to,
+                   "Folder, or file where one file holds it all (default: export/FORMAT beside the run file)")
+      ->type_name("DIR|FILE");
+  exported
+      ->add_option("--frames", a.exported.frames,
+                   "Which frames, such as 10:20, ::5 or -1; the first is 0, the last -1 (default: all)")
+      ->type_name("FIRST:LAST:STEP");
+  exported
+      ->add_option("--up", a.exported.up,
+                   "Turn the run so that this axis is up (default: as it is, z unless gravity says y)")
+      ->check(CLI::IsMember(std::vector<std::string>(up_axis_names.begin(), up_axis_names.end())));
+  exported->add_flag("--force", a.exported.force, "Replace the files of an earlier export");
+  exported->add_option("--results", a.exported.folder, "Where a run's id is looked for")
+      ->capture_default_str();
+  add_json(exported, a, "As one JSON object");
 }
 
 void add_stiffness_command(CLI::App& app, Arguments& a) {
@@ -272,10 +377,7 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       ->type_name("FILE");
   advise->add_option("--out", a.options.out, "Folder for the results; runs go to advise/ in it")
       ->capture_default_str();
-  advise
-      ->add_option("--jobs,-j", a.options.jobs,
-                   "How many runs to compute at a time (default: cores / threads of a run)")
-      ->check(CLI::Range(1, 1024));
+  add_jobs(advise, a);
   add_json(advise, a, "As one JSON object");
 }
 
@@ -374,9 +476,11 @@ int dispatch(int argc, char** argv) {
   app.require_subcommand(1);
   Arguments arguments;
   add_run_commands(app, arguments);
+  add_work_commands(app, arguments);
   add_read_commands(app, arguments);
   add_compare_command(app, arguments);
   add_rerun_command(app, arguments);
+  add_export_command(app, arguments);
   add_stiffness_command(app, arguments);
   add_advise_command(app, arguments);
   add_mesh_command(app, arguments);
@@ -422,6 +526,7 @@ void occupy_closed_streams() {
 
 int command_line(int argc, char** argv) {
   occupy_closed_streams();
+  answers_read_file();
   try {
     const int code = dispatch(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bendlab/mesh/quality.hpp"
@@ -23,7 +24,9 @@ struct ConfigArguments {
 /// computed if some are known before the runs.
 int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
                 bool strict);
-int plan_command(const ConfigArguments& configs, const std::filesystem::path& out, bool json);
+/// `write`: where to write the plan for work_command(); empty: nowhere.
+int plan_command(const ConfigArguments& configs, const std::filesystem::path& out,
+                 const std::filesystem::path& write, bool json);
 int validate_command(const ConfigArguments& configs, bool strict);
 
 struct ReproduceArguments {
@@ -38,6 +41,27 @@ std::vector<std::string> reproducible();
 
 /// Its experiments, then the page of figures and checks, in a folder of its name.
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
+
+struct WorkArguments {
+  std::filesystem::path plan;
+  std::string shard;  ///< "i/n"; empty: 0/1
+};
+/// Computes runs of a plan together with other processes.
+int work_command(const WorkArguments& arguments, CampaignOptions options, bool json);
+
+/// How far the runs of a plan are, wherever they are computed.
+int status_command(const std::filesystem::path& plan, bool json);
+
+struct SubmitArguments {
+  int tasks = 0;                    ///< of the job array; 0: as many as last a minute each
+  int cpus = 1;                     ///< of a task
+  std::string time;                 ///< limit of a task, as sbatch takes it; empty: the cluster's own
+  std::vector<std::string> sbatch;  ///< further options for sbatch
+  bool dry_run = false;             ///< print the batch file, and write nothing
+};
+/// Writes a plan and its batch file below <out>/plans, and hands it to Slurm.
+int submit_command(const ConfigArguments& configs, const std::filesystem::path& out,
+                   const SubmitArguments& arguments);
 
 struct ListArguments {
   std::string folder = "results";
@@ -63,6 +87,22 @@ struct RerunArguments {
 };
 /// Computes a run again from its file. Exit code 1 if a bit differs.
 int rerun_command(const RerunArguments& arguments, bool json);
+
+struct ExportArguments {
+  std::string run;
+  std::string folder = "results";  ///< where an id is looked for
+  std::string format;              ///< one of export_formats()
+  std::filesystem::path to;        ///< empty: export/<format> beside the run file
+  std::string frames;              ///< "FIRST:LAST:STEP"; empty: all
+  std::string up;                  ///< "y" or "z"; empty: as the run has it
+  bool force = false;              ///< replace what is there
+};
+
+/// Names and summaries of the formats.
+std::vector<std::pair<std::string, std::string>> export_formats();
+
+/// Writes a run for other programs.
+int export_command(const ExportArguments& arguments, bool json);
 
 struct StiffnessArguments {
   std::optional<double> clamp_offset, exclude;  ///< m, see StripSettings

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "experiments/cli/commands.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/resolve.hpp"
 
@@ -37,7 +38,10 @@ std::string completion_script(const CLI::App& app, const std::string& shell) {
     cases +=
         fmt::format("    {}) options='{}' ;;\n", command->get_name(), fmt::join(options_of(*command), " "));
   }
-  const std::string script = fmt::format(R"(_bendlab() {{
+  std::vector<std::string> formats;
+  for (const auto& [format, summary] : export_formats()) formats.push_back(format);
+  const std::string script =
+      fmt::format(R"(_bendlab() {{
   local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} options=
   COMPREPLY=()
   if [ "$COMP_CWORD" -eq 1 ]; then
@@ -49,6 +53,9 @@ std::string completion_script(const CLI::App& app, const std::string& shell) {
       COMPREPLY=($(compgen -W '{}' -- "$word"))
       compopt -o nospace 2>/dev/null
       return ;;
+    --format)
+      COMPREPLY=($(compgen -W '{}' -- "$word"))
+      return ;;
   esac
   case ${{COMP_WORDS[1]}} in
 {}  esac
@@ -59,7 +66,7 @@ std::string completion_script(const CLI::App& app, const std::string& shell) {
 }}
 complete -o filenames -F _bendlab bendlab ./bendlab
 )",
-                                         fmt::join(names, " "), fmt::join(pointers(), " "), cases);
+                  fmt::join(names, " "), fmt::join(pointers(), " "), fmt::join(formats, " "), cases);
   return shell == "zsh" ? "autoload -Uz bashcompinit && bashcompinit\n" + script : script;
 }
 

@@ -2,9 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/run_index.hpp"
 #include "experiments/run/checked_read.hpp"
 
 namespace bendlab {
@@ -12,33 +11,14 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_run_file(const fs::path& file) {
-  const std::string name = file.filename().string();
-  return name.ends_with(".vtkhdf") || (name.starts_with("run.vtkhdf") && name.ends_with(".part"));
-}
-
-/// Every run file below a folder, by path.
-std::vector<fs::path> find_run_files(const fs::path& folder) {
-  if (!fs::is_directory(folder)) throw RunFileError(fmt::format("there is no folder '{}'", folder.string()));
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::recursive_directory_iterator(folder))
-    if (entry.is_regular_file() && is_run_file(entry.path())) files.push_back(entry.path());
-  std::ranges::sort(files);
-  return files;
+void tell(const std::string& what) {
+  fmt::print(stderr, "bendlab: {}\n", what);
 }
 
 }  // namespace
 
 std::vector<RunRecord> read_runs(const fs::path& folder) {
-  std::vector<RunRecord> records;
-  for (const fs::path& file : find_run_files(folder)) {
-    try {
-      records.push_back(read_checked(file));
-    } catch (const RunFileError& error) {
-      fmt::print(stderr, "bendlab: {}\n", error.what());
-    }
-  }
-  return records;
+  return read_runs(folder, tell);
 }
 
 RunRecord find_run(const std::string& run, const fs::path& folder) {

@@ -7,20 +7,22 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <system_error>
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/plan_file.hpp"
+#include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
+#include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
-#include "experiments/config/overrides.hpp"
-#include "experiments/measures/metrics.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
@@ -29,28 +31,6 @@ namespace bendlab {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// All configs, or one error with the problems of all.
-std::vector<Experiment> load_experiments(const ConfigArguments& configs) {
-  std::vector<std::string> overrides = configs.overrides;
-  for (const std::string& axis : configs.axes) try {
-      overrides.push_back(sweep_override(axis));
-    } catch (const std::invalid_argument& error) {
-      throw UsageError(fmt::format("--sweep: {}", error.what()));
-    }
-  std::vector<Experiment> experiments;
-  std::string problems;
-  for (const fs::path& file : configs.files) {
-    try {
-      experiments.push_back(load_experiment(file, overrides));
-      check_metrics(experiments.back());
-    } catch (const ConfigError& error) {
-      problems += (problems.empty() ? "" : "\n") + std::string(error.what());
-    }
-  }
-  if (!problems.empty()) throw ConfigsError(problems);
-  return experiments;
-}
 
 /// Says once, before anything is computed, that the results can't be kept.
 void check_writable(const fs::path& folder) {
@@ -190,23 +170,34 @@ int run_program(std::vector<std::string> arguments) {
   return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+/// What lies in the folders of an experiment's runs.
+using RecordsByFolder = std::map<fs::path, RunRecord>;
+
+RecordsByFolder records_of(const fs::path& out, const Experiment& experiment) {
+  RecordsByFolder records;
+  const fs::path folder = out / experiment.name;
+  if (!fs::is_directory(folder)) return records;
+  for (RunRecord& run : read_runs(folder, [](const std::string&) {})) {
+    const fs::path place = run.file.parent_path();
+    records.emplace(place, std::move(run));  // the finished file of a folder comes first
+  }
+  return records;
+}
+
 /// "complete", "implausible", "diverged, 12 frames", "running", "unreadable" or "new".
-std::string state_on_disk(const fs::path& folder) {
-  const fs::path file = folder / "run.vtkhdf";
+std::string state_on_disk(const RecordsByFolder& records, const fs::path& folder, const std::string& id) {
   const auto with_frames = [](RunStatus status, std::uint64_t frames) {
     return fmt::format("{}, {}", to_string(status), counted(frames, "frame"));
   };
+  const auto found = records.find(folder);
+  if (found != records.end() && is_whole(found->second.status))
+    return found->second.id == id ? to_string(found->second.status) : "unreadable";
   if (!owner_of(folder).empty()) return "running";
-  try {
-    if (fs::exists(file)) {
-      const RunRecord record = read_checked(file);
-      return is_whole(record.status) ? to_string(record.status) : with_frames(record.status, record.frames);
-    }
-    if (const std::vector<fs::path> parts = unfinished_files(folder); !parts.empty())
-      return with_frames(RunStatus::interrupted, read_checked(parts.back()).frames);
-  } catch (const RunFileError&) {
-    return "unreadable";
-  }
+  if (found != records.end())
+    return with_frames(
+        found->second.status == RunStatus::running ? RunStatus::interrupted : found->second.status,
+        found->second.frames);
+  if (fs::exists(folder / "run.vtkhdf") || !unfinished_files(folder).empty()) return "unreadable";
   return "new";
 }
 
@@ -234,9 +225,11 @@ int run_command(const ConfigArguments& configs, const CampaignOptions& options, 
                         strict);
 }
 
-int plan_command(const ConfigArguments& configs, const fs::path& out, bool json) {
+int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::path& write, bool json) {
   const std::vector<Experiment> experiments = load_experiments(configs);
+  if (!write.empty()) write_plan(write, experiments, out);
   for (const Experiment& experiment : experiments) {
+    const RecordsByFolder records = records_of(out, experiment);
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"id", "state"});
     Table table(headings);
@@ -244,7 +237,7 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, bool json)
     for (const RunConfig& config : experiment.runs) {
       const std::string id = run_id(config);
       const fs::path folder = run_folder(out, experiment, config, id);
-      const std::string state = state_on_disk(folder);
+      const std::string state = state_on_disk(records, folder, id);
       if (state == "complete") ++complete;
       if (json) {
         const Json line = {
@@ -281,6 +274,11 @@ std::vector<std::string> reproducible() {
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
   const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
   const fs::path source = BENDLAB_SOURCE_DIR;
+  if (!fs::is_directory(source / "configs"))
+    throw UsageError(
+        fmt::format("reproduce needs the configs and scripts of the checkout that this program was "
+                    "built from, and '{}' is not there: run ./bendlab reproduce in a checkout",
+                    source.string()));
   options.out = arguments.out.empty() ? source / "results" : arguments.out;
   const fs::path page = options.out / what.page;
   std::vector<std::vector<Experiment>>

@@ -185,15 +185,17 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
   if (!cover) check_settings(settings, experiment.axes, problems);
   problems.insert(problems.begin(), reading.begin(), reading.end());
+  const std::size_t before_runs = problems.size();
   if (problems.empty())
     experiment.runs =
         cover ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, problems)
               : expand_sweep(settings, folder, experiment.axes, problems);
-  // What no combination mends is wrong beside the sweep.
-  if (cover && !problems.empty() && experiment.runs.empty()) {
+  // What no combination mends is wrong beside the sweep; without an axis there is nothing else to be wrong.
+  if (cover && experiment.runs.empty()) {
     ConfigProblems beside;
     check_settings(settings, experiment.axes, beside);
-    if (!beside.empty()) problems = std::move(beside);
+    if (!beside.empty()) problems.resize(before_runs);
+    problems.insert(problems.end(), beside.begin(), beside.end());
   }
   experiment.settings = std::move(settings);
   // With overrides the sweep may be a part of the one that the expectations were written for.
@@ -263,6 +265,11 @@ Experiment load_experiment(const std::filesystem::path& file, std::span<const st
 Experiment parse_experiment(std::string_view text, std::string_view source_name,
                             std::span<const std::string> overrides) {
   return parse(text, source_name, {}, overrides);
+}
+
+Experiment parse_config(std::string_view text, const std::filesystem::path& source,
+                        std::span<const std::string> overrides) {
+  return parse(text, source.string(), source, overrides);
 }
 
 }  // namespace bendlab

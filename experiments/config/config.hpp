@@ -82,4 +82,8 @@ Experiment load_experiment(const std::filesystem::path& file, std::span<const st
 Experiment parse_experiment(std::string_view text, std::string_view source_name,
                             std::span<const std::string> overrides = {});
 
+/// The same from the text that a config's file had; a mesh file is relative to that file's folder.
+Experiment parse_config(std::string_view text, const std::filesystem::path& source,
+                        std::span<const std::string> overrides = {});
+
 }  // namespace bendlab

@@ -125,8 +125,8 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
   std::size_t points = 1;
   for (const auto& [pointer, given] : sweep.items()) {
     const Json values = listed(settings, pointer, given);
-    const auto contained =
-        std::ranges::find_if(axes, [&](const Axis& a) { return lies_within(a.first, pointer); });
+    const auto contained = std::ranges::find_if(
+        axes, [&within = pointer](const Axis& a) { return lies_within(a.first, within); });
     if (std::ranges::find(known, pointer) == known.end())
       problems.push_back({axis_pointer(pointer), "cannot be swept: " + unknown_pointer_text(pointer, known)});
     else if (!values.is_array() || values.empty())

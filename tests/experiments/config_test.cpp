@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
@@ -444,6 +445,18 @@ TEST_CASE("config: physical stiffness goes with what the model is made of") {
              ContainsSubstring("one of k, k_per_step, compliance,"));
 }
 
+TEST_CASE("config: stiffnesses that contradict each other are named") {
+  const auto refused = [](const std::string& bending, const std::string& both) {
+    INFO(bending);
+    CHECK_THAT(
+        only_problem(with(R"("bending": {"model": "dihedral", )" + bending + "}"), "/bending/stiffness"),
+        Catch::Matchers::ContainsSubstring(both + " are given"));
+  };
+  refused(R"("k": 0.5, "compliance": 1)", "k and compliance");
+  refused(R"("k": 0.5, "flexural_rigidity": 1e-4)", "k and a rigidity");
+  refused(R"("compliance": 1, "flexural_rigidity": 1e-4)", "compliance and a rigidity");
+}
+
 TEST_CASE("config: of a stiffness only what it uses is part of the result") {
   const std::string settings = R"("k": 0.3, "compliance": 2, "flexural_rigidity": 1e-5, "at_curvature": 40)";
   const auto kept = [&](const std::string& kind) {
@@ -455,6 +468,22 @@ TEST_CASE("config: of a stiffness only what it uses is part of the result") {
   CHECK(kept("physical")["flexural_rigidity"] == 1e-5);
   CHECK_FALSE(kept("compliance").contains("flexural_rigidity"));
   CHECK_FALSE(kept("compliance").contains("at_curvature"));
+}
+
+TEST_CASE("config: a scene's solver has the settings of its method") {
+  const Scene cut = build_scene(single_run(with(R"("solver": {"flight_limit": 0.7})")));
+  CHECK(own_settings(cut.input).number("flight_limit") == 0.7);
+  const Scene whole = build_scene(single_run(with(R"("solver": {"flight_limit": 0})")));
+  CHECK(own_settings(whole.input).number("flight_limit") == 0);
+}
+
+TEST_CASE("config: a scene counts the springs that join no neighbours") {
+  const auto beyond = [](const std::string& bending) {
+    return build_scene(single_run(with(R"("mesh": {"cells": 4}, "pins": {"vertices": []},
+                                        "bending": )" + bending))).springs_beyond_ring_1;
+  };
+  CHECK(beyond(R"({"model": "crossover"})") == 40);  // one over each of 56 - 16 interior edges
+  CHECK(beyond(R"({"model": "k_ring", "k_ring": {"k": 1}})") == 0);
 }
 
 TEST_CASE("config: a scene with a physical stiffness has it at a compliance of 1") {

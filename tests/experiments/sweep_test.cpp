@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "experiments/campaign/run_labels.hpp"
+#include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;
@@ -57,6 +59,19 @@ TEST_CASE("sweep: every combination in order, the last axis fastest") {
   REQUIRE(swept.runs[4].point.size() == 2);
   CHECK(swept.runs[4].point[0] == std::pair<std::string, Json>("/bending/model", "adaptive"));
   CHECK(swept.runs[4].point[1] == std::pair<std::string, Json>("/mesh/cells", 32));
+}
+
+TEST_CASE("sweep: a run and its folder are named after its place") {
+  const Experiment swept =
+      experiment(R"("sweep": {"/mesh/cells": [8, 16], "/bending/model": ["lod", "isometric"]})");
+  const Experiment single = experiment(R"("mesh": {"cells": 8})");
+  const RunConfig& third = swept.runs.at(2);
+  CHECK(run_text({&swept, &third}) == "t (cells 16, model lod)");
+  CHECK(place_text({&swept, &third}) == "cells 16, model lod");
+  CHECK(run_folder("out", swept, third, "0123") == "out/t/cells=16,model=lod-0123");
+  CHECK(run_text({&single, &single.runs.at(0)}) == "t");
+  CHECK(place_text({&single, &single.runs.at(0)}) == "t");
+  CHECK(run_folder("out", single, single.runs.at(0), "0123") == "out/t/0123");
 }
 
 TEST_CASE("sweep: an empty sweep is a single run") {

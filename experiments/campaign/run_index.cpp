@@ -1,0 +1,212 @@
+#include "experiments/campaign/run_index.hpp"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string_view>
+#include <unordered_map>
+
+#include "bendlab/io/disk.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "experiments/config/strict_json.hpp"
+#include "experiments/run/checked_read.hpp"
+#include "experiments/run/run.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Json keeps the order of names, and looks for one from the first to the last: too slow for thousands of
+// runs.
+using nlohmann::json;
+
+constexpr const char* index_name = "runs.index";
+constexpr std::string_view first_line = "bendlab index 1\n";
+
+bool is_finished_name(std::string_view name) {
+  return name.ends_with(".vtkhdf");
+}
+
+bool is_run_file(std::string_view name) {
+  return is_finished_name(name) || (name.starts_with("run.vtkhdf") && name.ends_with(".part"));
+}
+
+/// By which a file is known to be the one that was read.
+struct Stamp {
+  std::int64_t size = -1, modified = 0, changed = 0;  // bytes; ns
+
+  static Stamp of(const fs::path& file) {
+    constexpr std::int64_t second = 1'000'000'000;
+    struct stat status {};
+    if (::stat(file.c_str(), &status) != 0) return {};
+    return {status.st_size, status.st_mtim.tv_sec * second + status.st_mtim.tv_nsec,
+            status.st_ctim.tv_sec * second + status.st_ctim.tv_nsec};
+  }
+  bool operator==(const Stamp&) const = default;
+};
+
+std::string dumped(const json& value) {
+  return value.dump(-1, ' ', false, json::error_handler_t::replace);  // no tab and no new line is left in it
+}
+
+// A number of a run; JSON has none that is not finite.
+json number_json(double number) {
+  return std::isfinite(number) ? json(number)
+         : std::isnan(number)  ? json()
+                               : json(number > 0 ? "inf" : "-inf");
+}
+
+double number_of(const json& value) {
+  if (value.is_number()) return value.get<double>();
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return value.is_null() ? std::nan("") : value == json("inf") ? infinity : -infinity;
+}
+
+std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord& run) {
+  json passes = json::array(), summary = json::object();
+  for (const PassTime& pass : run.passes) passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
+  for (const auto& [name, value] : run.summary) summary[name] = number_json(value);
+  const json head = {{"id", run.id},
+                     {"name", run.name},
+                     {"status", to_string(run.status)},
+                     {"frames", run.frames},
+                     {"wall_s", number_json(run.wall_s)},
+                     {"cpu_s", number_json(run.cpu_s)},
+                     {"step_cpu_s", number_json(run.step_cpu_s)},
+                     {"metrics", run.metrics},
+                     {"constraints", run.constraints},
+                     {"passes", std::move(passes)}};
+  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", fs::relative(run.file, folder).string(), stamp.size,
+                     stamp.modified, stamp.changed, dumped(head), dumped(summary), dumped(run.provenance),
+                     Json::parse(run.config).dump());
+}
+
+/// A line in its parts; views of the index's text.
+struct Entry {
+  Stamp stamp;
+  std::string_view line, head, summary, provenance, config;
+
+  RunRecord record(const fs::path& file) const {
+    const json first = json::parse(head);
+    RunRecord run{.file = file,
+                  .id = first.at("id"),
+                  .name = first.at("name"),
+                  .status = named<RunStatus>(first.at("status").get<std::string>(), run_status_names),
+                  .frames = first.at("frames"),
+                  .wall_s = number_of(first.at("wall_s")),
+                  .cpu_s = number_of(first.at("cpu_s")),
+                  .step_cpu_s = number_of(first.at("step_cpu_s")),
+                  .provenance = json::parse(provenance),
+                  .config = std::string(config),
+                  .metrics = first.at("metrics"),
+                  .constraints = first.at("constraints")};
+    for (const json& pass : first.at("passes"))
+      run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
+    const json numbers = json::parse(summary);
+    for (const auto& [name, value] : numbers.items()) run.summary[name] = number_of(value);
+    return run;
+  }
+};
+
+/// The index of a folder as it is on the disk.
+class Index {
+ public:
+  explicit Index(const fs::path& folder) {
+    std::ifstream stream(folder / index_name, std::ios::binary);
+    text_.assign(std::istreambuf_iterator<char>(stream), {});
+    const std::size_t last = text_.size() < 2 ? 0 : text_.rfind('\n', text_.size() - 2) + 1;
+    if (!text_.starts_with(first_line) || last < first_line.size()) return;
+    if (text_.substr(last) != hex_hash(text_.substr(0, last)) + "\n") return;
+    std::string_view rest = std::string_view(text_).substr(first_line.size(), last - first_line.size());
+    while (!rest.empty()) {
+      const std::size_t end = rest.find('\n');
+      add(rest.substr(0, end + 1));
+      rest.remove_prefix(end + 1);
+    }
+  }
+  Index(const Index&) = delete;
+  Index& operator=(const Index&) = delete;
+
+  std::size_t size() const { return entries_.size(); }
+  const Entry* find(const std::string& path) const {
+    const auto found = entries_.find(path);
+    return found == entries_.end() ? nullptr : &found->second;
+  }
+
+ private:
+  void add(std::string_view line) {
+    std::array<std::string_view, 8> part;
+    std::string_view rest = line.substr(0, line.size() - 1);
+    for (std::string_view& each : part) {
+      const std::size_t end = std::min(rest.find('\t'), rest.size());
+      each = rest.substr(0, end);
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    const auto integer = [](std::string_view text) {
+      std::int64_t value = -1;
+      std::from_chars(text.data(), text.data() + text.size(), value);
+      return value;
+    };
+    entries_[part[0]] = {
+        {integer(part[1]), integer(part[2]), integer(part[3])}, line, part[4], part[5], part[6], part[7]};
+  }
+
+  std::string text_;
+  std::unordered_map<std::string_view, Entry> entries_;  // by path
+};
+
+}  // namespace
+
+std::vector<fs::path> find_run_files(const fs::path& folder) {
+  if (!fs::is_directory(folder)) throw RunFileError(fmt::format("there is no folder '{}'", folder.string()));
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder))
+    if (is_run_file(entry.path().filename().native()) && entry.is_regular_file())
+      files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+std::vector<RunRecord> read_runs(const fs::path& folder,
+                                 const std::function<void(const std::string&)>& unreadable) {
+  const std::vector<fs::path> files = find_run_files(folder);
+  const Index index(folder);
+  std::vector<RunRecord> runs;
+  runs.reserve(files.size());
+  std::string text(first_line);
+  std::size_t known = 0, finished = 0;
+  const std::size_t prefix = folder.native().size() + (folder.native().ends_with('/') ? 0 : 1);
+  for (const fs::path& file : files) try {
+      const Stamp stamp = Stamp::of(file);
+      const Entry* const entry = index.find(file.native().substr(prefix));
+      if (entry && entry->stamp == stamp) {
+        runs.push_back(entry->record(file));
+        text += entry->line;
+        ++known, ++finished;
+        continue;
+      }
+      runs.push_back(read_checked(file));
+      if (!is_finished_name(file.native())) continue;
+      text += line_of(folder, stamp, runs.back());
+      ++finished;
+    } catch (const std::exception& error) {
+      unreadable(error.what());
+    }
+  if (known == index.size() && known == finished) return runs;
+  try {
+    replace_file(folder / index_name, text + hex_hash(text) + "\n", Wait::no);
+  } catch (const RunFileError&) {  // somebody else's folder
+  }
+  return runs;
+}
+
+}  // namespace bendlab

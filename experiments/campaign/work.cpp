@@ -1,0 +1,112 @@
+#include "experiments/campaign/work.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <system_error>
+#include <thread>
+
+#include "bendlab/io/claim.hpp"
+#include "experiments/campaign/run_index.hpp"
+#include "experiments/terminal/signals.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+/// Runs that were left to their owners, and how those are seen to do.
+class Left {
+ public:
+  Left(const std::vector<CampaignRun>& runs, std::chrono::duration<double> lease) : lease_(lease) {
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (runs[i].outcome && runs[i].outcome->left) {
+        const fs::path folder = runs[i].outcome->file.parent_path();
+        watched_.push_back({i, folder, heartbeat_in(folder)});
+      }
+  }
+
+  /// Waits until each run is known to be without a living owner (returned: it is to be computed, or is over),
+  /// or to have one.
+  std::vector<std::size_t> wait() {
+    std::vector<std::size_t> free;
+    const Clock::time_point begin = Clock::now();
+    while (!watched_.empty() && !stop_flag()) {
+      const bool late = Clock::now() - begin > lease_;
+      std::erase_if(watched_, [&](const Watched& each) {
+        const std::string now = heartbeat_in(each.folder);
+        const bool lives = !now.empty() && now != each.heartbeat;
+        if (now.empty() || (late && !lives)) free.push_back(each.run);
+        return now.empty() || lives || late;
+      });
+      if (!watched_.empty()) std::this_thread::sleep_for(1s);
+    }
+    return free;
+  }
+
+ private:
+  struct Watched {
+    std::size_t run;
+    fs::path folder;
+    std::string heartbeat;
+  };
+  std::chrono::duration<double> lease_;
+  std::vector<Watched> watched_;
+};
+
+}  // namespace
+
+std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, const CampaignOptions& options,
+                                 std::chrono::duration<double> lease) {
+  std::vector<CampaignRun> runs = plan_campaign(experiments);
+  CampaignOptions part = options;
+  part.when_owned = WhenOwned::leave;
+  run_campaign(runs, part, [](std::size_t) {});
+  part.when_owned = WhenOwned::leave_living;
+  for (;;) {
+    const std::vector<std::size_t> free = Left(runs, lease).wait();
+    if (free.empty() || stop_flag()) return runs;
+    std::vector<CampaignRun> again;
+    for (const std::size_t run : free)
+      again.push_back({.experiment = runs[run].experiment, .config = runs[run].config});
+    run_campaign(again, part, [](std::size_t) {});
+    const auto is_left = [](const CampaignRun& run) { return run.outcome && run.outcome->left; };
+    const bool all_left = std::ranges::all_of(again, is_left);
+    for (std::size_t i = 0; i < free.size(); ++i) runs[free[i]] = again[i];
+    if (all_left) return runs;  // their owners live, and are silent: stopped, perhaps
+  }
+}
+
+std::vector<PlannedState> states_of(const PlanOverview& plan,
+                                    const std::function<void(const std::string&)>& unreadable) {
+  std::set<fs::path> folders;
+  for (const PlannedRun& run : plan.runs) folders.insert(run.folder.parent_path());
+  std::map<fs::path, RunRecord> found;  // by folder
+  for (const fs::path& folder : folders) {
+    std::error_code none;
+    if (!fs::is_directory(folder, none)) continue;
+    for (RunRecord& run : read_runs(folder, unreadable))
+      if (const fs::path place = run.file.parent_path(); is_over(run.status))
+        found.emplace(place, std::move(run));
+  }
+  std::vector<PlannedState> states;
+  for (const PlannedRun& run : plan.runs) {
+    using Kind = PlannedState::Kind;
+    PlannedState& state = states.emplace_back();
+    if (const auto over = found.find(run.folder); over != found.end() && over->second.id == run.id) {
+      const RunRecord& record = over->second;
+      state = {Kind::over, record.status, "", record.wall_s, record.cpu_s};
+    } else if (std::string owner = owner_of(run.folder); !owner.empty()) {
+      state = {.kind = Kind::running, .text = std::move(owner)};
+    } else if (std::string failure = failure_in(run.folder); !failure.empty()) {
+      state = {.kind = Kind::failed, .text = std::move(failure)};
+    } else if (!unfinished_files(run.folder).empty() || fs::exists(run.folder / "run.vtkhdf")) {
+      state.kind = Kind::interrupted;
+    }
+  }
+  return states;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,228 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <map>
+#include <system_error>
+
+#include "bendlab/io/disk.hpp"
+#include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/plan_file.hpp"
+#include "experiments/campaign/sweep_file.hpp"
+#include "experiments/campaign/work.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/load_experiments.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/config/counted.hpp"
+#include "experiments/terminal/signals.hpp"
+#include "experiments/terminal/table.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// "2/8" → the third of eight.
+Shard shard_of(const std::string& text) {
+  std::size_t index = 0, count = 0;
+  int read = 0;
+  if (std::sscanf(text.c_str(), "%zu/%zu%n", &index, &count, &read) != 2 ||
+      static_cast<std::size_t>(read) != text.size() || index >= count)
+    throw UsageError(fmt::format("--shard: '{}' is not of the form i/n with 0 ≤ i < n, such as 0/8", text));
+  return {index, count};
+}
+
+void say(const std::string& what) {
+  fmt::print(stderr, "bendlab: {}\n", what);
+}
+
+std::string seconds_text(double seconds) {
+  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
+  if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
+  return fmt::format("{:.3g} h", seconds / 3600);
+}
+
+/// Tasks of which each is expected to last a minute, as far as there are as many; at most `most`.
+std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::size_t most) {
+  constexpr double shortest_task_s = 60;
+  double sum = 0, longest = 0;
+  for (const double each : expected_s) sum += each, longest = std::max(longest, each);
+  const double by_time = std::floor(sum / (shortest_task_s * cpus));
+  const auto tasks = static_cast<std::size_t>(std::clamp(by_time, 1.0, static_cast<double>(most)));
+  return std::min(tasks, expected_s.size());
+}
+
+/// For a shell: in single quotes.
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+fs::path this_program() {
+  std::error_code error;
+  fs::path program = fs::read_symlink("/proc/self/exe", error);
+  return error ? fs::path("bendlab") : program;
+}
+
+std::string batch_file(const fs::path& plan, const std::string& name, std::size_t tasks,
+                       const SubmitArguments& arguments) {
+  constexpr int notice_s = 60;  // before a time limit: enough for a checkpoint
+  std::string head =
+      fmt::format("#!/bin/bash\n#SBATCH --job-name=bendlab-{}\n#SBATCH --array=0-{}\n#SBATCH --ntasks=1\n",
+                  name, tasks - 1);
+  head += fmt::format("#SBATCH --cpus-per-task={}\n", arguments.cpus);
+  if (!arguments.time.empty()) head += fmt::format("#SBATCH --time={}\n", arguments.time);
+  head +=
+      fmt::format("#SBATCH --requeue\n#SBATCH --open-mode=append\n#SBATCH --signal=B:TERM@{}\n", notice_s);
+  head += fmt::format("#SBATCH --output={}/%a.log\n", fs::path(plan).replace_extension(".logs").string());
+  for (const std::string& option : arguments.sbatch) head += fmt::format("#SBATCH {}\n", option);
+  return head + fmt::format(R"(
+{} work {} --shard "$SLURM_ARRAY_TASK_ID/{}" --jobs {} &
+worker=$!
+trap 'kill -TERM "$worker" 2>/dev/null' TERM
+wait "$worker"
+code=$?
+while kill -0 "$worker" 2>/dev/null; do  # a signal ended the wait, not the worker
+  wait "$worker"
+  code=$?
+done
+# Stopped by a time limit: the runs are at their checkpoints, and the task goes on from there.
+if [ "$code" -eq 143 ]; then
+  scontrol requeue "${{SLURM_ARRAY_JOB_ID}}_${{SLURM_ARRAY_TASK_ID}}"
+fi
+exit "$code"
+)",
+                            shell_quoted(this_program().string()), shell_quoted(plan.string()), tasks,
+                            arguments.cpus);
+}
+
+/// What sbatch printed: the job's number. Throws UsageError where there is no sbatch, or it refuses.
+std::string submit(const fs::path& batch) {
+  const std::string command = fmt::format("sbatch --parsable {} 2>&1", shell_quoted(batch.string()));
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
+  if (!pipe) throw UsageError("no process can be started for sbatch");
+  std::string output;
+  std::array<char, 4096> block{};
+  while (const std::size_t got = std::fread(block.data(), 1, block.size(), pipe))
+    output.append(block.data(), got);
+  const int status = ::pclose(pipe);
+  while (output.ends_with('\n')) output.pop_back();
+  if (status != 0)
+    throw UsageError(
+        fmt::format("Slurm's sbatch did not take {}: {}. The plan is written; 'bendlab work' does it "
+                    "without Slurm",
+                    batch.string(), output));
+  return output;
+}
+
+}  // namespace
+
+int work_command(const WorkArguments& arguments, CampaignOptions options, bool json) {
+  options.shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
+  const Plan plan = load_plan(arguments.plan);
+  options.out = plan.out;
+  catch_stop_signals();
+  for (const Experiment& experiment : plan.experiments) write_sweep_file(plan.out, experiment);
+  const std::vector<CampaignRun> runs = work_on(plan.experiments, options);
+  std::size_t computed = 0, found = 0, left = 0, failed = 0;
+  for (const CampaignRun& run : runs) {
+    if (!run.error.empty()) ++failed;
+    if (!run.outcome) continue;
+    if (run.outcome->left)
+      ++left;
+    else if (run.outcome->reused)
+      ++found;
+    else if (is_over(run.outcome->status))
+      ++computed;
+    if (json && !run.outcome->left && !run.outcome->reused) fmt::print("{}\n", run_json(run).dump());
+  }
+  say(fmt::format("{} of {} computed here, {} by others, {} at work elsewhere, {} failed", computed,
+                  counted(runs.size(), "run"), found, left, failed));
+  if (stop_exit_code() != 0)
+    say("stopped; what was at work is at its checkpoint, and the same command goes on from there");
+  return campaign_exit_code(runs);
+}
+
+int status_command(const fs::path& file, bool json) {
+  const PlanOverview plan = read_plan(file);
+  const std::vector<PlannedState> states = states_of(plan, say);
+  using Kind = PlannedState::Kind;
+  std::map<std::string, std::size_t> count;
+  double done_s = 0, expected_of_done = 0, expected_left = 0;
+  const auto name_of = [](const PlannedState& state) -> std::string {
+    constexpr std::array names = {"over", "running", "failed", "interrupted", "waiting"};
+    return state.kind == Kind::over ? to_string(state.status)
+                                    : names.at(static_cast<std::size_t>(state.kind));
+  };
+  Table table({"state", "run", ""});
+  bool any = false;
+  for (std::size_t i = 0; i < states.size(); ++i) {
+    const PlannedState& state = states[i];
+    ++count[name_of(state)];
+    if (state.kind == Kind::over)
+      done_s += state.cpu_s, expected_of_done += plan.runs[i].expected_s;
+    else
+      expected_left += plan.runs[i].expected_s;
+    if (json)
+      fmt::print("{}\n", Json{{"id", plan.runs[i].id},
+                              {"run", plan.runs[i].text},
+                              {"folder", plan.runs[i].folder.string()},
+                              {"state", name_of(state)},
+                              {"text", state.text},
+                              {"expected_s", plan.runs[i].expected_s},
+                              {"wall_s", state.wall_s},
+                              {"cpu_s", state.cpu_s}}
+                             .dump());
+    if (state.kind == Kind::running || state.kind == Kind::failed) {
+      table.add_row({name_of(state), plan.runs[i].text, state.text});
+      any = true;
+    }
+  }
+  if (json) return exit_ok;
+  std::vector<std::string> parts;
+  for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
+  fmt::print("{}: {}\n", counted(states.size(), "run"), fmt::join(parts, ", "));
+  if (expected_left > 0 && done_s > 0)
+    fmt::print("took {} of CPU time so far; as much as {} may be left\n", seconds_text(done_s),
+               seconds_text(expected_left * done_s / expected_of_done));
+  if (any) fmt::print("\n{}", table.text());
+  return exit_ok;
+}
+
+int submit_command(const ConfigArguments& configs, const fs::path& out, const SubmitArguments& arguments) {
+  const std::vector<Experiment> experiments = load_experiments(configs);
+  std::vector<double> expected_s;
+  std::string ids;  // another plan has another name
+  for (const CampaignRun& run : plan_campaign(experiments)) {
+    expected_s.push_back(expected_cpu_s(*run.config));
+    ids += run_id(*run.config);
+  }
+  const std::size_t tasks =
+      arguments.tasks > 0
+          ? std::min<std::size_t>(static_cast<std::size_t>(arguments.tasks), expected_s.size())
+          : task_count(expected_s, arguments.cpus, 1000);
+  const std::string name = experiments.front().name;
+  const fs::path plan =
+      fs::absolute(out / "plans" / fmt::format("{}-{}.plan.json", name, hex_hash(ids).substr(0, 8)))
+          .lexically_normal();
+  const std::string text = batch_file(plan, name, tasks, arguments);
+  if (arguments.dry_run) {
+    fmt::print("{}", text);
+    return exit_ok;
+  }
+  write_plan(plan, experiments, out);
+  make_folder(fs::path(plan).replace_extension(".logs"));
+  const fs::path batch = fs::path(plan).replace_extension(".sbatch");
+  replace_file(batch, text);
+  const std::string job = submit(batch);
+  fmt::print("job {}: {} in {}; 'bendlab status {}' shows how far they are\n", job,
+             counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
+  return exit_ok;
+}
+
+}  // namespace bendlab
