@@ -9,6 +9,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "bendlab/bending/bend_spans.hpp"
+#include "bendlab/bending/stiffness_fit.hpp"
 #include "bendlab/bending/unit_bend.hpp"
 #include "bendlab/mesh/delaunay.hpp"
 #include "tests/bending/shapes.hpp"
@@ -366,6 +368,52 @@ TEST_CASE("hinges of a curved rest shape are calibrated in their own planes", "[
   for (std::size_t c = 0; c < list.size(); ++c)
     if (std::abs(rest.position(list.vertices[c][0]).z()) < 0.1)
       CHECK_THAT(1 / list.softness[c], WithinRel(3e-5 * 2 / std::numbers::sqrt3, 0.03));
+}
+
+TEST_CASE("a hinge's span is what a clamp leaves of its two triangles", "[bending][calibration]") {
+  TriangleMesh mesh;
+  mesh.positions.resize(4, 3);
+  mesh.positions << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, -1, 0;
+  mesh.triangles.resize(2, 3);
+  mesh.triangles << 0, 1, 2, 1, 0, 3;
+  const RestMesh rest(mesh);
+  const std::array<int, 4> hinge = {0, 1, 2, 3};
+  const auto span = [&](std::vector<int> pinned) {
+    return hinge_span(hinge, make_pins(rest, std::move(pinned), 0));
+  };
+  for (const std::vector<int>& pinned : {std::vector<int>{}, {0, 1}, {0, 2}, {1, 3}, {0, 2, 3}}) {
+    CHECK(span(pinned).seen == 1);  // no triangle with three pinned corners
+    CHECK(span(pinned).shares.size() == 4);
+  }
+  for (const int held : {2, 3}) {
+    const Span half = span({0, 1, held});
+    CHECK(half.seen == 0.5);
+    double sum = 0;
+    for (const Share& share : half.shares) {
+      CHECK(share.vertex != held);
+      sum += static_cast<double>(share.part);
+    }
+    CHECK_THAT(sum, WithinAbs(1.0, 1e-6));
+  }
+  CHECK(span({0, 1, 2, 3}).seen == 0);
+}
+
+TEST_CASE("how well stiffnesses fit is told of the vertices that a constraint reaches",
+          "[bending][calibration]") {
+  // One constraint gives two vertices three quarters and one quarter of its energy; nothing reaches the
+  // third. With the right sum the first two have 3/2 and 1/2 of what was wanted.
+  StiffnessFit fit(3);
+  double softness = 1;
+  ByDirection energy;
+  energy.fill(5);
+  fit.add(softness, energy, {{0, 0.75F}, {1, 0.25F}});
+  std::map<std::string, double> told;
+  for (const BendingFact& fact : fit.meet({1, 1, 1}, 1, "fit")) told[fact.name] = fact.value;
+  CHECK_THAT(told["fit_rms"], WithinRel(0.5, 1e-12));
+  CHECK_THAT(told["fit_worst"], WithinRel(0.5, 1e-12));
+  CHECK_THAT(told["fit_unreached"], WithinRel(1.0 / 3, 1e-12));
+  CHECK_THAT(told["fit_factor"], WithinRel(0.4, 1e-12));  // 2 of 5 units of energy
+  CHECK_THAT(softness, WithinRel(2.5, 1e-12));
 }
 
 TEST_CASE("calibration refuses what it cannot give", "[bending][calibration]") {

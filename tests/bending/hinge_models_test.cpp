@@ -3,6 +3,7 @@
 #include <numbers>
 #include <random>
 
+#include "bendlab/bending/rest_hinges.hpp"
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
@@ -98,6 +99,20 @@ TEST_CASE("moments follow the laws of their papers", "[bending]") {
     // The flaps' distance 2 h cos(θ/2): a spring is cubic near flat and strongest folded shut.
     check({"crossover"}, 2 * height * height * (1 - std::cos(theta / 2)) * std::sin(theta / 2));
   }
+}
+
+TEST_CASE("a triangle without area has no hinge", "[bending]") {
+  // A triangle of height h on an edge of length 1: below 10⁻⁷ of the mesh's size it counts as a line, whose
+  // normal is rounding.
+  const auto hinges = [](double h) {
+    TriangleMesh mesh;
+    mesh.positions = (Positions(4, 3) << 0, 0, 0, 1, 0, 0, 0.5, 1, 0, 0.5, -h, 0).finished();
+    mesh.triangles = (Triangles(2, 3) << 0, 1, 2, 1, 0, 3).finished();
+    const RestMesh rest(mesh);
+    return rest_hinges(rest, make_pins(rest, {}, 0)).size();
+  };
+  CHECK(hinges(1e-4) == 1);
+  CHECK(hinges(1e-9) == 0);
 }
 
 TEST_CASE("signed hinges keep the sense of a fold up to 170 degrees", "[bending]") {

@@ -168,7 +168,8 @@ TEST_CASE("hinges have the stated rigidity at the deflection that was asked for"
     CHECK_THAT(fact(large, "small_deflection"), WithinRel(0.75, 0.02));  // its hinges are only nearly alike
     CHECK_THAT(fact(small, "small_deflection"), WithinRel(1.0, 1e-9));
     CHECK_THAT(fact(small, "large_deflection") * fact(large, "small_deflection"),
-               WithinRel(fact(large, "large_deflection"), 1e-9));  // one factor for all
+               WithinRel(fact(large, "large_deflection"), 1e-9));                       // one factor for all
+    CHECK_THAT(fact(small, "linear_rms"), WithinAbs(fact(large, "linear_rms"), 1e-9));  // of what was wanted
     CHECK_THAT(
         test::energy(small, test::bent(rest, 0.1, 0.3)) / test::energy(large, test::bent(rest, 0.1, 0.3)),
         WithinRel(1 / fact(large, "small_deflection"), 1e-9));

@@ -78,6 +78,20 @@ TEST_CASE("both dampings keep linear and angular momentum and take energy", "[ef
     }
 }
 
+TEST_CASE("constraint damping acts on every constraint in every substep, if it acts", "[effects]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
+  input.settings.substeps = 3;
+  const std::uint64_t constraints = 32 + 40;  // triangles, and springs over the 56 - 16 interior edges
+  for (const double rate : {0.0, 1.0}) {
+    const auto simulation =
+        make_simulation<double>(input, test::effect_passes<double>("constraint_damping", "rate", rate));
+    REQUIRE(simulation->step());
+    for (const PassStatistics& pass : simulation->passes())
+      if (pass.name == "constraint_damping") CHECK(pass.acted == (rate > 0 ? 3 * constraints : 0));
+  }
+}
+
 TEST_CASE("rigid damping is a rate: it does not depend on substeps", "[effects]") {
   const SimulationInput input = moving_sheet(4);
   const auto passes = [](double rate, int times) {

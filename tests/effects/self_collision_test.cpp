@@ -235,6 +235,26 @@ TEMPLATE_TEST_CASE("a correction keeps both momenta", "[effects][self_collision]
   CHECK(corrected >= 20);
 }
 
+TEMPLATE_TEST_CASE("a pair comes apart from where it is at the start of each substep",
+                   "[effects][self_collision]", float, double) {
+  // A vertex above a triangle, nearer than the thickness. In a tenth of 0.02 s it comes apart by a tenth of
+  // the thickness, whether its pair was just found or is known from the substep before.
+  const RestMesh rest = two_triangles();
+  Positions at = rest.positions();
+  at.bottomRows(3) << 0.03, 0.03, 0.004, 0.02, 0.05, 0.1, 0.05, 0.02, 0.1;
+  const std::vector<double> mass(6, 1);
+  auto passes = collision<TestType>(rest);
+  for (const double height : {0.004, 0.003, 0.0035}) {
+    at(3, 2) = height;
+    State<TestType> state = state_on_the_way<TestType>(at, at, mass);
+    CHECK(run(passes, Stage::project, state, 0.002) == 1);
+    const Corners x = rows(positions_of(state), {3, 0, 1, 2});
+    CHECK_THAT(shortest_gap(Pairing::vertex_triangle, x).vector.norm(),
+               WithinRel(height + 0.1 * thickness, 1e-4));
+    run(passes, Stage::velocity, state, 0.002);
+  }
+}
+
 TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
   const RestMesh rest(delaunay(1, 1, 10, 4));
   const auto pairs = all_pairs(rest);
@@ -349,6 +369,33 @@ TEMPLATE_TEST_CASE("what the iterations leave crossed does not stay crossed", "[
       from = end;
     }
   }
+}
+
+TEMPLATE_TEST_CASE("cloth between two pinned triangles that shut goes with their mean",
+                   "[effects][self_collision]", float, double) {
+  // A free triangle lies between two pinned ones. The upper one comes down to a gap that holds no cloth, so
+  // that no order of pushes ends. All three then move as one: by the mean of what the pinned ones move.
+  TriangleMesh mesh;
+  mesh.positions.resize(9, 3);
+  mesh.positions << 0, 0, 0, 0.1, 0, 0, 0, 0.1, 0, 1, 0, 0, 1.1, 0, 0, 1, 0.1, 0, 2, 0, 0, 2.1, 0, 0, 2, 0.1,
+      0;
+  mesh.triangles = (Triangles(3, 3) << 0, 1, 2, 3, 4, 5, 6, 7, 8).finished();
+  const RestMesh rest(mesh);
+  Positions from = rest.positions();
+  from.middleRows(3, 3) = from.topRows(3), from.bottomRows(3) = from.topRows(3);
+  from.middleRows(3, 3).col(2).setConstant(0.01);
+  from.bottomRows(3) << 0.02, 0.02, 0.005, 0.04, 0.02, 0.005, 0.02, 0.04, 0.005;
+  Positions to = from;
+  to.middleRows(3, 3).col(2).setConstant(1e-5);
+  State<TestType> state = state_on_the_way<TestType>(from, to, std::vector<double>(9, 1.0));
+  for (std::size_t v = 0; v < 6; ++v) state.position[v].w = state.previous[v].w = 0;
+  auto passes = collision<TestType>(rest);
+  run(passes, Stage::velocity, state);
+  const Positions end = positions_of(state);
+  CHECK((end.topRows(6) - to.topRows(6)).cwiseAbs().maxCoeff() < 1e-8);  // rounding to float
+  Positions expected = from.bottomRows(3);
+  expected.col(2).array() -= 0.5 * (0.01 - 1e-5);
+  CHECK((end.bottomRows(3) - expected).cwiseAbs().maxCoeff() < 1e-8);
 }
 
 TEST_CASE("a sheet folded four times falls onto itself without passing through",

@@ -236,6 +236,7 @@ TEST_CASE("cover: what is wrong in every combination is a problem", "[cover]") {
   check_problem(R"("cover": 2, "sweep": {"/mesh/cels": [2, 0]})", "/sweep/~1mesh~1cels", "cannot be swept");
   check_problem(R"("cover": 2, "pins": {"rings": 2}, "sweep": {"/mesh/cells": [2, 4]})", "/pins/rings",
                 "there is no setting 'rings'");
+  check_problem(R"("cover": 2, "pins": {"rings": 2})", "/pins/rings", "there is no setting 'rings'");
   check_problem(R"("cover": 0, "sweep": {"/mesh/cells": [2, 4]})", "/cover/strength", "from 1 to 6");
   check_problem(R"("cover": {"seed": 2})", "/cover/strength", "is missing");
   check_problem(R"("cover": "all")", "/cover", "expected a strength");

@@ -42,6 +42,18 @@ TEST_CASE("substeps for 90 % grow as the share falls, and are those of now where
   CHECK(last > 100);
 }
 
+TEST_CASE("a membrane that is soft is warned of only if it stretches", "[effective stiffness]") {
+  std::map<std::string, double> summary = {{"effective_membrane_stiffness", 0.2},
+                                           {"substeps_for_90_percent_membrane", 80},
+                                           {"mean_strain", 0.005}};
+  CHECK_FALSE(soft_solver_warning(summary));
+  summary["mean_strain"] = 0.02;
+  REQUIRE(soft_solver_warning(summary));
+  CHECK_THAT(*soft_solver_warning(summary), ContainsSubstring("20 % of the membrane stiffness"));
+  summary.erase("mean_strain");  // unknown
+  CHECK(soft_solver_warning(summary));
+}
+
 TEST_CASE("a run that is less than half as stiff as stated gets a warning with the numbers",
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));

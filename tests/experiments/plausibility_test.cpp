@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "experiments/run/recorder.hpp"
+#include "experiments/run/remedies.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
@@ -243,6 +244,16 @@ TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plau
   CHECK(text_of(*back) == text_of(*broken));
   CHECK_FALSE(broken_bound_of(Json::object()));
   CHECK_FALSE(broken_bound_of(Json()));
+}
+
+TEST_CASE("plausible: symmetric sweeps are advised for many substeps that sweep forward", "[plausibility]") {
+  const auto remedies = [](const std::string& solver) {
+    return remedies_for(Bound::energy, scene_of(unpinned + R"(, "solver": {)" + solver + "}"));
+  };
+  CHECK_THAT(remedies(R"("substeps": 1024, "sweep": "forward")"),
+             ContainsSubstring("/solver/sweep: symmetric"));
+  CHECK_THAT(remedies(R"("substeps": 1024, "sweep": "symmetric")"), !ContainsSubstring("/solver/sweep"));
+  CHECK_THAT(remedies(R"("substeps": 10, "sweep": "forward")"), !ContainsSubstring("/solver/sweep"));
 }
 
 TEST_CASE("plausible: the correction of a vertex, by hand", "[plausibility]") {

@@ -107,6 +107,14 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
   }
 }
 
+TEST_CASE("schema: the text of effects has an empty line between two of them, and none before or after") {
+  const std::string text = effects_text();
+  CHECK(text.starts_with(effects().front()->name));
+  for (std::size_t i = 1; i < effects().size(); ++i)
+    CHECK_THAT(text, ContainsSubstring("\n\n" + std::string(effects()[i]->name)));
+  CHECK_FALSE(text.ends_with("\n\n"));
+}
+
 TEST_CASE("schema: every setting that a method reads is in /solver, with one meaning") {
   const std::span<const Parameter> solver = find_section("/solver")->parameters;
   const std::vector<std::string_view> names = names_of(solver);

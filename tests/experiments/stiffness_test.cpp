@@ -1,6 +1,9 @@
 // A cantilever from its config to `bendlab stiffness`, and runs that end when the cloth has come to rest.
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
+#include <random>
 #include <string>
 
 #include "bendlab/io/run_file.hpp"
@@ -32,7 +35,8 @@ constexpr double row = 0.021650635;
 RunConfig strip_config(const std::string& bending) {
   return parse_experiment(
              R"({"name": "strip", "defaults": "paper",
-          "pins": {"vertices": ["left"], "ring": 4}, "bending": )" + bending + "}",
+          "pins": {"vertices": ["left"], "ring": 4}, "bending": )" +
+                 bending + "}",
              "strip")
       .runs.at(0);
 }
@@ -124,6 +128,20 @@ TEST_CASE("The clamp's offset follows from the reach of the bending model", "[st
   CHECK(
       options(R"({"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1e-3})").clamp_offset ==
       0);
+  // Whatever the vertices' numbers are.
+  TriangleMesh mesh = equilateral(0.25, 0.14, 10, Rows::perpendicular);
+  std::vector<int> number(static_cast<std::size_t>(mesh.vertex_count()));
+  std::iota(number.begin(), number.end(), 0);
+  std::shuffle(number.begin(), number.end(), std::mt19937(1));
+  const Positions positions = mesh.positions;
+  for (Eigen::Index v = 0; v < positions.rows(); ++v)
+    mesh.positions.row(number[static_cast<std::size_t>(v)]) = positions.row(v);
+  mesh.triangles =
+      mesh.triangles.unaryExpr([&](int v) { return number[static_cast<std::size_t>(v)]; }).eval();
+  const RestMesh mixed(mesh);
+  const Pins mixed_pins = make_pins(mixed, select_vertices(mixed, "left"), 4);
+  CHECK_THAT(strip_of(strip_config(R"({"model": "crossover"})"), mixed, mixed_pins).options.clamp_offset,
+             WithinRel(2 * row / 4, 1e-6));
   const StripOptions set =
       strip_of(strip_config(R"({"model": "crossover"})"), rest, pins, {.clamp_offset = 0.5, .exclude = 0.25})
           .options;

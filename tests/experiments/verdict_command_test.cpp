@@ -30,6 +30,16 @@ const std::string calm = R"({"name": "calm", "defaults": "paper",
 
 }  // namespace
 
+TEST_CASE("A run is looked at between its frames", "[command line][plausibility]") {
+  Workplace here;
+  here.write("rare.json", R"({"name": "rare", "defaults": "paper",
+          "output": {"frames_per_second": 0.5}, )" + torn_scene);
+  REQUIRE(here.run("run rare.json --json") == 1);  // frames at the start and at the end, after 1 s
+  const json told = here.out_lines().at(0).at("implausible");
+  CHECK(told.at("bound") == "reach");  // stretch is looked at in frames alone
+  CHECK(told.at("time").get<double>() < 0.95);
+}
+
 TEST_CASE("An implausible run is reported and fails the command", "[command line][plausibility]") {
   Workplace here;
   here.write("torn.json", torn);

@@ -144,6 +144,21 @@ TEST_CASE("PLY as text, with other properties and elements between", "[mesh][fil
   CHECK(mesh.triangles == two_triangles);
 }
 
+TEST_CASE("PLY names its types in two ways", "[mesh][files]") {
+  const Folder folder;
+  for (const std::string type : {"char", "int8", "uchar", "uint8", "short", "int16", "ushort", "uint16",
+                                 "int", "int32", "uint", "uint32", "float", "float32", "double", "float64"}) {
+    INFO(type);
+    const TriangleMesh mesh = read_mesh(folder.write(
+        "a.ply", "ply\nformat ascii 1.0\nelement vertex 4\nproperty " + type +
+                     " shade\nproperty float x\nproperty float y\nproperty float z\nelement face 2\n"
+                     "property list uchar int vertex_indices\nend_header\n"
+                     "7 0 0 0\n7 1 0 0\n7 1 1 0\n7 0 1 0\n3 0 1 2\n3 0 2 3\n"));
+    CHECK(mesh.positions == unit_square);
+    CHECK(mesh.triangles == two_triangles);
+  }
+}
+
 TEST_CASE("PLY in both byte orders", "[mesh][files]") {
   const Folder folder;
   for (const bool big_endian : {false, true}) {

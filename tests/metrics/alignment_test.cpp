@@ -54,6 +54,13 @@ TEST_CASE("alignment: what a uniform stretch leaves", "[metrics]") {
   const double spread = std::sqrt((rest.positions().rowwise() - mean).rowwise().squaredNorm().mean());
   const Positions stretched = moved(1.3 * rest.positions(), turn(), {0, 0, 9});
   CHECK_THAT(Alignment(rest).distance(stretched), WithinRel(0.3 * spread, 1e-12));
+
+  TriangleMesh one;
+  one.positions = (Positions(3, 3) << 0, 0, 0, 1, 0, 0, 0.5, std::sqrt(0.75), 0).finished();
+  one.triangles = (Triangles(1, 3) << 0, 1, 2).finished();
+  // Corners of an equilateral triangle are 1/√3 of its edge from its centre.
+  CHECK_THAT(Alignment(RestMesh(one)).distance(moved(1.3 * one.positions, turn(), {0, 0, 9})),
+             WithinRel(0.3 / std::sqrt(3.0), 1e-12));
 }
 
 TEST_CASE("alignment: parts that no edge joins are aligned each by itself", "[metrics]") {

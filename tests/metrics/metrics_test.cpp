@@ -60,6 +60,7 @@ TEST_CASE("energy and momenta of a rigid motion", "[metrics]") {
   CHECK_THAT(motion.kinetic_energy, WithinRel(0.5 * 3 * (9 + 4), 1e-14));
   CHECK_THAT(motion.linear_momentum.z(), WithinRel(6.0, 1e-14));
   CHECK_THAT(motion.angular_momentum.z(), WithinRel(9.0, 1e-14));
+  CHECK(motion.angular_momentum.head<2>().norm() < 1e-13);  // about its centre, which is not the origin
   CHECK_THAT(drop_below(1, Positions(positions.array() - 3), -Vector3::UnitZ()), WithinAbs(2, 1e-14));
 }
 

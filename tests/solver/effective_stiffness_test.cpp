@@ -26,8 +26,8 @@ std::unique_ptr<Simulation> in_gravity(const SimulationInput& input) {
 }
 
 // Two triangles with one free corner that only their hinge carries.
-SimulationInput one_hinge() {
-  const RestMesh rest(grid(0.1, 0.1, 1, 1));
+SimulationInput one_hinge(double size = 0.1) {
+  const RestMesh rest(grid(size, size, 1, 1));
   const std::array<int, 4> corner = rest_hinges(rest, make_pins(rest, {}, 0)).at(0).vertices;
   SimulationInput input =
       test::sheet(rest, make_pins(rest, {corner[0], corner[1], corner[2]}, 0), "dihedral");
@@ -72,6 +72,23 @@ Settled settled(SimulationInput input, int substeps) {
 }
 
 }  // namespace
+
+TEST_CASE("what rounding a hinge's angle has follows from its gradient", "[effective stiffness]") {
+  // Two right triangles on the diagonal of a square, of height h = size / √2: |∇θ| is 1 / h at all four
+  // corners.
+  for (const double size : {0.1, 10.0}) {
+    SimulationInput input = one_hinge(size);
+    const auto simulation = make_simulation<double>(input, {});
+    REQUIRE(simulation->step());
+    REQUIRE(simulation->effective_stiffness());
+    const double rounding = size / 2 * std::numeric_limits<double>::epsilon();  // of the largest coordinate
+    const double alpha = input.bending_stiffness.compliance *
+                         std::get<ElementList<HingeAngle>>(input.elements).softness.at(0) /
+                         std::pow(input.settings.dt / input.settings.substeps, 2);
+    CHECK_THAT(simulation->effective_stiffness()->hinges.rounding,
+               WithinRel(rounding * rounding * 8 / (size * size) / alpha, 1e-9));
+  }
+}
 
 TEMPLATE_TEST_CASE("a single hinge has the stated stiffness", "[effective stiffness]", float, double) {
   SimulationInput input = one_hinge();

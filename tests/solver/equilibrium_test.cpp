@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "bendlab/constraints/energy.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/method.hpp"
 #include "tests/catch.hpp"
@@ -92,6 +93,24 @@ TEST_CASE("a system's gradient and Hessian are the derivatives of its energy", "
       const double tolerance = model == "choi_ko" ? 1e-3 : 1e-6;
       CHECK((hessian.col(i) - column).norm() <= tolerance * hessian.norm());
     }
+  }
+}
+
+TEST_CASE("a system's bending energy is that of its constraints over the compliance", "[solver]") {
+  const RestMesh rest(delaunay(1, 1, 3, 2));
+  for (const std::string_view model : {"crossover", "discrete_shells", "bridson", "isometric", "choi_ko"}) {
+    SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 0), model);
+    input.positions *= 0.8;  // shorter than at rest, as segments have to be that push
+    for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
+      input.positions(v, 2) = 0.05 * std::sin(7 * input.positions(v, 0));
+    const auto energy = [&](double compliance) {
+      return ElasticSystem(compliant(input, 0.3, compliance)).energy(input.positions);
+    };
+    const double bending =
+        elastic_energy(input.distance, input.positions) + elastic_energy(input.elements, input.positions);
+    INFO(model);
+    CHECK(bending > 0);
+    CHECK_THAT(energy(0.5) - energy(1), WithinRel(bending, 1e-6));  // 1 / 0.5 - 1 / 1 = 1
   }
 }
 

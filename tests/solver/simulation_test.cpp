@@ -8,6 +8,7 @@
 #include "bendlab/mesh/numbering.hpp"
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "tests/catch.hpp"
 #include "tests/support.hpp"
 
@@ -63,6 +64,44 @@ TEMPLATE_TEST_CASE("a free sheet falls along the integrator's parabola", "[solve
     CHECK_THAT(end(v, 2), WithinRel(-fall, 1e-9));  // rounding of 180 steps
     CHECK_THAT(end(v, 0), WithinAbs(rest.positions()(v, 0), 1e-9));
     CHECK_THAT(end(v, 1), WithinAbs(rest.positions()(v, 1), 1e-9));
+  }
+}
+
+TEST_CASE("bending of stiffness k = 0 moves nothing, of k = 1 more than of k = 0.1", "[solver]") {
+  const RestMesh rest(grid(1, 1, 6, 6));
+  for (const char* model : {"crossover", "dihedral", "isometric"}) {
+    const auto moved = [&](double k) {
+      SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), model);
+      input.strain_stiffness.warp = input.strain_stiffness.weft = input.strain_stiffness.shear = 0;
+      input.bending_stiffness = {.kind = StiffnessKind::k, .k = k};
+      input.settings.iterations = 1;
+      for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
+        input.positions(v, 2) += 0.1 * std::abs(input.positions(v, 0));
+      const auto simulation = make_simulation<double>(input, {});
+      REQUIRE(simulation->step());
+      return (simulation->positions() - input.positions).norm();
+    };
+    INFO(model);
+    CHECK(moved(0) < 1e-14);
+    CHECK(moved(1) > 2 * moved(0.1));
+    CHECK(moved(0.1) > 1e-6);
+  }
+}
+
+TEST_CASE("nothing has no bytes", "[solver]") {
+  CHECK(bytes_of(Constraints<double>{}) == 0);
+  CHECK(bytes_of(State<float>{}) == 0);
+}
+
+TEST_CASE("projections are counted: every constraint, in every iteration and sweep", "[solver]") {
+  const RestMesh rest(grid(1, 1, 4, 4));
+  for (const Sweep sweep : {Sweep::forward, Sweep::symmetric}) {
+    SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
+    input.settings.substeps = 3, input.settings.iterations = 2, input.settings.sweep = sweep;
+    const auto simulation = make_simulation<double>(input, {});
+    for (int step = 0; step < 5; ++step) REQUIRE(simulation->step());
+    // 32 triangles, and springs over 56 - 16 interior edges.
+    CHECK(simulation->projections() == 5 * 3 * 2 * (sweep == Sweep::symmetric ? 2 : 1) * (32 + 40));
   }
 }
 
