@@ -9,6 +9,8 @@
 namespace bendlab {
 namespace {
 
+constexpr double highest_level = 1e5;  // more edges than any mesh is wide
+
 double rounded(double m, Rounding rounding) {
   switch (rounding) {
     case Rounding::floor:
@@ -30,7 +32,7 @@ Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
   levels.m_unrounded = radius > 0 ? radius / edge : omega / edge * 0.1 + 1;
   const Rounding rounding =
       radius > 0 ? Rounding::round : named<Rounding>(values.text("m_rounding"), rounding_names);
-  levels.m = std::max(static_cast<int>(rounded(levels.m_unrounded, rounding)),
+  levels.m = std::max(static_cast<int>(std::min(highest_level, rounded(levels.m_unrounded, rounding))),
                       static_cast<int>(values.integer("m_min")));
   levels.n = (2 * levels.m + 1) * static_cast<int>(values.integer("n_multiplier"));
   if (!values.boolean("pin_zone")) levels.n = levels.m;

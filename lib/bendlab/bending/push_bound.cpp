@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace bendlab {
@@ -51,7 +52,8 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
     if (const double push = springs.rest_length[s] - length[s]; push > at_rest * length[s])
       springs.rest_length[s] = length[s] + smaller * push, springs.softness[s] *= smaller;
   const double largest = 1 / (1 / tolerated_growth - 1 / bound.stated);  // G that allows the stated excess
-  bound.substeps_factor = static_cast<int>(std::ceil(std::sqrt(bound.growth / largest)));
+  constexpr double most = std::numeric_limits<int>::max();
+  bound.substeps_factor = static_cast<int>(std::min(most, std::ceil(std::sqrt(bound.growth / largest))));
   return bound;
 }
 

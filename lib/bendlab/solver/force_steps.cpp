@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bendlab/constraints/pack.hpp"
+
 namespace bendlab {
 
 template <class Real>

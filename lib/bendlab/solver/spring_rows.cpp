@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "bendlab/constraints/pack.hpp"
+#include "bendlab/constraints/batches.hpp"
 
 namespace bendlab {
 namespace {

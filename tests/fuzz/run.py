@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""Runs the fuzzers one after the other and says what they found.
+
+    tests/fuzz/run.py                        all three, a minute each
+    tests/fuzz/run.py mesh --seconds 3600    one, for an hour
+    tests/fuzz/run.py mesh --input FILE      one input again: what a finding's line says
+
+Each begins with the seeds in tests/fuzz/corpus and with what earlier runs on this machine kept in
+build/fuzz/corpus. Exit code 1 if there is a finding.
+"""
+import argparse
+import os
+import pathlib
+import re
+import subprocess
+import sys
+
+root = pathlib.Path(__file__).resolve().parents[2]
+here = pathlib.Path(__file__).resolve().parent
+names = ["config", "mesh", "run_file"]
+
+# Seconds and MB after which one input is a finding: all are small, so that something goes on without end.
+slowest, most_memory = 20, 4000
+largest = {"config": 4096, "mesh": 8192, "run_file": 4096}  # bytes
+
+
+def build():
+    if not (root / "build/fuzz/build.ninja").exists():
+        subprocess.run(["cmake", "--preset", "fuzz"], cwd=root, check=True, stdout=subprocess.DEVNULL)
+    subprocess.run(["cmake", "--build", "--preset", "fuzz"], cwd=root, check=True, stdout=subprocess.DEVNULL)
+
+
+def environment():
+    # A leak is no finding in the libraries of others. A large allocation that fails throws, as it does
+    # elsewhere.
+    return dict(os.environ, OPENBLAS_NUM_THREADS="1",
+                ASAN_OPTIONS="allocator_may_return_null=1:detect_stack_use_after_return=0",
+                UBSAN_OPTIONS="print_stacktrace=1")
+
+
+def last_number(pattern, text):
+    found = re.findall(pattern, text)
+    return int(found[-1]) if found else 0
+
+
+def fuzz(name, programs, seconds, findings):
+    """Runs one fuzzer. Returns the files of what it found."""
+    kept = root / "build/fuzz/corpus" / name
+    kept.mkdir(parents=True, exist_ok=True)
+    findings.mkdir(parents=True, exist_ok=True)
+    before = set(findings.iterdir())
+    command = [programs / f"{name}_fuzzer", kept, here / "corpus" / name, f"-max_total_time={seconds}",
+               f"-timeout={slowest}", f"-rss_limit_mb={most_memory}", f"-malloc_limit_mb={most_memory}",
+               f"-max_len={largest[name]}", f"-artifact_prefix={findings}/{name}-", "-print_final_stats=1"]
+    run = subprocess.run(
+        command, cwd=findings, env=environment(),
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT, errors="replace")
+    text = run.stdout
+    executions = last_number(r"stat::number_of_executed_units: *(\d+)", text)
+    rate = last_number(r"stat::average_exec_per_sec: *(\d+)", text)
+    coverage, features = last_number(r" cov: (\d+)", text), last_number(r" ft: (\d+)", text)
+    print(
+        f"{name:9} {executions:9} executions, {rate:6} a second, coverage {coverage} edges, {features} "
+        "features", flush=True)
+    if run.returncode == 0:
+        return []
+    (findings / f"{name}.log").write_text(text)
+    new = sorted(file for file in set(findings.iterdir()) - before if file.name.startswith(f"{name}-"))
+    summary = re.findall(r"(?:SUMMARY|BROKEN|ERROR): .*", text)
+    print(f"{name:9} FINDING: {summary[0] if summary else text[-2000:]}")
+    print(f"          all it said: {findings / f'{name}.log'}")
+    for file in new:
+        print(f"          again: {pathlib.Path(sys.argv[0])} {name} --input {file}")
+    return new or [None]
+
+
+def repeat(name, programs, file):
+    return subprocess.run(
+        [programs / f"{name}_fuzzer", file, f"-timeout={slowest}"],
+        env=environment()).returncode
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n")[0])
+    parser.add_argument("fuzzers", nargs="*", help=f"of {', '.join(names)}; none: all")
+    parser.add_argument("--seconds", type=int, default=60, help="for each fuzzer (default 60)")
+    parser.add_argument("--input", type=pathlib.Path, help="run one fuzzer on this file alone")
+    parser.add_argument("--programs", type=pathlib.Path, help="folder of built fuzzers; else they are built")
+    arguments = parser.parse_args()
+    chosen = arguments.fuzzers or names
+    for name in chosen:
+        if name not in names:
+            parser.error(f"'{name}' is no fuzzer; these are: {', '.join(names)}")
+    if arguments.input and len(chosen) != 1:
+        parser.error("--input needs the one fuzzer that reads it")
+    if not arguments.programs:
+        build()
+    programs = (arguments.programs or root / "build/fuzz/bin").resolve()
+    if arguments.input:
+        return repeat(chosen[0], programs, arguments.input.resolve())
+    found = [finding for name in chosen
+             for finding in fuzz(name, programs, arguments.seconds, root / "build/fuzz/findings")]
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,128 @@
+// Settings at random, from the tables that read configs: for properties of every valid config, and for the
+// fuzzer that looks for texts that break them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "bendlab/effects/effect.hpp"
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/pointers.hpp"
+
+namespace bendlab::test {
+
+using Random = std::mt19937_64;
+
+/// Whether an event of that probability happens.
+inline bool chance(Random& random, double probability) {
+  return static_cast<double>(random() >> 11) * 0x1p-53 < probability;
+}
+
+template <class List>
+const auto& one_of(Random& random, const List& list) {
+  return list[random() % list.size()];
+}
+
+/// Among these settings a large value only takes long; runs at random have smaller ones.
+inline double largest_quick(std::string_view name, double largest) {
+  constexpr std::array<std::pair<std::string_view, double>, 9> quick = {{{"cells", 8},
+                                                                         {"substeps", 8},
+                                                                         {"iterations", 8},
+                                                                         {"threads", 2},
+                                                                         {"creases", 8},
+                                                                         {"folds", 4},
+                                                                         {"ring", 4},
+                                                                         {"frames_per_second", 1000},
+                                                                         {"seed", 1000}}};
+  const auto found = std::ranges::find(quick, name, &std::pair<std::string_view, double>::first);
+  return found == quick.end() ? largest : std::min(largest, found->second);
+}
+
+/// A number that the row allows: often an end of its range; without an end, over twelve powers of ten.
+inline double random_number(const Parameter& row, Random& random) {
+  const double highest = largest_quick(row.name, row.maximum);
+  const bool low = std::isfinite(row.minimum), high = std::isfinite(highest);
+  const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
+  if (low && chance(random, 0.15) && !row.above) return row.minimum;
+  if (high && chance(random, 0.15)) return highest;
+  const double least = std::max(row.minimum, row.above && high ? 1e-3 * highest : row.minimum);
+  if (low && high && (highest < 1e4 || chance(random, 0.5))) return least + unit * (highest - least);
+  const double size = std::pow(10, -6 + 12 * unit);
+  if (!low) return chance(random, 0.15) ? 0 : chance(random, 0.5) ? size : -size;
+  return std::min(row.minimum + size, highest);
+}
+
+/// A value that the row allows. null for a free text, which names a file or a change of settings.
+inline Json random_value(const Parameter& row, Random& random) {
+  const auto entries = [&](auto entry) {
+    Json list = Json::array();
+    const std::size_t count = row.length > 0 ? row.length : random() % 4;
+    for (std::size_t i = 0; i < count; ++i) list.push_back(entry());
+    return list;
+  };
+  const auto whole = [&] {
+    return static_cast<std::int64_t>(std::ceil(std::min(random_number(row, random), 1e15)));
+  };
+  switch (row.type) {
+    case ParameterType::boolean:
+      return chance(random, 0.5);
+    case ParameterType::integer:
+      return whole();
+    case ParameterType::number:
+      return random_number(row, random);
+    case ParameterType::text:
+      return row.choices.empty() ? Json(nullptr) : Json(one_of(random, row.choices));
+    case ParameterType::numbers:
+      if (row.name == "indices") return entries([&] { return random() % 9; });
+      return entries([&] { return random_number(row, random); });
+    case ParameterType::texts:
+      if (row.choices.empty()) return nullptr;
+      return entries([&] { return one_of(random, row.choices); });
+  }
+  return nullptr;
+}
+
+/// A value for the setting at a pointer.
+struct Change {
+  std::string pointer;
+  Json value;
+};
+
+/// One effect with some of its settings. None that reads a file.
+inline Json random_effect(Random& random) {
+  for (;;) {
+    const Effect& effect = *one_of(random, effects());
+    const auto reads_file = [](const Parameter& row) { return row.name == "file"; };
+    if (std::ranges::any_of(effect.parameters, reads_file)) continue;
+    Json entry = {{"type", effect.name}};
+    for (const Parameter& row : effect.parameters)
+      if (row.required || chance(random, 0.4)) entry[std::string(row.name)] = random_value(row, random);
+    return entry;
+  }
+}
+
+/// A setting of a section, the list of effects, or the settings of a bending model together with the model.
+inline std::vector<Change> random_changes(Random& random) {
+  if (chance(random, 0.2)) {
+    Json list = Json::array();
+    if (chance(random, 0.7)) list.push_back({{"type", "gravity"}});
+    for (std::size_t count = random() % 3; count > 0; --count) list.push_back(random_effect(random));
+    return {{"/effects", std::move(list)}};
+  }
+  const ConfigSection& section = one_of(random, config_sections());
+  if (section.parameters.empty()) return {};
+  const Parameter& row = one_of(random, section.parameters);
+  if (section.pointer.empty() && (row.name == "name" || row.name == "description" || row.name == "allow"))
+    return {};
+  std::vector<Change> changes = {{child_pointer(section.pointer, row.name), random_value(row, random)}};
+  if (changes.front().value.is_null()) return {};
+  if (section.pointer.starts_with("/bending/"))
+    changes.push_back({"/bending/model", std::string(section_key(section))});
+  return changes;
+}
+
+}  // namespace bendlab::test
