@@ -52,12 +52,11 @@ def main(program, config=None):
         folder = Path(place)
         text = Path(config).read_text(encoding="utf-8") if config else json.dumps(SCENE)
         (folder / "scene.json").write_text(text, encoding="utf-8")
-        run = export(program, folder)
+        run = export(Path(program).resolve(), folder)
         inside = Path(__file__).with_name("in_blender.py")
-        done = subprocess.run(
-            [blender, "--background", "--factory-startup", "--python-exit-code", "3", "--python", inside,
-              "--", folder, str(len(run.times))],
-            capture_output=True, text=True, check=False)
+        command = [blender, "--background", "--factory-startup", "--python-exit-code", "3",
+                   "--python", inside, "--", folder, str(len(run.times))]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode != 0 or not (folder / "read.json").exists():
             print(done.stdout[-2000:], done.stderr[-2000:])
             return 1
@@ -71,9 +70,8 @@ def main(program, config=None):
         for name in told["read"]:
             off = farthest(folder, name, expected[name][0])
             wrong += not off <= expected[name][1]
-            print(
-                f"Blender {told['version']}, {name}: off by at most {off:.3g} m in {len(expected[name][0])} "
-                "frames")
+            frames = len(expected[name][0])
+            print(f"Blender {told['version']}, {name}: off by at most {off:.3g} m, frames: {frames}")
         if not config:
             off = farthest(folder, "texture", flat_texture(run)[run.triangles].astype(np.float32))
             wrong += not off < 1e-6

@@ -80,18 +80,20 @@ def sequence(folder, suffix, count):
 
 def main(folder, count):
     as_it_is = {"forward_axis": "Y", "up_axis": "Z"}
+    obj, up = sequence(folder / "obj", ".obj", count), sequence(folder / "up", ".obj", count)
+    ply = sequence(folder / "ply", ".ply", count)
     reads = {
-        "obj": lambda: [world(import_obj(file, **as_it_is)) for file in sequence(folder / "obj", ".obj",
-        count)], "ply": lambda: [world(import_ply(file)) for file in sequence(folder / "ply", ".ply", count)],
-        "pc2": lambda: pc2(folder, count), "default": lambda: [world(import_obj(file)) for file in
-        sequence(folder / "obj", ".obj", 1)], "up": lambda: [world(import_obj(file)) for file in
-        sequence(folder / "up", ".obj", count)],
+        "obj": lambda: [world(import_obj(file, **as_it_is)) for file in obj],
+        "ply": lambda: [world(import_ply(file)) for file in ply],
+        "pc2": lambda: pc2(folder, count),
+        "default": lambda: [world(import_obj(obj[0]))],
+        "up": lambda: [world(import_obj(file)) for file in up],
     }
     if bpy.app.build_options.usd:
         reads["usda"] = lambda: usda(folder, count)
     for name, read in reads.items():
         np.stack(list(read())).tofile(folder / f"{name}.f32")
-    texture = import_obj(folder / "obj" / "cloth.0000.obj", **as_it_is).data.uv_layers.active.data
+    texture = import_obj(obj[0], **as_it_is).data.uv_layers.active.data
     coordinates = np.empty(2 * len(texture), np.float32)
     texture.foreach_get("uv", coordinates)
     coordinates.tofile(folder / "texture.f32")
