@@ -7,9 +7,9 @@ namespace bendlab {
 
 Unfit unfit(double error, const Strained& strained) {
   if (strained.implausible) return Unfit::implausible;
-  if (!(strained.rms <= largest_strain)) return Unfit::strain;
-  if (!(strained.largest <= largest_stretch)) return Unfit::stretch;
-  if (!(error <= largest_error)) return Unfit::error;
+  if (!std::islessequal(strained.rms, largest_strain)) return Unfit::strain;
+  if (!std::islessequal(strained.largest, largest_stretch)) return Unfit::stretch;
+  if (!std::islessequal(error, largest_error)) return Unfit::error;
   return Unfit::no;
 }
 

@@ -4,10 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "experiments/config/config_tables.hpp"
-#include "experiments/config/nearest_name.hpp"
 #include "experiments/config/defaults.hpp"
+#include "experiments/config/nearest_name.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/resolve.hpp"
 
@@ -90,8 +91,8 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
   }
   result.measured = found->second;
   // Written so that NaN fails.
-  result.holds = (!expectation.minimum || found->second >= *expectation.minimum) &&
-                 (!expectation.maximum || found->second <= *expectation.maximum);
+  result.holds = (!expectation.minimum || std::isgreaterequal(found->second, *expectation.minimum)) &&
+                 (!expectation.maximum || std::islessequal(found->second, *expectation.maximum));
   result.message = fmt::format("{} = {:.6g}, expected {}: {}", expectation.metric, found->second,
                                bound_text(expectation), expectation.why);
   return result;
@@ -113,6 +114,12 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
     problems.push_back({"/expect", "expected a list of objects with metric, min and/or max, and why"});
     return expectations;
   }
+  constexpr std::size_t most = 1000;
+  if (expect.size() > most) {
+    problems.push_back(
+        {"/expect", fmt::format("has {} entries, and at most {} are read", expect.size(), most)});
+    return expectations;
+  }
   for (std::size_t i = 0; i < expect.size(); ++i)
     expectations.push_back(read_expectation(expect[i], fmt::format("/expect/{}", i), settings, problems));
   return expectations;
@@ -123,7 +130,10 @@ bool matches(const Expectation& expectation, const Experiment& experiment, const
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
     if (entry.key() == "/defaults") return entry.value() == defaults_of(experiment, config);
-    if (value_at(config.resolved(), entry.key()) == nullptr) return entry.value().is_null();
+    const Json* const own = value_at(config.resolved(), entry.key());
+    if (own == nullptr) return entry.value().is_null();
+    if (*own == entry.value()) return true;
+    if (own->is_number() && entry.value().is_number()) return false;
     Json changed = config.resolved();
     changed["name"] = "any";
     ConfigProblems problems;

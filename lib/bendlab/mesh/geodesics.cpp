@@ -17,6 +17,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 // above the base, and the source below it at the distances `to_a` and `to_b`. Infinite if the straight path
 // misses the base: the path then leads around a or b.
 double unfolded(double to_a, double to_b, double base, double a_to_c, double b_to_c) {
+  if (!(base > 0)) return infinity;
   const double x = (to_a * to_a - to_b * to_b + base * base) / (2 * base), depth = to_a * to_a - x * x;
   const double cx = (a_to_c * a_to_c - b_to_c * b_to_c + base * base) / (2 * base),
                height = a_to_c * a_to_c - cx * cx;

@@ -45,8 +45,8 @@ void extend(std::vector<double>& reach, const Eigen::Vector2d& a, const Eigen::V
     const Eigen::Vector2d direction(std::cos(k * per_direction), std::sin(k * per_direction)), along = b - a;
     const double across = along.x() * direction.y() - along.y() * direction.x();
     // A segment that points at the origin crosses no direction; by rounding it may cross any.
-    const double crossing = (a.y() * direction.x() - a.x() * direction.y()) / across;
-    const double share = across == 0 ? 0 : std::clamp(crossing, 0.0, 1.0);
+    const double crossing = across == 0 ? 0 : (a.y() * direction.x() - a.x() * direction.y()) / across;
+    const double share = std::clamp(crossing, 0.0, 1.0);
     const double distance = (a + share * along).dot(direction);
     const auto at = static_cast<std::size_t>((static_cast<long>(k) % directions + directions) % directions);
     reach[at] = std::max(reach[at], distance);

@@ -107,7 +107,7 @@ HangingStrip integrated(BendingLaw law, const FreeEnd& end) {
 }  // namespace
 
 HangingStrip hanging_strip(BendingLaw law, double height_over_width) {
-  if (!(height_over_width >= 1e-6 && height_over_width <= 500))
+  if (std::isnan(height_over_width) || height_over_width < 1e-6 || height_over_width > 500)
     throw std::invalid_argument(
         fmt::format("hanging strip: H/W = {} is outside 0.000001 to 500; take a longer or a shorter strip",
                     height_over_width));
