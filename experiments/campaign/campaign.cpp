@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
+#include <condition_variable>
 #include <exception>
 #include <fstream>
 #include <iterator>
@@ -18,6 +20,8 @@
 #include "bendlab/io/disk.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/run/folder.hpp"
+#include "experiments/run/forecast.hpp"
 #include "experiments/terminal/progress.hpp"
 #include "experiments/terminal/signals.hpp"
 
@@ -65,6 +69,40 @@ void remove_failure(const fs::path& run_file) {
   fs::remove(run_file.parent_path() / failure_name, ignored);
 }
 
+// Lets runs begin as long as what they all need fits into the memory there is; one alone always may.
+class MemoryBudget {
+ public:
+  // For as long as it lives, the memory is the run's.
+  class Taken {
+   public:
+    Taken(MemoryBudget& budget, double bytes) : budget_(budget), bytes_(bytes) {
+      std::unique_lock lock(budget_.mutex_);
+      budget_.given_back_.wait(
+          lock, [&] { return budget_.in_use_ == 0 || budget_.in_use_ + bytes_ <= budget_.all_; });
+      budget_.in_use_ += bytes_;
+    }
+    ~Taken() {
+      {
+        const std::lock_guard lock(budget_.mutex_);
+        budget_.in_use_ -= bytes_;
+      }
+      budget_.given_back_.notify_all();
+    }
+    Taken(const Taken&) = delete;
+    Taken& operator=(const Taken&) = delete;
+
+   private:
+    MemoryBudget& budget_;
+    double bytes_;
+  };
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable given_back_;
+  const double all_ = available_memory();
+  double in_use_ = 0;  // sums of whole bytes: exact
+};
+
 void execute(CampaignRun& run, const CampaignOptions& options, const RunControl& control) {
   try {
     run.outcome = execute_run(*run.experiment, *run.config, options.out, control);
@@ -99,15 +137,20 @@ std::vector<std::size_t> order_of(const std::vector<double>& costs, const std::o
 }  // namespace
 
 double expected_cpu_s(const RunConfig& config) {
-  constexpr double per_cell = 5e-8, per_run = 4e-3;  // s; the first of two triangles and their bending
-  const auto number = [&](const char* pointer, double otherwise) {
-    const Json::json_pointer at(pointer);
-    const bool there = config.resolved().contains(at) && config.resolved().at(at).is_number();
-    return there ? config.resolved().at(at).get<double>() : otherwise;
-  };
-  const double cells = number("/mesh/cells", 64);
-  return per_run + per_cell * cells * cells * number("/solver/substeps", 1) *
-                       number("/solver/iterations", 1) * number("/duration", 1) / number("/solver/dt", 1);
+  constexpr double unknown = 1;  // s, of a run that will say why it cannot be made
+  const std::optional<Forecast> needs = forecast(config);
+  return needs ? needs->cpu_s : unknown;
+}
+
+Needs needs_of(const std::vector<CampaignRun>& runs) {
+  Needs all;
+  for (const CampaignRun& run : runs) {
+    const std::optional<Forecast> needs = forecast(*run.config);
+    if (!needs) continue;
+    all.cpu_s += needs->cpu_s, all.disk_bytes += needs->disk_bytes;
+    all.most_memory_bytes = std::max(all.most_memory_bytes, needs->memory_bytes);
+  }
+  return all;
 }
 
 std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count) {
@@ -143,12 +186,14 @@ std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiment
 
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready) {
+  keep_changes(options.out);
   const std::vector<std::size_t> executed_as = first_of_equals(runs);
   std::vector<double> costs;
   for (std::size_t i = 0; i < runs.size(); ++i)
     costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
   const std::vector<std::size_t> order = order_of(costs, options.shard);
 
+  MemoryBudget memory;
   Progress progress(costs);
   std::atomic<std::size_t> next{0};
   std::mutex mutex;  // guards what follows
@@ -199,6 +244,8 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
                 progress.message(
                     fmt::format("{}: waiting for {}, which is computing it", run_text(runs[index]), owner));
               }};
+      const std::optional<Forecast> needs = forecast(*runs[index].config);
+      const MemoryBudget::Taken taken(memory, needs ? std::round(needs->memory_bytes) : 0.0);
       if (!stop_flag()) execute(runs[index], options, control);
       try {
         finish(index);

@@ -39,8 +39,7 @@ struct CampaignOptions {
   WhenOwned when_owned = WhenOwned::wait;
 };
 
-/// CPU time that a run is expected to take, s: a guess from its resolution and iterations, good enough to
-/// start the long ones first and to share them out.
+/// CPU time that a run is expected to take, s (forecast.hpp).
 double expected_cpu_s(const RunConfig& config);
 
 /// For each run the shard that it belongs to, so that all take about as long: the longest run goes to the
@@ -53,7 +52,15 @@ std::string failure_in(const std::filesystem::path& folder);
 /// Every run of every experiment, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
-/// Executes the runs, the ones expected to be long first; a run that fails does not stop the others.
+/// What they need together, if none of them is there yet.
+struct Needs {
+  double cpu_s = 0, disk_bytes = 0;
+  double most_memory_bytes = 0;  ///< of the largest
+};
+Needs needs_of(const std::vector<CampaignRun>& runs);
+
+/// Executes the runs, the ones expected to be long first, side by side as far as they fit into memory; a run
+/// that fails does not stop the others.
 /// `on_ready` is called with the index of every run in sweep order, by one thread at a time, as soon as it
 /// and those before it are over. A stop signal ends the runs after their current frame and starts no other.
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,

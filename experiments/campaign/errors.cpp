@@ -5,6 +5,7 @@
 
 #include "bendlab/mesh/files.hpp"
 #include "experiments/config/config.hpp"
+#include "experiments/run/forecast.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bendlab {
@@ -25,7 +26,13 @@ Failure current_failure() {
   } catch (const RunFileError& error) {
     return {exit_io, error.what()};
   } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again)
+      return {exit_failed,
+              "no more threads can be started: try fewer runs side by side (--jobs 1), or give the "
+              "process more memory (ulimit -v) or more threads (ulimit -u)"};
     return {exit_io, error.what()};
+  } catch (const NoRoom& error) {
+    return {exit_failed, error.what()};
   } catch (const std::bad_alloc&) {
     return {exit_failed, "out of memory: try fewer runs side by side (--jobs 1) or a coarser mesh"};
   } catch (const std::exception& error) {

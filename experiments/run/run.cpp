@@ -17,8 +17,10 @@
 #include "bendlab/io/disk.hpp"
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/parameters/input_file.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/folder.hpp"
+#include "experiments/run/forecast.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/own_code.hpp"
 #include "experiments/run/recorder.hpp"
@@ -142,6 +144,34 @@ void add_findings(Findings findings, RunOutcome& outcome) {
   outcome.status = RunStatus::interrupted;
   add_message(outcome,
               "stopped before it was compared with its references; the same command again does it all");
+}
+
+// An equilibrium's bits depend on the kernels that the BLAS chose for the processor, and so do those of a run
+// that begins at one, or is compared with one. All else has the same bits on every processor.
+bool depends_on_blas(const RunConfig& config) {
+  if (!find_method(config.section("/solver").text("method"))->has_motion) return true;
+  if (const std::optional<RunConfig> before = run_before(config); before && depends_on_blas(*before))
+    return true;
+  for (const Against against : references)
+    for (const bool coarser : {false, true}) try {
+        const std::optional<RunConfig> reference = reference_of(config, against, coarser);
+        if (reference && depends_on_blas(*reference)) return true;
+      } catch (const ConfigError&) {  // told when it is needed
+      }
+  return false;
+}
+
+// They are no part of a run's id, so that a plan is the same on every machine: their results agree but for
+// rounding. That the bits may be others is told.
+RunOutcome reused(const Found& found, const RunConfig& config) {
+  RunOutcome outcome = *found.over;
+  if (found.blas_kernels != blas_kernels() && depends_on_blas(config))
+    add_message(
+        outcome,
+        fmt::format("reused with the bits that the BLAS kernels for {} gave it; --force computes it "
+                    "with those for {}, which are this machine's",
+                    found.blas_kernels.empty() ? "another processor" : found.blas_kernels, blas_kernels()));
+  return outcome;
 }
 
 }  // namespace
@@ -273,7 +303,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   place.folder = run_folder(out, experiment, config, place.id);
   place.file = place.folder / "run.vtkhdf";
   if (!control.force)
-    if (const Found found = look_for(place.file, place.id); found.over) return *found.over;
+    if (const Found found = look_for(place.file, place.id); found.over) return reused(found, config);
   make_folder(place.folder);
   place.claim = Claim::of(place.folder, {.give_up = [&] { return control.stop && control.stop->load(); },
                                          .when_owned = control.when_owned,
@@ -283,12 +313,13 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (!place.claim) return stopped_while_waiting(place);
   if (!control.force) adopt_finished(place);
   const Found found = look_for(place.file, place.id);  // another process may have made it meanwhile
-  if (found.over && !control.force) return *found.over;
+  if (found.over && !control.force) return reused(found, config);
   const std::string note =
       found.wrong.empty() ? "" : set_aside(place.file, found.wrong, place.claim->token());
   place.part = fmt::format("{}.{}.part", place.file.string(), place.claim->token());
   const std::vector<std::filesystem::path> left = unfinished_files(place.folder);
   if (!control.force) find_checkpoint(place);
+  require_room(config, place.folder);
   RunOutcome outcome = [&] {
     try {
       return compute(experiment, config, out, control, start, place);

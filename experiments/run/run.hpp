@@ -67,8 +67,8 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 /// run that was stopped, killed, or lost its power goes on from its last checkpoint, and gives the same bits.
 ///
 /// With config.starts_at_end_of it starts from `start`. The references that it is compared with are made
-/// below <out>/<experiment>; their time is not the run's. Throws MeshError and RunFileError; a run that
-/// diverges is an outcome.
+/// below <out>/<experiment>; their time is not the run's. Throws MeshError, RunFileError, and
+/// NoRoom before anything is allocated; a run that diverges is an outcome.
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control = {},
                        const StartingPose* start = nullptr);

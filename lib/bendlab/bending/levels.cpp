@@ -26,8 +26,11 @@ double rounded(double m, Rounding rounding) {
 }  // namespace
 
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
-  const double omega = rest.size() / 2 * 0.5, radius = values.number("radius"),
-               edge = rest.mean_edge_length();
+  return adaptive_levels(rest.size(), rest.mean_edge_length(), values);
+}
+
+Levels adaptive_levels(double size, double edge, const ParameterValues& values) {
+  const double omega = size / 2 * 0.5, radius = values.number("radius");
   Levels levels;
   levels.m_unrounded = radius > 0 ? radius / edge : omega / edge * 0.1 + 1;
   const Rounding rounding =

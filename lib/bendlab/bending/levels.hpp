@@ -21,6 +21,9 @@ struct Levels {
 /// Given a radius, m is the nearest whole number of edges in it; without a denser zone at pins n = m.
 Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values);
 
+/// The same from the diagonal of the rest box and the mean edge, m.
+Levels adaptive_levels(double size, double mean_edge, const ParameterValues& values);
+
 /// #V: `pinned_level` where the vertex counts as pinned, `free_level` elsewhere.
 std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const ParameterValues& values,
                                    int free_level, int pinned_level);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/bending/expected.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -45,6 +46,8 @@ struct BendingModel {
   bool springs_only = false;  ///< build() gives no elements, whatever the parameters
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
   BendingConstraints (*build)(const BendingInput&);
+  /// How many constraints build() will give, for forecasts; null: a hinge over every interior edge.
+  ExpectedConstraints (*expect)(const ExpectedMesh&, const ParameterValues&) = nullptr;
 };
 
 /// Every registered bending model, in the order of models.def; then those that the program added.

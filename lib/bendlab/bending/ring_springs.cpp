@@ -128,6 +128,28 @@ DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const s
   return springs;
 }
 
+ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRule& rule, int free_level,
+                                          int pinned_level) {
+  const auto reached = [&](int level) {
+    switch (rule.fill) {
+      case RingFill::all:
+        return expected_in_rings(mesh, 1, level);
+      case RingFill::beyond_edges:
+        return expected_in_rings(mesh, 2, level);
+      case RingFill::last:
+        return expected_in_rings(mesh, level, level);
+      case RingFill::ends:
+        return expected_in_rings(mesh, 1, 1) + (level > 1 ? expected_in_rings(mesh, level, level) : 0);
+    }
+    return 0.0;
+  };
+  const double free = std::max(0.0, mesh.vertices - mesh.pinned);
+  const double of_pinned = free_level == pinned_level ? 0 : mesh.pinned * reached(pinned_level);
+  const double counted_from = free_level == pinned_level ? mesh.vertices : free;
+  return {.springs = counted_from * reached(free_level) / (rule.shared_pairs_twice ? 1 : 2) + of_pinned,
+          .reach = static_cast<double>(free_level)};
+}
+
 RingFill ring_fill(const ParameterValues& values) {
   return named<RingFill>(values.text("rings"), ring_fill_names);
 }

@@ -38,6 +38,10 @@ struct RingRule {
 DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
                                  const RingRule& rule);
 
+/// How many springs ring_springs() will give on a mesh with these levels of free and of pinned vertices.
+ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRule& rule, int free_level,
+                                          int pinned_level);
+
 /// The settings behind RingRule, but for `fill`, and how they are read.
 inline constexpr std::array ring_rule_parameters = {
     Parameter{

@@ -158,4 +158,12 @@ BendingConstraints thinned_rings(const BendingInput& input, int power) {
   return constraints;
 }
 
+ExpectedConstraints expected_thinned_rings(const ExpectedMesh& mesh, const ParameterValues& parameters) {
+  const int t = static_cast<int>(parameters.integer("t")),
+            least = static_cast<int>(parameters.integer("t_min"));
+  const int level = std::max(least, t ? t : adaptive_levels(mesh.size, mesh.mean_edge, parameters).m);
+  return {.springs = mesh.vertices * static_cast<double>(parameters.integer("springs")),
+          .reach = static_cast<double>(level)};
+}
+
 }  // namespace bendlab

@@ -39,4 +39,6 @@ inline constexpr auto thinned_ring_parameters = joined(
 /// ∝ length to the `power` / softness then have the same energy.
 BendingConstraints thinned_rings(const BendingInput& input, int power);
 
+ExpectedConstraints expected_thinned_rings(const ExpectedMesh& mesh, const ParameterValues& parameters);
+
 }  // namespace bendlab

@@ -17,6 +17,13 @@ BendingConstraints build(const BendingInput& input) {
           .facts = facts_of(levels)};
 }
 
+ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
+  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, values);
+  RingRule rule = ring_rule(values);
+  rule.fill = ring_fill(values);
+  return expected_ring_springs(mesh, rule, levels.m, levels.n);
+}
+
 }  // namespace
 
 namespace models {
@@ -33,6 +40,7 @@ extern constinit const BendingModel adaptive{
     .parameters = parameters,
     .springs_only = true,
     .build = build,
+    .expect = expect,
 };
 }  // namespace models
 }  // namespace bendlab

@@ -45,6 +45,12 @@ BendingConstraints build(const BendingInput& input) {
   return constraints;
 }
 
+ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
+  const auto ring = static_cast<int>(values.integer("ring"));
+  return {.arcs = expected_ring_springs(mesh, {.fill = RingFill::last}, ring, ring).springs,
+          .reach = static_cast<double>(ring)};
+}
+
 }  // namespace
 
 namespace models {
@@ -62,6 +68,7 @@ extern constinit const BendingModel choi_ko{
         "1 / k_b, k_b in N m² (flexural rigidity 3/4 k_b / width for one line of segments at ring 2)",
     .parameters = parameters,
     .build = build,
+    .expect = expect,
 };
 }  // namespace models
 }  // namespace bendlab

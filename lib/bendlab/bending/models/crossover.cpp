@@ -79,6 +79,13 @@ BendingConstraints build(const BendingInput& input) {
   return constraints;
 }
 
+ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues&) {
+  // Where rings grow by 8, half of the vertices have four edges. The springs over two opposite ones of these
+  // join the same vertices: one of them is left.
+  const bool fours = mesh.ring_growth > 7.5;
+  return {.springs = mesh.hinges * (fours ? 2.0 / 3 : 1.0)};
+}
+
 }  // namespace
 
 namespace models {
@@ -94,6 +101,7 @@ extern constinit const BendingModel crossover{
     .parameters = parameters,
     .springs_only = true,
     .build = build,
+    .expect = expect,
 };
 }  // namespace models
 }  // namespace bendlab

@@ -24,6 +24,13 @@ BendingConstraints build(const BendingInput& input) {
           .facts = {{"k", static_cast<double>(k), "level of every vertex"}}};
 }
 
+ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
+  const int k = static_cast<int>(values.integer("k"));
+  RingRule rule = ring_rule(values);
+  rule.fill = ring_fill(values);
+  return expected_ring_springs(mesh, rule, k, k);
+}
+
 }  // namespace
 
 namespace models {
@@ -39,6 +46,7 @@ extern constinit const BendingModel k_ring{
     .parameters = parameters,
     .springs_only = true,
     .build = build,
+    .expect = expect,
 };
 }  // namespace models
 }  // namespace bendlab

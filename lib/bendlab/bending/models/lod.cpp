@@ -38,6 +38,14 @@ BendingConstraints build(const BendingInput& input) {
   return constraints;
 }
 
+ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
+  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, values);
+  const int t = static_cast<int>(values.integer("t"));
+  RingRule rule = ring_rule(values);
+  rule.fill = values.boolean("ring_1") ? RingFill::ends : RingFill::last;
+  return expected_ring_springs(mesh, rule, t ? t : levels.m, t ? t : levels.n);
+}
+
 }  // namespace
 
 namespace models {
@@ -53,6 +61,7 @@ extern constinit const BendingModel lod{
     .parameters = parameters,
     .springs_only = true,
     .build = build,
+    .expect = expect,
 };
 }  // namespace models
 }  // namespace bendlab

@@ -13,6 +13,7 @@ extern constinit const BendingModel none{
     .parameters = {},
     .springs_only = true,
     .build = [](const BendingInput&) { return BendingConstraints{}; },
+    .expect = [](const ExpectedMesh&, const ParameterValues&) { return ExpectedConstraints{}; },
 };
 
 }  // namespace bendlab::models

@@ -50,6 +50,7 @@ extern constinit const BendingModel prestressed{
     .springs_only = true,
     .prestressed = true,
     .build = build,
+    .expect = expected_thinned_rings,
 };
 }  // namespace models
 }  // namespace bendlab

@@ -28,6 +28,7 @@ extern constinit const BendingModel sparse_lod{
     .parameters = thinned_ring_parameters,
     .springs_only = true,
     .build = build,
+    .expect = expected_thinned_rings,
 };
 }  // namespace models
 }  // namespace bendlab

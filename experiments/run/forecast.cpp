@@ -1,0 +1,203 @@
+#include "experiments/run/forecast.hpp"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/constraints/stiffness.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/solver/method.hpp"
+#include "experiments/scene/expected_mesh.hpp"
+#include "experiments/scene/start_after.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Bytes, measured as a process's largest resident set over 12 models on grids of 32 to 1024 cells.
+namespace bytes {
+constexpr double of_program = 26e6;
+constexpr double per_vertex = 1130;  // mesh, membrane, frames on their way to the file
+constexpr double per_pair = 32;      // springs and arcs: as a list, and in the order of the kernels
+constexpr double per_hinge = 105;
+constexpr double fitted = 85, fitted_by_reach = 16, most_fitted = 213;
+constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of pairs (a sparse factor)
+constexpr double bent_sheet_less = 1e7;
+constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
+constexpr double file = 57e3, file_per_vertex = 39;
+constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 1200;
+}  // namespace bytes
+
+// Seconds of CPU time, on the processor of results/performance.
+namespace seconds {
+constexpr double of_run = 3e-3;
+constexpr double set_up_per_vertex = 5e-6, bent_sheet_per_vertex = 3e-5, per_fitted = 3.5e-6,
+                 fitted_hinge = 3e-6;
+constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
+constexpr double effect_per_vertex = 3e-9;
+constexpr double triangle = 6e-9, pair = 1.6e-9, hinge = 9e-9;  // a projection
+constexpr double frame_per_triangle = 1.2e-7;
+constexpr double equilibrium_per_vertex = 4e-4;
+}  // namespace seconds
+
+struct Parts {
+  double program = 0, mesh = 0, bending = 0, factor = 0;
+};
+
+// A fit needs the response of the whole sheet where pairs are fitted to one.
+double bent_sheet_bytes(double vertices) {
+  const double growth = 1 + 0.04 * std::max(0.0, std::log2(vertices / 66049));
+  return std::max(0.0, vertices * bytes::bent_sheet * growth - bytes::bent_sheet_less);
+}
+
+// What a pair takes while its stiffness is fitted. A longer one crosses more triangles.
+double fitted_bytes(double reach) {
+  return std::min(bytes::fitted + bytes::fitted_by_reach * reach, bytes::most_fitted);
+}
+
+// More of the matrix is filled where constraints reach farther: its separators are as many vertices wide.
+double fill(const ExpectedConstraints& bending, double vertices) {
+  const double of_vertex = (bending.springs + bending.arcs) / vertices, r = bending.reach / 2;
+  return r <= 1 ? 1 : of_vertex > 8 ? r * r : r;
+}
+
+std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted) {
+  if (parts.factor > parts.bending + parts.mesh)
+    return "choose fewer /mesh/cells, or a method without a matrix";
+  if (parts.bending < parts.mesh) return "choose fewer /mesh/cells";
+  std::string advice = fmt::format("choose fewer /mesh/cells, a smaller radius or level of {}, or sparse_lod",
+                                   config.bending_model());
+  if (fitted)
+    advice +=
+        "; /bending/stiffness \"compliance\" or \"k\" needs less than \"physical\", which fits each spring";
+  return advice;
+}
+
+double read_bytes(const char* file) {
+  std::ifstream stream(file);
+  double value = std::numeric_limits<double>::infinity();
+  if (!(stream >> value)) return std::numeric_limits<double>::infinity();  // "max"
+  return value;
+}
+
+// Of control group 2 in a container, whose own group is at the root: what is left.
+double left_in_group() {
+  const double most = read_bytes("/sys/fs/cgroup/memory.max");
+  return std::isfinite(most) ? most - read_bytes("/sys/fs/cgroup/memory.current") : most;
+}
+
+double left_in_machine() {
+  std::ifstream info("/proc/meminfo");
+  std::string name;
+  for (double kilobytes = 0; info >> name >> kilobytes; info.ignore(64, '\n'))
+    if (name == "MemAvailable:") return kilobytes * 1024;
+  return std::numeric_limits<double>::infinity();
+}
+
+double left_in_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return std::numeric_limits<double>::infinity();
+  double pages = 0;
+  std::ifstream("/proc/self/statm") >> pages;
+  return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
+}
+
+}  // namespace
+
+std::optional<Forecast> forecast(const RunConfig& config) {
+  const std::optional<ExpectedMesh> mesh = expected_mesh(config);
+  const BendingModel* const model = find_bending_model(config.bending_model());
+  const Method* const method = find_method(config.section("/solver").text("method"));
+  if (!mesh || !model || !method) return std::nullopt;
+  const ExpectedConstraints bending = model->expect ? model->expect(*mesh, config.bending_parameters())
+                                                    : ExpectedConstraints{.hinges = mesh->hinges};
+  const double vertices = mesh->vertices, pairs = bending.springs + bending.arcs;
+  const bool fitted = config.section("/bending").text("stiffness") == "physical";
+  const ParameterValues& solver = config.section("/solver");
+  const double steps = static_cast<double>(step_count(config));
+  const double frames = 1 + std::min(steps, config.section("").number("duration") *
+                                                config.section("/output").number("frames_per_second"));
+
+  Forecast needs{.constraints = pairs + bending.hinges};
+  Parts parts{.program = bytes::of_program, .mesh = vertices * bytes::per_vertex};
+  parts.bending = pairs * bytes::per_pair + bending.hinges * bytes::per_hinge;
+  if (fitted && pairs > 0)
+    parts.bending =
+        std::max({parts.bending, bent_sheet_bytes(vertices), pairs * fitted_bytes(bending.reach)});
+  const bool matrix = !method->has_motion;
+  if (matrix)
+    parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
+                   fill(bending, vertices);
+  needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
+  needs.advice = advice_for(parts, config, fitted && pairs > 0);
+  needs.disk_bytes = bytes::file + vertices * bytes::file_per_vertex +
+                     frames * (bytes::frame + vertices * bytes::frame_per_vertex +
+                               mesh->triangles * bytes::frame_per_triangle);
+
+  const auto count = [&](const char* name) {
+    return method->reads(name) ? static_cast<double>(solver.integer(name)) : 1.0;
+  };
+  const double projection =
+      mesh->triangles * seconds::triangle + pairs * seconds::pair + bending.hinges * seconds::hinge;
+  const double substep = count("iterations") * projection +
+                         vertices * (seconds::vertex + seconds::effect_per_vertex *
+                                                           static_cast<double>(config.effects().size()));
+  needs.cpu_s = seconds::of_run + vertices * seconds::set_up_per_vertex +
+                frames * mesh->triangles * seconds::frame_per_triangle;
+  if (fitted)
+    needs.cpu_s += pairs > 0 ? vertices * seconds::bent_sheet_per_vertex + pairs * seconds::per_fitted
+                             : bending.hinges * seconds::fitted_hinge;
+  needs.cpu_s += matrix ? vertices * seconds::equilibrium_per_vertex * fill(bending, vertices)
+                        : steps * count("substeps") * substep;
+  return needs;
+}
+
+double available_memory() {
+  return std::min({left_in_machine(), left_in_group(), left_in_limit()});
+}
+
+std::string bytes_text(double count) {
+  constexpr std::array units = {"bytes", "KB", "MB", "GB", "TB", "PB"};
+  std::size_t unit = 0;
+  for (; count >= 999.5 && unit + 1 < units.size(); ++unit) count /= 1000;
+  return fmt::format("{:.3g} {}", count, units[unit]);
+}
+
+std::string duration_text(double s) {
+  if (s < 100) return fmt::format("{:.2g} s", s);
+  if (s < 6000) return fmt::format("{:.0f} min", s / 60);
+  return s < 100 * 3600 ? fmt::format("{:.2g} h", s / 3600) : fmt::format("{:.3g} days", s / 86400);
+}
+
+void require_room(const RunConfig& config, const fs::path& folder) {
+  const std::optional<Forecast> needs = forecast(config);
+  if (!needs) return;
+  constexpr double within = 1.1;  // a forecast is no measurement
+  constexpr double most = std::numeric_limits<int>::max();
+  if (needs->constraints > most)
+    throw NoRoom(
+        fmt::format("the run would have about {:.2g} bending constraints, and no more than {:.2g} can "
+                    "be counted: {}",
+                    needs->constraints, most, needs->advice));
+  if (const double available = available_memory(); needs->memory_bytes > within * available)
+    throw NoRoom(fmt::format("the run needs about {} of memory, and {} are available: {}",
+                             bytes_text(needs->memory_bytes), bytes_text(available), needs->advice));
+  std::error_code error;
+  const fs::space_info space = fs::space(folder, error);
+  if (!error && needs->disk_bytes > within * static_cast<double>(space.available))
+    throw RunFileError(fmt::format(
+        "{}: the run file needs about {}, and {} are free on that disk: choose fewer "
+        "/output/frames_per_second or a shorter /duration, or another --out",
+        folder.string(), bytes_text(needs->disk_bytes), bytes_text(static_cast<double>(space.available))));
+}
+
+}  // namespace bendlab

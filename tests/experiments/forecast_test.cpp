@@ -1,0 +1,126 @@
+// What is expected of a mesh and of its constraints, against the mesh and the constraints themselves. Memory
+// and disk of whole runs: tests/trust/forecast.py.
+#include "experiments/run/forecast.hpp"
+
+#include <fmt/format.h>
+
+#include "experiments/config/config.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/scene/expected_mesh.hpp"
+#include "experiments/scene/scene.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+using namespace bendlab;
+using namespace bendlab::test;
+
+namespace {
+
+RunConfig config_of(const std::string& mesh, const std::string& bending) {
+  return parse_experiment(fmt::format(R"({{"name": "expected", "duration": 0.1, "mesh": {{{}}},
+    "pins": {{"vertices": ["upper_right"]}}, "bending": {{{}}}}})",
+                                      mesh, bending),
+                          "test")
+      .runs.front();
+}
+
+// |a - b| relative to b.
+double off(double a, double b) {
+  return std::abs(a - b) / b;
+}
+
+}  // namespace
+
+TEST_CASE("forecast: what is expected of a mesh is near what it has") {
+  const std::string mesh = GENERATE(
+      R"("cells": 20)", R"("cells": 24, "width": 2, "height": 0.5)",
+      R"("cells": 20, "diagonal": "alternating")", R"("cells": 20, "diagonal": "both")",
+      R"("generator": "equilateral", "cells": 24)",
+      R"("generator": "equilateral", "cells": 24, "rows": "perpendicular", "height": 0.4)",
+      R"("generator": "delaunay", "cells": 32)", R"("generator": "disc", "cells": 16, "radius": 0.7)",
+      R"("generator": "tube", "cells": 32, "radius": 0.2, "height": 0.8)",
+      R"("generator": "tube", "cells": 32, "radius": 0.4, "radius_top": 0.1, "height": 0.8)",
+      R"("generator": "sphere", "cells": 12, "radius": 0.5)", R"("cells": 12, "scale": 3)");
+  CAPTURE(mesh);
+  const RunConfig config = config_of(mesh, "");
+  const auto expected = expected_mesh(config);
+  REQUIRE(expected);
+  const RestMesh rest(rest_mesh_of(config).mesh);
+  CHECK(off(expected->vertices, rest.vertex_count()) < 0.05);
+  CHECK(off(expected->triangles, rest.triangle_count()) < 0.05);
+  CHECK(off(expected->edges, static_cast<double>(rest.edges().rows())) < 0.05);
+  CHECK(off(expected->hinges, static_cast<double>(rest.hinges().size())) < 0.05);
+  CHECK(off(expected->mean_edge, rest.mean_edge_length()) < 0.05);
+  CHECK(off(expected->size, rest.size()) < 0.05);
+}
+
+TEST_CASE("forecast: of every model the constraints that are expected are near those that it builds") {
+  const std::string bending = GENERATE(
+      R"("model": "none")", R"("model": "crossover")", R"("model": "k_ring")",
+      R"("model": "k_ring", "k_ring": {"k": 4})", R"("model": "k_ring", "k_ring": {"k": 4, "rings": "last"})",
+      R"("model": "k_ring", "k_ring": {"k": 3, "rings": "beyond_edges"})",
+      R"("model": "k_ring", "k_ring": {"k": 3, "shared_pairs": "twice"})", R"("model": "adaptive")",
+      R"("model": "adaptive", "adaptive": {"radius": 0.12})",
+      R"("model": "adaptive", "adaptive": {"rings": "ends", "m_min": 3})", R"("model": "lod")",
+      R"("model": "lod", "lod": {"t": 5})", R"("model": "lod", "lod": {"ring_1": true})",
+      R"("model": "sparse_lod")", R"("model": "prestressed", "prestressed": {"springs": 6})",
+      R"("model": "dihedral")", R"("model": "bridson")", R"("model": "discrete_shells")",
+      R"("model": "isometric")", R"("model": "choi_ko")", R"("model": "choi_ko", "choi_ko": {"ring": 3})");
+  const std::string mesh = GENERATE(
+      R"("cells": 48)", R"("cells": 48, "diagonal": "alternating")", R"("cells": 32, "diagonal": "both")",
+      R"("generator": "delaunay", "cells": 48)", R"("generator": "equilateral", "cells": 48)",
+      R"("generator": "tube", "cells": 64, "radius": 0.2, "height": 0.8)");
+  CAPTURE(bending, mesh);
+  const std::string stiffness = R"(, "stiffness": "compliance", "compliance": 0.1)";
+  const RunConfig config = config_of(mesh, bending + stiffness);
+  const Scene scene = build_scene(config);
+  double built = static_cast<double>(scene.input.distance.size());
+  for_each_kind(scene.input.elements, [&](const auto& list) { built += static_cast<double>(list.size()); });
+  const auto needs = forecast(config);
+  REQUIRE(needs);
+  CHECK((built > 0) == (needs->constraints > 0));
+  if (built > 0) CHECK(off(needs->constraints, built) < 0.12);  // memory has to be within 0.2
+}
+
+TEST_CASE("forecast: of a mesh file it is that of the same mesh made by a generator") {
+  Workplace place;
+  const RunConfig made = config_of(R"("cells": 24)", R"("model": "adaptive")");
+  const RestMesh rest(rest_mesh_of(made).mesh);
+  std::string obj;
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    obj += fmt::format("v {} {} {}\n", rest.position(v).x(), rest.position(v).y(), rest.position(v).z());
+  for (int t = 0; t < rest.triangle_count(); ++t)
+    obj += fmt::format("f {} {} {}\n", rest.triangles()(t, 0) + 1, rest.triangles()(t, 1) + 1,
+                       rest.triangles()(t, 2) + 1);
+  place.write("sheet.obj", obj);
+  const RunConfig read = config_of(fmt::format(R"("file": "{}")", (place.folder / "sheet.obj").string()),
+                                   R"("model": "adaptive")");
+  const auto one = forecast(made), other = forecast(read);
+  REQUIRE((one && other));
+  CHECK(off(other->constraints, one->constraints) < 0.1);
+  CHECK(off(other->memory_bytes, one->memory_bytes) < 0.1);
+  CHECK(!forecast(config_of(R"("file": "/nowhere/sheet.obj")", "")));
+}
+
+TEST_CASE("forecast: a run that no machine has room for is refused before it begins") {
+  Workplace place;
+  const Experiment experiment = parse_experiment(
+      R"({"name": "huge", "duration": 0.1, "mesh": {"cells": 4096}, "bending": {"model": "adaptive"}})",
+      "test");
+  CHECK_THROWS_AS(execute_run(experiment, experiment.runs.front(), place.folder), NoRoom);
+  const Experiment frames = parse_experiment(
+      R"({"name": "frames", "duration": 1e6, "mesh": {"cells": 256}, "bending": {"model": "none"},
+          "output": {"frames_per_second": 1000}, "solver": {"dt": 0.001}})",
+      "test");
+  CHECK_THROWS_WITH(execute_run(frames, frames.runs.front(), place.folder),
+                    Catch::Matchers::ContainsSubstring("/output/frames_per_second"));
+}
+
+TEST_CASE("forecast: numbers are printed for people") {
+  CHECK(bytes_text(0) == "0 bytes");
+  CHECK(bytes_text(1.234e9) == "1.23 GB");
+  CHECK(bytes_text(999.9e6) == "1 GB");
+  CHECK(duration_text(3.04) == "3 s");
+  CHECK(duration_text(240) == "4 min");
+  CHECK(duration_text(9000) == "2.5 h");
+}

@@ -1,0 +1,104 @@
+"""Whether a run takes the memory and the disk that `plan` says, for every model; and what is refused.
+
+    forecast.py PROGRAM [CELLS…]      64 and 128 cells by default; exit 1 if something is more than 20 % off
+
+Memory is the largest resident set of the process that computes the run. (A child counts what its parent had
+when it began, so that this script imports nothing large.)
+"""
+import json
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+MODELS = [
+    "none",
+    "crossover",
+    "k_ring",
+    "adaptive",
+    "lod",
+    "sparse_lod",
+    "prestressed",
+    "dihedral",
+    "bridson",
+    "discrete_shells",
+    "choi_ko",
+    "isometric"]
+WITHIN = 0.2
+ABOVE = 0.8  # of the memory of this machine: larger runs are left out
+
+
+def config(cells, model, stiffness, diagonal="same"):
+    bending = {"model": model, **({} if stiffness == "physical" else {"stiffness": stiffness})}
+    return {"name": "forecast", "duration": 0.04, "allow": ["implausible"],
+            "mesh": {"cells": cells, "diagonal": diagonal}, "bending": bending,
+            "pins": {"vertices": ["upper_right"]}}
+
+
+def planned(program, folder):
+    said = subprocess.run([program, "plan", "run.json", "--json"], cwd=folder, text=True, capture_output=True,
+                          check=True)
+    return json.loads(said.stdout)["needs"]
+
+
+def largest_set(program, folder, limit=None):
+    """The outcome of the run as JSON (None: it failed), its memory in bytes, and what it said."""
+    limits = (lambda: resource.setrlimit(resource.RLIMIT_AS, (limit, limit))) if limit else None
+    with open(folder / "said", "w+", encoding="utf-8") as said:
+        started = subprocess.Popen([program, "run", "run.json", "--force", "--json"], cwd=folder, text=True,
+                                   stdout=subprocess.PIPE, stderr=said, preexec_fn=limits)
+        text = started.stdout.read()
+        _, status, usage = os.wait4(started.pid, 0)
+        started.returncode = os.waitstatus_to_exitcode(status)
+        said.seek(0)
+        found = json.loads(text) if text else {}
+        return found if found.get("file") else None, usage.ru_maxrss * 1024, said.read()
+
+
+def main(program, sizes):
+    program = str(Path(program).resolve())
+    wrong, tried, most = 0, 0, {"memory": 0.0, "disk": 0.0}
+    there = os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE")
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        cases = [(cells, model, stiffness, "same") for cells in sizes for model in MODELS
+                 for stiffness in ("k", "physical")]
+        cases += [(sizes[0], model, "k", diagonal) for model in ("adaptive", "dihedral")
+                  for diagonal in ("alternating", "both")]
+        for case in cases:
+            (folder / "run.json").write_text(json.dumps(config(*case)), encoding="utf-8")
+            needs = planned(program, folder)
+            if needs["memory_bytes"] > ABOVE * there:
+                print(*case, f"left out: {needs['memory_bytes'] / 1e9:.3g} GB", flush=True)
+                continue
+            outcome, memory, said = largest_set(program, folder)
+            if outcome is None:
+                print(*case, "failed:", said)
+                wrong += 1
+                continue
+            tried += 1
+            off = {"memory": needs["memory_bytes"] / memory - 1,
+                   "disk": needs["disk_bytes"] / os.path.getsize(folder / outcome["file"]) - 1}
+            most = {name: max(most[name], abs(off[name])) for name in most}
+            bad = any(abs(share) > WITHIN for share in off.values())
+            wrong += bad
+            if bad or sizes[-1] > 128:
+                print(*case, f"{memory / 1e6:.0f} MB, expected {off['memory']:+.0%},",
+                      f"disk {off['disk']:+.0%},",
+                      f"CPU {needs['cpu_s'] / outcome['cpu_s'] - 1:+.0%}", flush=True)
+        print(f"{tried} runs: {wrong} are more than {WITHIN:.0%} off; the largest of memory "
+              f"{most['memory']:.0%}, of disk {most['disk']:.0%}")
+
+        # Half a gigabyte is not enough for this run: it says so before it takes any.
+        (folder / "run.json").write_text(json.dumps(config(256, "adaptive", "physical")), encoding="utf-8")
+        outcome, memory, said = largest_set(program, folder, 1 << 29)
+        print(said.strip(), f"({memory / 1e6:.0f} MB taken)")
+        if outcome is not None or "of memory" not in said or "/mesh/cells" not in said or memory > 100e6:
+            wrong += 1
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], [int(cells) for cells in sys.argv[2:]] or [64, 128]))
