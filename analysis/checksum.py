@@ -40,7 +40,7 @@ def require_readable(path):
     if not path.is_file():
         raise OSError(f"{path} is no file")
     status = path.stat()
-    why = _problem(str(path), status.st_mtime_ns, status.st_size, status.st_ino)
+    why = _problem(str(path), status.st_mtime_ns, status.st_ctime_ns, status.st_size, status.st_ino)
     if why:
         raise OSError(f"{path} {why}")
 

@@ -1,19 +1,23 @@
 """The only reader of run files. Layout: lib/bendlab/io/run_file.hpp.
 
-A run file is open only while something is read from it, so that hundreds of runs can be listed at once.
+A run file is open only while something is read from it, so that thousands of runs can be listed at once;
+most are not opened for that, because the index of their folder has what is asked for (run_index.py).
 Shapes: V vertices, T triangles, F committed frames. Lengths in m, times in s.
 """
 import json
+import os
 import sys
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property, lru_cache
 from pathlib import Path
 
 import h5py
 import numpy as np
 
 from checksum import require_readable
+from run_index import Index, number_json, number_of, stamp_of
 
 
 def _text(value):
@@ -22,16 +26,22 @@ def _text(value):
     return value.decode() if isinstance(value, bytes) else str(value)
 
 
+def _opened(path):
+    """The HDF5 file, once its checksum was found right: it may be known from an index alone."""
+    require_readable(path)
+    return h5py.File(path, "r")
+
+
 class Metrics(Mapping):
     """Name → (F) array of a run file. Each array is read on first use."""
 
     def __init__(self, path, names, frames):
-        self._path, self._frames, self._found = path, frames, dict.fromkeys(names)
+        self._path, self.frames, self._found = path, frames, dict.fromkeys(names)
 
     def __getitem__(self, name):
         if self._found[name] is None:
-            with h5py.File(self._path, "r") as file:
-                self._found[name] = file[f"metrics/{name}"][:self._frames]
+            with _opened(self._path) as file:
+                self._found[name] = file[f"metrics/{name}"][:self.frames]
         return self._found[name]
 
     def __iter__(self):
@@ -39,6 +49,12 @@ class Metrics(Mapping):
 
     def __len__(self):
         return len(self._found)
+
+    def about(self, name):
+        """(unit, meaning) of a metric."""
+        with _opened(self._path) as file:
+            attributes = file[f"metrics/{name}"].attrs
+            return _text(attributes.get("unit", "1")), _text(attributes.get("meaning", ""))
 
 
 class Labels(dict):
@@ -75,6 +91,18 @@ class Run:
     point: dict = field(default_factory=dict)  # JSON pointer → value: the place on the sweep
     source_hash: str = ""  # identifies the program that wrote the run
     experiment: str = ""  # its config below configs/, as in "paper/fig5"; "" if it was found without one
+    provenance: dict = field(default_factory=dict)  # name → text: commit, processor, threads, …
+
+    @property
+    def warnings(self):
+        """[{code, message}] that the run was given."""
+        return _json(self.provenance.get("warnings"), [])
+
+    @property
+    def broken(self):
+        """The first bound that an implausible run broke: {bound, measured, limit, unit, time, vertex, advice,
+        …}. None if it broke none."""
+        return _json(self.provenance.get("implausible"), None)
 
     def get(self, pointer, default=None):
         """Value of the resolved config at a JSON pointer."""
@@ -86,7 +114,7 @@ class Run:
 
     @property
     def frames(self):
-        return len(self.metrics["time"])
+        return self.metrics.frames if isinstance(self.metrics, Metrics) else len(self.metrics["time"])
 
     @property
     def complete(self):
@@ -113,25 +141,31 @@ class Run:
     def positions(self, frame=-1):
         """(V, 3) positions of a frame, float64."""
         index = self.frame_index(frame)
-        with h5py.File(self.file, "r") as file:
+        with _opened(self.file) as file:
             count = len(file["rest/positions"])
             return file["VTKHDF/Points"][index * count:(index + 1) * count].astype(float)
 
-    def trajectory(self):
-        """(F, V, 3) positions of all frames, float64."""
-        with h5py.File(self.file, "r") as file:
+    def trajectory(self, frames=None):
+        """(F, V, 3) positions of all frames, or of those with these numbers, float64."""
+        with _opened(self.file) as file:
             count = len(file["rest/positions"])
-            return file["VTKHDF/Points"][:self.frames * count].reshape(self.frames, count, 3).astype(float)
+            points = file["VTKHDF/Points"]
+            if frames is None:
+                return points[:self.frames * count].reshape(self.frames, count, 3).astype(float)
+            found = np.empty((len(frames), count, 3))
+            for i, frame in enumerate(frames):
+                found[i] = points[frame * count:(frame + 1) * count]
+            return found
 
     def cell(self, name, frame=-1):
         """(T) values of a cell field of a frame."""
         index = self.frame_index(frame)
-        with h5py.File(self.file, "r") as file:
+        with _opened(self.file) as file:
             count = len(file["rest/triangles"])
             return file[f"VTKHDF/CellData/{name}"][index * count:(index + 1) * count].astype(float)
 
     def _rest(self, name):
-        with h5py.File(self.file, "r") as file:
+        with _opened(self.file) as file:
             return file[f"rest/{name}"][()]
 
     @property
@@ -161,12 +195,16 @@ class Run:
 
     def constraints(self, kind):
         """(C, n) vertices of every constraint of a kind. KeyError if the run did not record them."""
-        with h5py.File(self.file, "r") as file:
+        with _opened(self.file) as file:
             name = f"constraints/{kind}/vertices"
             if name not in file:
                 raise KeyError(f"{self.file} has no {name}: run it with /output/constraints true")
             vertices = file[name][()].astype(int)
         return vertices if vertices.ndim == 2 else vertices.reshape(-1, 2)
+
+
+def _json(text, default):
+    return (json.loads(text) if text else None) or default
 
 
 def at(config, pointer, default=None):
@@ -185,36 +223,60 @@ def at(config, pointer, default=None):
 def load_run(path):
     """One run from its file, finished or not (`.part`). OSError: not readable, or changed since it was
     written; KeyError: no run."""
-    path = Path(path)
-    require_readable(path)
-    with h5py.File(path, "r") as file:
-        frames = len(file["metrics/time"])
+    return _run_of(Path(path), _read(path))
+
+
+def _read(path):
+    """What a run file says, but for metrics and frames, as an index has it."""
+    with _opened(path) as file:
         group = lambda name: file[name] if name in file else {}
         attributes = lambda name: file[name].attrs if name in file else {}
-        timing = group("timing")
-        passes = {}
-        if "pass" in timing:
-            passes = dict(zip(map(_text, timing["pass"][()]), map(float, timing["seconds"][()])))
-        status = _text(file.attrs["status"])
-        provenance = attributes("provenance")
-        MODEL_LABELS.update(json.loads(_text(provenance.get("models", "{}"))))
-        return Run(
-            file=path,
-            id=_text(file.attrs["id"]),
-            name=_text(file.attrs["name"]),
-            status="interrupted" if status == "running" else status,
-            config=json.loads(_text(file["provenance/config"][()])),
-            summary={name: float(np.ravel(value)[0]) for name, value in attributes("summary").items()},
-            metrics=Metrics(path, file["metrics"], frames),
-            wall_s=float(np.ravel(attributes("timing").get("wall_s", 0))[0]),
-            step_cpu_s=float(np.ravel(attributes("timing").get("step_cpu_s", 0))[0]),
-            cpu_s=float(np.ravel(attributes("timing").get("cpu_s", 0))[0]),
-            passes=passes,
-            source_hash=_text(provenance.get("source_hash", "")),
-            point=json.loads(_text(provenance.get("point", "{}"))),
-            counts={kind: int(np.ravel(data.attrs["count"])[0])
-                    for kind, data in group("constraints").items()},
-        )
+        number = lambda value: number_json(float(np.ravel(value)[0]))
+        timing, times = group("timing"), attributes("timing")
+        columns = [list(timing[name][()]) for name in ("pass", "seconds", "calls", "acted") if name in timing]
+        return {
+            "id": _text(file.attrs["id"]),
+            "name": _text(file.attrs["name"]),
+            "status": _text(file.attrs["status"]),
+            "frames": len(file["metrics/time"]),
+            **{name: number(times.get(name, 0)) for name in ("wall_s", "cpu_s", "step_cpu_s")},
+            "metrics": list(file["metrics"]),
+            "constraints": {kind: int(np.ravel(data.attrs["count"])[0])
+                            for kind, data in group("constraints").items()},
+            "passes": [[_text(name), number(seconds), *map(int, [*counts, 0, 0][:2])]
+                       for name, seconds, *counts in zip(*columns)],
+            "summary": {name: number(value) for name, value in attributes("summary").items()},
+            "provenance": {name: _text(value) for name, value in attributes("provenance").items()},
+            "config": json.loads(_text(file["provenance/config"][()])),
+        }
+
+
+def _run_of(path, found):
+    provenance = found["provenance"]
+    _learn_labels(provenance.get("models", "{}"))
+    return Run(
+        file=path,
+        id=found["id"],
+        name=found["name"],
+        status="interrupted" if found["status"] == "running" else found["status"],
+        config=found["config"],
+        summary={name: value if type(value) is float else number_of(value)
+                 for name, value in found["summary"].items()},
+        metrics=Metrics(path, found["metrics"], found["frames"]),
+        wall_s=number_of(found["wall_s"]),
+        step_cpu_s=number_of(found["step_cpu_s"]),
+        cpu_s=number_of(found["cpu_s"]),
+        passes={name: number_of(seconds) for name, seconds, *_ in found["passes"]},
+        source_hash=provenance.get("source_hash", ""),
+        provenance=provenance,
+        point=json.loads(provenance.get("point", "{}")),
+        counts=found["constraints"],
+    )
+
+
+@lru_cache(maxsize=None)
+def _learn_labels(models):
+    MODEL_LABELS.update(json.loads(models))
 
 
 def load_runs(folder):
@@ -227,25 +289,70 @@ def load_runs(folder):
     is that folder.
     """
     found = {}
-    for path in sorted(Path(folder).glob("**/run.vtkhdf*")):
-        if path.suffix not in (".vtkhdf", ".part") or "references" in path.relative_to(folder).parts:
-            continue
-        run = load_if_begun(path)
+    folder = Path(folder)
+    indices = Indices(folder)
+    for path in _run_files(str(folder)):
+        run = load_if_begun(path, indices)
         if run:
             key = json.dumps(run.config, sort_keys=True)
-            rank = (run.complete, path.stat().st_mtime)
+            rank = (run.complete, os.stat(path).st_mtime_ns)
             if key not in found or rank > found[key][0]:
                 found[key] = (rank, run)
+    indices.write()
     return [found[key][1] for key in sorted(found)]
 
 
-def load_if_begun(path):
+def _run_files(folder):
+    """Paths (str) of the run files below a folder, sorted, but for those of references."""
+    paths = []
+    for place, folders, names in os.walk(folder):
+        folders[:] = [name for name in folders if name != "references"]
+        paths += [f"{place}/{name}" for name in names
+                  if name.startswith("run.vtkhdf") and name.endswith((".vtkhdf", ".part"))]
+    return sorted(paths)
+
+
+class Indices:
+    """The indices of a folder: its own, and those of the folders in it."""
+
+    def __init__(self, folder):
+        self._folder, self._own, self._new = Path(folder), Index(folder), 0
+
+    @cached_property
+    def _others(self):
+        places = [path for path in sorted(self._folder.iterdir()) if path.is_dir()]
+        return [index for index in map(Index, places) if len(index)]
+
+    def _find(self, path, stamp):
+        found = self._own.find(path, stamp)
+        return found or next(filter(None, (index.find(path, stamp) for index in self._others)), None)
+
+    def run(self, path):
+        """The run of a file (str) below the folder: from an index if one knows it as it is, else from the
+        file. Raises what load_run() does."""
+        stamp = stamp_of(path)
+        found = self._find(path, stamp)
+        if found:
+            return _run_of(Path(path), found)
+        found = _read(path)
+        if path.endswith(".vtkhdf"):
+            self._own.put(path, stamp, found)
+            self._new += 1
+        return _run_of(Path(path), found)
+
+    def write(self):
+        """Keeps what was read from files in the folder's own index."""
+        if self._new:
+            self._own.write()
+
+
+def load_if_begun(path, indices=None):
     """The run, or None if the file is not there, is damaged (then stderr names it), or is cut off before its
-    first frame."""
-    if not Path(path).exists():
+    first frame. `indices`: of a folder above the file."""
+    if not os.path.exists(path):
         return None
     try:
-        run = load_run(path)
+        run = indices.run(str(path)) if indices else load_run(path)
     except (OSError, KeyError, ValueError) as error:
         if not str(path).endswith(".part"):
             print(f"left out: {error}", file=sys.stderr)

@@ -6,7 +6,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from load import MODEL_LABELS, Run, load_if_begun
+from load import MODEL_LABELS, Indices, Run, load_if_begun
 
 CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 
@@ -58,8 +58,9 @@ def load_experiment(results, config):
         return experiment
     MODEL_LABELS.update(sweep["models"])
     experiment.sweep = sweep["axes"]
+    indices = Indices(folder)
     for entry in sweep["runs"]:
-        run = load_if_begun(_file_in(folder / entry["folder"])) if entry["folder"] else None
+        run = load_if_begun(file_in(folder / entry["folder"]), indices) if entry["folder"] else None
         if run and run.id != entry["id"]:
             print(f"left out: {run.file} is the file of another run, {run.id}", file=sys.stderr)
             run = None
@@ -69,6 +70,7 @@ def load_experiment(results, config):
         if not run or not run.over:
             experiment.missing.append(", ".join(f"{pointer} {value}"
                                                 for pointer, value in entry["point"].items()))
+    indices.write()
     return experiment
 
 
@@ -114,15 +116,21 @@ def planned_runs(experiment):
 
 def missing_run(config, point):
     """A stand-in for a run that is not there."""
-    settings = copy.deepcopy(read_config(config))
+    settings = settings_at(read_config(config), point)
+    return Run(file=None, id="", name=settings["name"], status="missing", config=settings, summary={},
+               metrics={}, point=point, experiment=config)
+
+
+def settings_at(settings, point):
+    """A copy of a config as it is written, with the values of a place on its sweep."""
+    settings = copy.deepcopy(settings)
     for pointer, value in point.items():
         *path, last = pointer.split("/")[1:]
         node = settings
         for key in path:
             node = node[int(key)] if isinstance(node, list) else node.setdefault(key, {})
         node[int(last) if isinstance(node, list) else last] = copy.deepcopy(value)
-    return Run(file=None, id="", name=settings["name"], status="missing", config=settings, summary={},
-               metrics={}, point=point, experiment=config)
+    return settings
 
 
 def _sweep_file(folder, name):
@@ -133,7 +141,7 @@ def _sweep_file(folder, name):
     return max(folder.glob(f"{name},*.sweep.json"), key=lambda trial: trial.stat().st_mtime, default=None)
 
 
-def _file_in(folder):
+def file_in(folder):
     """The run file of a run's folder, finished or not."""
     whole = folder / "run.vtkhdf"
     return whole if whole.exists() else max(folder.glob("run.vtkhdf*.part"), default=whole)

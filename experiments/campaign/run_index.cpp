@@ -2,23 +2,25 @@
 
 #include <fmt/format.h>
 #include <sys/stat.h>
+#include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iterator>
 #include <limits>
+#include <map>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <unordered_map>
 
 #include "bendlab/io/disk.hpp"
+#include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "experiments/config/in_parallel.hpp"
 #include "experiments/config/strict_json.hpp"
 #include "experiments/run/checked_read.hpp"
-#include "experiments/run/run.hpp"
 
 namespace bendlab {
 namespace {
@@ -54,6 +56,10 @@ struct Stamp {
   bool operator==(const Stamp&) const = default;
 };
 
+std::string hash_of(std::string_view text) {
+  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
+}
+
 std::string dumped(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);  // no tab and no new line is left in it
 }
@@ -65,10 +71,14 @@ json number_json(double number) {
                                : json(number > 0 ? "inf" : "-inf");
 }
 
+double number_of(const std::string& text) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  return text == "inf" ? infinity : -infinity;
+}
+
 double number_of(const json& value) {
   if (value.is_number()) return value.get<double>();
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return value.is_null() ? std::nan("") : value == json("inf") ? infinity : -infinity;
+  return value.is_null() ? std::nan("") : number_of(value.get_ref<const std::string&>());
 }
 
 std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord& run) {
@@ -90,6 +100,49 @@ std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord&
                      Json::parse(run.config).dump());
 }
 
+/// Reads an object of texts and numbers into maps, without making a JSON document of it: there are thousands.
+class FlatObject : public nlohmann::json_sax<json> {
+ public:
+  explicit FlatObject(std::map<std::string, double>& numbers) : numbers_(&numbers) {}
+  explicit FlatObject(std::map<std::string, std::string>& texts) : texts_(&texts) {}
+
+  void read(std::string_view text) {
+    if (!json::sax_parse(text, this)) throw std::invalid_argument("the index is damaged");
+  }
+
+  bool null() override { return put(std::nan("")); }
+  bool number_integer(number_integer_t value) override { return put(static_cast<double>(value)); }
+  bool number_unsigned(number_unsigned_t value) override { return put(static_cast<double>(value)); }
+  bool number_float(number_float_t value, const string_t&) override { return put(value); }
+  bool string(string_t& value) override {
+    if (numbers_) return put(number_of(value));
+    texts_->emplace_hint(texts_->end(), std::move(key_), std::move(value));
+    return true;
+  }
+  bool key(string_t& name) override { return key_ = std::move(name), true; }
+  bool start_object(std::size_t) override { return ++depth_ == 1; }
+  bool end_object() override { return true; }
+  bool boolean(bool) override { return false; }
+  bool binary(binary_t&) override { return false; }
+  bool start_array(std::size_t) override { return false; }
+  bool end_array() override { return false; }
+  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
+    return false;
+  }
+
+ private:
+  bool put(double value) {
+    if (!numbers_) return false;
+    numbers_->emplace_hint(numbers_->end(), std::move(key_), value);
+    return true;
+  }
+
+  std::map<std::string, double>* numbers_ = nullptr;
+  std::map<std::string, std::string>* texts_ = nullptr;
+  std::string key_;
+  int depth_ = 0;
+};
+
 /// A line in its parts; views of the index's text.
 struct Entry {
   Stamp stamp;
@@ -105,14 +158,13 @@ struct Entry {
                   .wall_s = number_of(first.at("wall_s")),
                   .cpu_s = number_of(first.at("cpu_s")),
                   .step_cpu_s = number_of(first.at("step_cpu_s")),
-                  .provenance = json::parse(provenance),
                   .config = std::string(config),
                   .metrics = first.at("metrics"),
                   .constraints = first.at("constraints")};
     for (const json& pass : first.at("passes"))
       run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
-    const json numbers = json::parse(summary);
-    for (const auto& [name, value] : numbers.items()) run.summary[name] = number_of(value);
+    FlatObject(run.summary).read(summary);
+    FlatObject(run.provenance).read(provenance);
     return run;
   }
 };
@@ -121,11 +173,15 @@ struct Entry {
 class Index {
  public:
   explicit Index(const fs::path& folder) {
-    std::ifstream stream(folder / index_name, std::ios::binary);
-    text_.assign(std::istreambuf_iterator<char>(stream), {});
+    try {
+      text_ = read_input_file(folder / index_name);
+    } catch (const std::runtime_error&) {  // it is not there
+      return;
+    }
     const std::size_t last = text_.size() < 2 ? 0 : text_.rfind('\n', text_.size() - 2) + 1;
     if (!text_.starts_with(first_line) || last < first_line.size()) return;
-    if (text_.substr(last) != hex_hash(text_.substr(0, last)) + "\n") return;
+    const std::string_view all = text_;
+    if (all.substr(last) != hash_of(all.substr(0, last)) + "\n") return;
     std::string_view rest = std::string_view(text_).substr(first_line.size(), last - first_line.size());
     while (!rest.empty()) {
       const std::size_t end = rest.find('\n');
@@ -164,6 +220,31 @@ class Index {
   std::unordered_map<std::string_view, Entry> entries_;  // by path
 };
 
+/// What an index has of a file.
+struct Known {
+  Stamp stamp;                      ///< of the file
+  std::optional<RunRecord> record;  ///< none: the file has to be read
+  std::string_view line;            ///< of the record
+  std::string new_line;
+};
+
+/// Of each file.
+std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files) {
+  std::vector<Known> known(files.size());
+  const std::size_t prefix = folder.native().size() + (folder.native().ends_with('/') ? 0 : 1);
+  in_parallel(files.size(), 500, [&](std::size_t i) {
+    known[i].stamp = Stamp::of(files[i]);
+    const Entry* const entry = index.find(files[i].native().substr(prefix));
+    if (!entry || entry->stamp != known[i].stamp) return;
+    try {
+      known[i].record = entry->record(files[i]);
+      known[i].line = entry->line;
+    } catch (const std::exception&) {  // it is read anew
+    }
+  });
+  return known;
+}
+
 }  // namespace
 
 std::vector<fs::path> find_run_files(const fs::path& folder) {
@@ -180,30 +261,28 @@ std::vector<RunRecord> read_runs(const fs::path& folder,
                                  const std::function<void(const std::string&)>& unreadable) {
   const std::vector<fs::path> files = find_run_files(folder);
   const Index index(folder);
+  std::vector<Known> known = known_in(index, folder, files);
   std::vector<RunRecord> runs;
   runs.reserve(files.size());
-  std::string text(first_line);
-  std::size_t known = 0, finished = 0;
-  const std::size_t prefix = folder.native().size() + (folder.native().ends_with('/') ? 0 : 1);
-  for (const fs::path& file : files) try {
-      const Stamp stamp = Stamp::of(file);
-      const Entry* const entry = index.find(file.native().substr(prefix));
-      if (entry && entry->stamp == stamp) {
-        runs.push_back(entry->record(file));
-        text += entry->line;
-        ++known, ++finished;
+  std::size_t from_index = 0, finished = 0;
+  for (std::size_t i = 0; i < files.size(); ++i) try {
+      if (known[i].record) {
+        runs.push_back(*std::move(known[i].record));
+        ++from_index, ++finished;
         continue;
       }
-      runs.push_back(read_checked(file));
-      if (!is_finished_name(file.native())) continue;
-      text += line_of(folder, stamp, runs.back());
+      runs.push_back(read_checked(files[i]));
+      if (!is_finished_name(files[i].native())) continue;
+      known[i].new_line = line_of(folder, known[i].stamp, runs.back());
       ++finished;
     } catch (const std::exception& error) {
       unreadable(error.what());
     }
-  if (known == index.size() && known == finished) return runs;
+  if (from_index == index.size() && from_index == finished) return runs;
+  std::string text(first_line);
+  for (const Known& each : known) text += each.new_line.empty() ? each.line : std::string_view(each.new_line);
   try {
-    replace_file(folder / index_name, text + hex_hash(text) + "\n", Wait::no);
+    replace_file(folder / index_name, text + hash_of(text) + "\n", Wait::no);
   } catch (const RunFileError&) {  // somebody else's folder
   }
   return runs;

@@ -1,0 +1,88 @@
+"""The index of a folder of results, as the program writes it (experiments/campaign/run_index.hpp)."""
+import json
+import os
+import secrets
+from pathlib import Path
+
+import xxhash
+
+NAME = "runs.index"
+FIRST = b"bendlab index 1\n"
+PARTS = ("summary", "provenance", "config")  # of a line, behind its head
+
+
+def stamp_of(path):
+    """(size, modified, changed) of a file: bytes and ns. A line counts while its file has them."""
+    status = os.stat(path)
+    return status.st_size, status.st_mtime_ns, status.st_ctime_ns
+
+
+class Index:
+    """What an index says of the finished runs below its folder. An index that is missing or damaged says
+    nothing."""
+
+    def __init__(self, folder):
+        self.folder, self._lines = Path(folder), {}  # path below the folder → line
+        try:
+            data = (self.folder / NAME).read_bytes()
+        except OSError:
+            return
+        last = data.rfind(b"\n", 0, -1) + 1
+        if not data.startswith(FIRST) or last < len(FIRST) or data[last:] != _checksum(data[:last]):
+            return
+        for line in os.fsdecode(data[len(FIRST):last]).split("\n")[:-1]:
+            self._lines[line[:line.index("\t")]] = line
+
+    def __len__(self):
+        return len(self._lines)
+
+    def find(self, path, stamp):
+        """{id, name, …, summary, provenance, config} of a file (str) below the folder with this stamp, or
+        None."""
+        line = self._lines.get(path[len(str(self.folder)) + 1:])
+        if line is None:
+            return None
+        _, size, modified, changed, parts = line.split("\t", 4)
+        if (int(size), int(modified), int(changed)) != stamp:
+            return None
+        head, *parts = json.loads(f"[{parts.replace(chr(9), ',')}]")  # no JSON text has a tab
+        return {**head, **dict(zip(PARTS, parts))}
+
+    def put(self, path, stamp, run):
+        """Takes in what a file (str) below the folder says."""
+        parts = [{name: part for name, part in run.items() if name not in PARTS},
+                 *(run[name] for name in PARTS)]
+        name = path[len(str(self.folder)) + 1:]
+        if "\t" in name or "\n" in name:
+            return  # the program reads such files anew, too
+        texts = (json.dumps(part, separators=(",", ":")) for part in parts)
+        self._lines[name] = "\t".join([name, *map(str, stamp), *texts])
+
+    def write(self):
+        """Replaces the index on the disk, in one step; nothing where that is not possible."""
+        lines = os.fsencode("".join(line + "\n" for name, line in sorted(self._lines.items())
+                                    if os.path.isfile(f"{self.folder}/{name}")))
+        draft = self.folder / f"{NAME}.{os.getpid()}-{secrets.token_hex(8)}.tmp"
+        try:
+            with open(draft, "xb") as file:
+                file.write(FIRST + lines + _checksum(FIRST + lines))
+            os.replace(draft, self.folder / NAME)
+        except OSError:  # somebody else's folder, or a full disk
+            draft.unlink(missing_ok=True)
+
+
+def _checksum(data):
+    return xxhash.xxh3_64_hexdigest(data).encode() + b"\n"
+
+
+def number_json(value):
+    """A number as the index has it: JSON has none that is not finite."""
+    if value != value:
+        return None
+    return value if abs(value) != float("inf") else "inf" if value > 0 else "-inf"
+
+
+def number_of(value):
+    if value is None:
+        return float("nan")
+    return float(value)  # of "inf" and "-inf", too
