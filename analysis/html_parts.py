@@ -1,60 +1,112 @@
-"""HTML for every page: head with style sheet, sections, claims, tables and numbers."""
+"""HTML for every page: shell with style sheet and policy, sections, claims, tables and numbers."""
+import base64
+import hashlib
 import html
+import json
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
 
 import style
 from claim_map import Place, answer_rank
 
+VIEWER = Path(__file__).resolve().parent / "viewer/dist"
 HEAD = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
 <meta name="viewport" content="width=device-width, initial-scale=1">
-<title>TITLE</title>
-<style>
-  :root { --ink: #22262b; --grey: #6d747c; --line: #e2e6ea; --yes: #00694c; --no: #a8321a; --open: #7a6000; }
-  * { box-sizing: border-box }
-  body { margin: 0; color: var(--ink); background: #fff;
-    font: 16px/1.55 system-ui, "Segoe UI", "DejaVu Sans", sans-serif }
-  main { max-width: 60rem; margin: 0 auto; padding: 3rem 1.25rem 5rem }
-  h1 { font-size: 2rem; line-height: 1.2; margin: 0 0 .4rem; letter-spacing: -.01em }
-  h2 { font-size: 1.35rem; margin: 3.6rem 0 .6rem; padding-top: 1.1rem; border-top: 1px solid var(--line) }
-  h2 span { color: var(--grey); font-weight: 500; margin-right: .5rem }
-  p { margin: .5rem 0 1rem; max-width: 46rem } .lead { color: var(--grey); font-size: 1.08rem }
-  figure { margin: 1.4rem 0 } img { max-width: 100%; height: auto; display: block }
-  figcaption { color: var(--grey); font-size: .88rem; margin-top: .35rem; max-width: 46rem }
-  .scroll { overflow-x: auto; margin: 1rem 0 }
-  table { border-collapse: collapse; font-size: .84rem; line-height: 1.35;
-    font-variant-numeric: tabular-nums }
-  caption { caption-side: top; text-align: left; color: var(--grey); padding: .3rem 0 .5rem }
-  th, td { text-align: right; padding: .28rem .75rem .28rem 0; border-bottom: 1px solid var(--line);
-    vertical-align: top }
-  th { font-weight: 600; border-bottom: 1.5px solid var(--ink); vertical-align: bottom }
-  th.t, td.t { text-align: left }
-  .overview td { font-size: .95rem; padding: .45rem .9rem .45rem 0 }
-  .overview td:first-child { white-space: nowrap }
-  .claim { border-left: 4px solid var(--line); padding: .1rem 0 .1rem 1rem; margin: 1.3rem 0 }
-  .claim.yes { border-color: var(--yes) } .claim.no { border-color: var(--no) }
-  .claim.open { border-color: var(--open) }
-  .claim p { margin: .25rem 0 } .claim .rule { color: var(--grey); font-size: .9rem }
-  .claim table { margin: .5rem 0 .2rem }
-  .verdict { font-weight: 650; white-space: nowrap } .yes .verdict, .verdict.yes { color: var(--yes) }
-  .no .verdict, .verdict.no { color: var(--no) } .open .verdict, .verdict.open { color: var(--open) }
-  .map td.holds { background: #dcebf7 } .map td.fails { background: #fbe0cc }
-  .map td.none { color: var(--grey) }
-  .map td, .map th { padding: .25rem .45rem; border-left: 2px solid #fff; white-space: nowrap }
-  .map th.group { text-align: left; border-bottom: 1px solid var(--line) }
-  .map td.first, .map th.first { border-left: 10px solid #fff }
-  .korean { color: var(--grey); font-size: .92rem }
-  code, pre { font: .86rem/1.5 ui-monospace, "DejaVu Sans Mono", monospace;
-    background: #f5f6f8; border-radius: 4px }
-  code { padding: .1rem .3rem } pre { padding: .7rem .9rem; overflow-x: auto }
-  details { margin: 1rem 0 } summary { cursor: pointer; color: var(--grey); font-size: .92rem }
-  .missing { background: #fff7e0; border-left: 4px solid #d9a400; padding: .5rem .9rem; font-size: .92rem }
-</style></head><body><main>
+<link rel="icon" href="data:,">
+<title>{title}</title>
+<style>{style}</style></head>
 """
 
 
+@dataclass
+class Part:
+    """A section of a page with an address of its own."""
+
+    name: str  # its address, as in #name
+    title: str
+    body: str  # HTML
+    link: str = ""  # its name in the navigation; "": the title
+
+
+@dataclass
+class Made:
+    """Where a page is from."""
+
+    commit: str
+    date: str
+    machine: str
+    command: str
+
+    @property
+    def html(self):
+        rows = [("Made by", f"<code>{escape(self.command)}</code>" if self.command else ""),
+                ("Commit", escape(self.commit)), ("Date", escape(self.date)),
+                ("Machine", escape(self.machine))]
+        entries = "".join(f"<dt>{name}</dt><dd>{text}</dd>" for name, text in rows if text)
+        return f"<footer class='foot'><div><dl>{entries}</dl></div></footer>"
+
+
 def document(title, body):
-    """A whole page as HTML."""
-    return HEAD.replace("TITLE", escape(title)) + body + "\n</main></body></html>\n"
+    """A whole page as HTML: text, pictures and tables that nothing moves."""
+    return _head(title, scripts=()) + f"<body class='article'><main>\n{body}\n</main></body></html>\n"
+
+
+def page(title, top, parts, made, data, frames=""):
+    """A whole page as HTML: what stands above its sections, these, and where it is from.
+
+    `data` is what its scripts read (viewer/README.md), `frames` HTML of the scripts that hold frames. Nothing
+    in the page runs but the viewer: its policy names the hashes of the one script and the one style sheet.
+    """
+    script = _viewer("viewer.js")
+    links = "".join(f"<a href='#{part.name}'>{escape(part.link or part.title)}</a>" for part in parts)
+    sections = "".join(f"<section aria-labelledby='{part.name}'>{heading(part.name, part.title)}\n{part.body}"
+                       "</section>\n" for part in parts)
+    return (f"{_head(title, [script], live=bool(data.get('live')))}<body>\n<a class='skip' href='#main'>Skip "
+            "to the content</a>\n<header class='bar'><div><a class='home' href='#main'>bendlab</a><nav "
+            f"aria-label='Sections'>{links}</nav></div></header>\n<main id='main'>\n{top}\n{sections}</main>"
+            f"\n{made.html}\n<script type='application/json' id='bendlab-data'>{json_text(data)}</script>\n"
+            f"{frames}\n<script>{script}</script></body></html>\n")
+
+
+def heading(name, title, level=2):
+    """A heading with an address that shows itself beside it."""
+    anchor = f"<a class='anchor' href='#{name}' aria-label='Address of this section'>#</a>"
+    return f"<h{level} id='{name}'>{escape(title)}{anchor}</h{level}>"
+
+
+def json_text(data):
+    """JSON that can stand inside a script element, whatever its texts are."""
+    text = json.dumps(data, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
+    for character in "<>&\u2028\u2029":
+        text = text.replace(character, f"\\u{ord(character):04x}")
+    return text
+
+
+def _head(title, scripts, live=False):
+    sheet = _viewer("viewer.css")
+    hashes = lambda texts: " ".join(_hash(text) for text in texts) or "'none'"
+    connect = "'self'" if live else "'none'"
+    policy = (f"default-src 'none'; script-src {hashes(scripts)}; style-src {hashes([sheet])}; connect-src "
+              f"{connect}; img-src 'self' file: data: blob:; media-src blob:; base-uri 'none'; form-action "
+              "'none'")
+    return HEAD.format(policy=policy, title=escape(title), style=sheet)
+
+
+def _hash(text):
+    """The name of a script or style sheet in a page's policy."""
+    return "'sha256-" + base64.b64encode(hashlib.sha256(text.encode()).digest()).decode() + "'"
+
+
+@lru_cache(maxsize=None)
+def _viewer(name):
+    """A file of the viewer's bundle. ValueError if it holds what would end its element early."""
+    text = (VIEWER / name).read_text(encoding="utf-8")
+    if "</script" in text.lower() or "</style" in text.lower() or "<!--" in text:
+        raise ValueError(f"{VIEWER / name} cannot stand inside an HTML element")
+    return text
 
 
 def mark(claim):
@@ -177,6 +229,15 @@ def shown(value):
     if isinstance(value, str):
         return escape(value)
     return str(value) if isinstance(value, int) else style.number(value)
+
+
+def number_text(value, digits=3):
+    """A number as text of a page: 0.00123, 1.23·10⁻⁵, − for negative ones."""
+    first, _, exponent = style.number(value, digits).replace("-", "−", 1 if value < 0 else 0).partition("e")
+    if not exponent:
+        return first
+    raised = str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    return f"{first}·10{raised}"
 
 
 def table_html(table):

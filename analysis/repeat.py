@@ -1,5 +1,6 @@
 """The commands that compute given runs again."""
 import json
+import shlex
 
 from load import group
 from sweeps import planned_points, point_key, read_config
@@ -14,6 +15,15 @@ def commands(runs):
             changes = _changes(settings["sweep"], chosen)
             lines.append(" ".join([f"./bendlab run configs/{config}.json", *changes]))
     return lines
+
+
+def command(config, point, axes=None, overrides=()):
+    """The `bendlab run` command of one run, by its config's path, its place and what `--set` changed."""
+    axes = axes or {pointer: [value] for pointer, value in point.items()}
+    chosen = {pointer: [value] for pointer, value in point.items()}
+    told = [f"--set {shlex.quote(text)}" for text in overrides
+            if text.partition("=")[0] not in chosen]
+    return " ".join(["./bendlab run", shlex.quote(str(config)), *told, *_changes(axes, chosen)])
 
 
 def _chosen_axes(settings, points):
@@ -46,4 +56,9 @@ def _changes(axes, chosen):
         if values != axes[pointer]:
             value = values[0] if len(values) == 1 else values
             text = value if isinstance(value, str) else json.dumps(value)
-            yield f"--set '{pointer}={text}'"
+            yield f"--set {_quoted(f'{pointer}={text}')}"
+
+
+def _quoted(text):
+    """As one word of a shell, in quotes also where it needs none."""
+    return shlex.quote(text) if "'" in text else f"'{text}'"

@@ -23,6 +23,14 @@ Json run_entry(const fs::path& out, const Experiment& experiment, const RunConfi
   return entry;
 }
 
+Json to_json(const Expectation& expectation) {
+  Json entry = {{"metric", expectation.metric}, {"why", expectation.why}};
+  if (expectation.minimum) entry["min"] = *expectation.minimum;
+  if (expectation.maximum) entry["max"] = *expectation.maximum;
+  if (!expectation.where.empty()) entry["where"] = expectation.where;
+  return entry;
+}
+
 // A list in square brackets with an entry on each line.
 std::string lines_of(const Json& list) {
   std::string text = "[";
@@ -42,14 +50,15 @@ fs::path sweep_file(const fs::path& out, const Experiment& experiment) {
 void write_sweep_file(const fs::path& out, const Experiment& experiment) {
   const fs::path file = sweep_file(out, experiment);
   const BuildInfo& build = build_info();
-  Json axes = Json::object(), runs = Json::array();
+  Json axes = Json::object(), runs = Json::array(), expect = Json::array();
+  for (const Expectation& expectation : experiment.expectations) expect.push_back(to_json(expectation));
   for (const auto& [pointer, values] : experiment.axes) axes[pointer] = values;
   for (const RunConfig& config : experiment.runs) runs.push_back(run_entry(out, experiment, config));
-  const Json head = {{"experiment", experiment.name},     {"config", experiment.source.string()},
-                     {"overrides", experiment.overrides}, {"version", build.version},
-                     {"git_commit", build.git_commit},    {"source_hash", build.source_hash},
-                     {"settings", experiment.settings},   {"models", model_labels_json()},
-                     {"cover", experiment.cover.strength}};
+  const Json head = {{"experiment", experiment.name},      {"config", experiment.source.string()},
+                     {"overrides", experiment.overrides},  {"version", build.version},
+                     {"git_commit", build.git_commit},     {"source_hash", build.source_hash},
+                     {"settings", experiment.settings},    {"models", model_labels_json()},
+                     {"cover", experiment.cover.strength}, {"expect", expect}};
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());
   text += fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));

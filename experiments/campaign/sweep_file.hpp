@@ -12,8 +12,8 @@ namespace bendlab {
 std::filesystem::path sweep_file(const std::filesystem::path& out, const Experiment& experiment);
 
 /// Writes it: the settings as written, the program, every registered bending model with its label, the axes
-/// with their values, and of each run its point, its id and its folder (null where a file that the run needs
-/// can't be read). Throws RunFileError.
+/// with their values, what is expected of the runs, and of each run its point, its id and its folder (null
+/// where a file that the run needs can't be read). Throws RunFileError.
 void write_sweep_file(const std::filesystem::path& out, const Experiment& experiment);
 
 }  // namespace bendlab

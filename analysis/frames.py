@@ -1,0 +1,311 @@
+"""What the player of a page needs: the frames of runs as few bytes, and the colours it draws with.
+
+    shown = playback(runs)
+    shown.data      {"colours": …, "quantities": […], "runs": [{"id", "label", "name", "status", "frames"}]}
+    shown.scripts   HTML: the frames of every run that has some
+    shown.players   HTML: a player of these runs (player_html)
+
+analysis/viewer/README.md has the shape of it all. Lengths in m, times in s.
+"""
+import base64
+import html
+import json
+import math
+import shlex
+import tempfile
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+import obstacles
+import render
+import style
+from frame_coding import LEVELS, PARENTS, deflated, encode, lineage
+from load import Run
+
+LIMIT = 60e6  # bytes of all frames of a page in the file; above it frames are left out
+MOST_SPRINGS = 400_000  # of a run; more are not taken into the page
+FLOWN_APART = 50  # sizes; a frame whose box is larger would leave no digits for the others
+FOLDER = Path(__file__).resolve().parents[1] / "configs/scenes"  # of old runs, which keep no files
+
+
+@dataclass
+class Playback:
+    """Runs ready for a page."""
+
+    data: dict  # to be in the page's data
+    scripts: str  # HTML
+    players: str  # HTML
+
+
+def playback(runs, limit=LIMIT, labels=None, most=None):
+    """Playback of runs, each packed once. `labels`: id → name in the page, by default what differs. Runs
+    whose frames together exceed `limit` bytes, or are more than `most` each, are thinned evenly, and
+    say so."""
+    labels = labels or labels_of(runs)
+    every = {run.id: math.ceil(run.frames / most) if most and run.frames else 1 for run in runs}
+    packed = {run.id: pack(run, every[run.id]) for run in runs}
+    size = sum(4 / 3 * len(each.data) for each in packed.values() if each)
+    if size > limit:
+        more = math.ceil(size / limit)
+        packed = {run.id: pack(run, more * every[run.id]) for run in runs}
+    data = {"colours": colours(), "quantities": QUANTITIES,
+            "runs": [{"id": run.id, "label": labels[run.id], "name": run.name, "status": run.status,
+                      "frames": packed[run.id].head if packed[run.id] else None,
+                      "remedy": None if packed[run.id] else remedy(run)} for run in runs]}
+    scripts = "\n".join(script(each) for each in packed.values() if each)
+    return Playback(data, scripts, player_html(runs))
+
+
+def player_html(runs):
+    """A player of these runs; the page needs their data and scripts too."""
+    names = html.escape(" ".join(run.id for run in runs), quote=True)
+    return (f"<div class='player' data-runs='{names}'><p class='player-fallback'>The cloth moves here in a "
+            "browser with JavaScript and WebGL 2.</p></div>")
+
+
+def script(packed):
+    """The frames of a run, for the page."""
+    return (f"<script type='application/octet-stream;base64' id='{packed.head['dom']}'>"
+            f"{base64.b64encode(packed.data).decode()}</script>")
+
+
+def remedy(run):
+    """What to do about a run without frames."""
+    if run.status == "missing":
+        return "This run is not computed yet."
+    config = f"configs/{run.experiment}.json" if run.experiment else "CONFIG"
+    points = " ".join(f"--set {shlex.quote(f'{key}={value}')}" for key, value in run.point.items())
+    return (f"This run recorded no frames. To see it move: ./bendlab run {config} {points} "
+            "--set /output/frames_per_second=30 --force").replace("  ", " ")
+
+
+def labels_of(runs):
+    """Run id → its config if there are several, its model, and the other settings in which runs differ."""
+    pointers = {pointer for run in runs for pointer in run.point} - {"/bending/model"}
+    differs = lambda value: len({json.dumps(value(run), sort_keys=True) for run in runs}) > 1
+    swept = [pointer for pointer in sorted(pointers) if differs(lambda run: run.get(pointer))]
+    several = differs(lambda run: _config_name(run))
+    found = {}
+    for run in runs:
+        parts = [_config_name(run)] if several else []
+        parts.append(style.MODEL_LABELS[run.model])
+        parts += [f"{pointer.rsplit('/', 1)[1].replace('_', ' ')} {_short(run.get(pointer))}"
+                  for pointer in swept if run.get(pointer) is not None]
+        found[run.id] = ", ".join(parts)
+    return found
+
+
+def _config_name(run):
+    return run.name.split("/")[0].replace("_", " ")
+
+
+def _short(value):
+    return f"{value:g}" if isinstance(value, float) else str(
+        value) if np.isscalar(value) else json.dumps(value)
+
+
+# --- colours and quantities --------------------------------------------------------------------------------
+
+def _hex(colours):
+    return "".join(f"{round(255 * c):02x}" for colour in colours for c in colour[:3])
+
+
+def colours():
+    """Colour maps as 256 hexadecimal colours, and the light, as figures have them."""
+    import matplotlib
+    shares = np.linspace(0, 1, 256)
+    maps = {"stretch": style.STRETCH, "sequence": matplotlib.colormaps["viridis"],
+            "quality": matplotlib.colormaps["cividis"], "difference": matplotlib.colormaps["RdBu_r"]}
+    return {"maps": {name: _hex(each(shares)) for name, each in maps.items()},
+            "light": render.LIGHT.tolist(), "back": render.BACK.tolist(), "obstacle": list(render.OBSTACLE),
+            "rings": style.SEQUENCE}
+
+
+# What the cloth can be coloured by. `scale`: log or linear; `range`: at first, null: that of the data.
+QUANTITIES = [
+    {"key": "stretch", "name": "Stretch", "symbol": "σ₁ − 1", "unit": "1", "map": "stretch", "scale": "log",
+     "range": [style.STRETCH_NORM.vmin, style.STRETCH_NORM.vmax],
+     "meaning": "Largest principal stretch of a triangle, less 1: 0 unstretched, 1 twice as long"},
+    {"key": "strain", "name": "Strain", "symbol": "max |σ − 1|", "unit": "1", "map": "stretch",
+     "scale": "log",
+     "range": [0.01, 10],
+     "meaning": "Larger of |σ₁ − 1| and |σ₂ − 1|: stretched or compressed"},
+    {"key": "quality", "name": "Triangle quality", "symbol": "shape", "unit": "1", "map": "quality",
+     "scale": "linear", "range": [0, 1],
+     "meaning": "4√3 area / (a² + b² + c²): 1 equilateral, 0 without area"},
+    {"key": "bending", "name": "Bending energy", "symbol": "½ κ²", "unit": "1/m²", "map": "sequence",
+     "scale": "log", "range": None,
+     "meaning": "Energy of the hinges of discrete shells per area at rest, for a flexural rigidity of 1 N m"},
+    {"key": "distance", "name": "Distance", "symbol": "|Δx|", "unit": "m", "map": "sequence",
+     "scale": "linear",
+     "range": None, "meaning": "How far a vertex is from the same point of the other run's cloth"},
+    {"key": "none", "name": "Plain", "symbol": "", "unit": "", "map": None, "scale": "linear", "range": None,
+     "meaning": "The shape alone"},
+]
+
+
+# --- frames ------------------------------------------------------------------------------------------------
+
+@dataclass
+class Packed:
+    """The frames of one run: what JSON says of them, and their bytes."""
+
+    head: dict
+    data: bytes  # the frames after the first last, so that the page can draw before it has read them
+
+
+class _Sections:
+    """Arrays one behind the other, each deflated by itself."""
+
+    def __init__(self):
+        self.data, self.places = b"", {}
+
+    def add(self, name, data, **more):
+        self.places[name] = {"offset": len(self.data), "size": len(data), **more}
+        self.data += data
+
+    def integers(self, name, array, columns):
+        """Differences to the row before, four byte planes."""
+        rows = np.asarray(array, np.int64).reshape(-1, columns)
+        steps = np.diff(rows, axis=0, prepend=0)
+        folded = ((steps << 1) ^ (steps >> 63)).astype("<u4")
+        self.add(name, deflated(_planes(folded)), kind="integers", rows=len(rows), columns=columns)
+
+    def floats(self, name, array, columns):
+        """32 bits, four byte planes."""
+        rows = np.asarray(array, "<f4").reshape(-1, columns)
+        self.add(name, deflated(_planes(rows)), kind="floats", rows=len(rows), columns=columns)
+
+
+def _planes(array):
+    """Bytes of an array of 4-byte numbers: column by column, the first byte of all rows, then the second …"""
+    return np.ascontiguousarray(array.T).view(np.uint8).reshape(array.shape[1], -1, 4).transpose(
+        0, 2, 1).tobytes()
+
+
+def pack(run: Run, every=1):
+    """Packed of every `every`-th frame and the last, None if the run has no frames or is not there."""
+    chosen, frames, notes = choose(run, every)
+    if not len(chosen):
+        return None
+    rest, triangles = run.rest_positions, run.triangles
+    origin, step = _lattice(frames)
+    lattice = np.rint((frames - origin) / step).astype(np.int32)
+    parents, groups = _lineage(triangles.tobytes(), len(rest))
+    coded = encode(lattice, parents, groups)
+    sections = _Sections()
+    sections.floats("rest", rest, 3)
+    sections.integers("triangles", triangles, 3)
+    sections.integers("parents", np.arange(len(rest))[:, None] - parents, PARENTS)
+    sections.integers("groups", groups, 1)
+    sections.integers("pinned", np.flatnonzero(run.pinned), 1)
+    sections.integers("seeds", run.pin_seeds, 1)
+    springs = _add_springs(sections, run)
+    solid = _add_obstacles(sections, run, notes)
+    sections.integers("first", lattice[0], 3)
+    sections.add("frames", coded.data, kind="frames", weights=coded.weights, counts=coded.counts)
+    head = {"dom": f"frames-{run.id}", "count": len(chosen), "recorded": run.frames, "vertices": len(rest),
+            "triangles": len(triangles), "times": [round(float(t), 9) for t in run.metrics["time"][chosen]],
+            "chosen": [int(frame) for frame in chosen], "origin": origin.tolist(), "step": step,
+            "size": run.size, "box": [frames.min(axis=(0, 1)).tolist(), frames.max(axis=(0, 1)).tolist()],
+            "notes": notes, "sections": sections.places, "springs": springs,
+            "rigidity": run.get("/bending/flexural_rigidity"), "obstacles": solid,
+            "floor": obstacles.floor_of(run.config)}
+    return Packed(head, sections.data)
+
+
+@lru_cache(maxsize=2)
+def _lineage(triangles, vertices):
+    """lineage() of triangles as bytes: runs of a sweep share a mesh."""
+    return lineage(np.frombuffer(triangles, int).reshape(-1, 3), vertices)
+
+
+def _lattice(frames):
+    """(3) origin and the step of the 16 bits: one for all axes, so that the box's largest side has LEVELS."""
+    low, high = frames.min(axis=(0, 1)), frames.max(axis=(0, 1))
+    return low, float(max(np.max(high - low), 1e-9) / LEVELS)
+
+
+def choose(run, every=1):
+    """Numbers of the frames to be shown, their positions (F, V, 3), and sentences on those that are not."""
+    count = 0 if run.status == "missing" else run.frames
+    if not count:
+        return np.array([], int), np.empty((0, 0, 3)), []
+    notes = []
+    wanted = np.union1d(np.arange(0, count, every), count - 1)
+    frames = run.trajectory(wanted)
+    size = run.size
+    cloth = np.array([_is_cloth(positions, size) for positions in frames])
+    if not cloth.all():
+        notes.append(
+            f"{len(wanted) - cloth.sum()} of {len(wanted)} frames are left out: in them the cloth is not "
+            f"finite or larger than {FLOWN_APART} times its rest size.")
+    if every > 1:
+        notes.append(f"{cloth.sum()} of {count} frames are shown, one of {every}, so that the page "
+                     "stays small.")
+    return wanted[cloth], frames[cloth], notes
+
+
+def _is_cloth(positions, size):
+    return np.isfinite(positions).all() and np.ptp(positions, axis=0).max() <= FLOWN_APART * size
+
+
+def _add_springs(sections, run):
+    """What the page says of a run's bending constraints: their sections by kind, or why there are none."""
+    found, missing = {}, None
+    with h5py.File(run.file, "r") as file:
+        for kind, group in (file["constraints"].items() if "constraints" in file else ()):
+            count = int(np.ravel(group.attrs["count"])[0])
+            if kind == "strain" or not count:
+                continue
+            if "vertices" not in group:
+                missing = ("The run did not record its springs. Run it again with "
+                           "--set /output/constraints=true --force to see them.")
+            elif count > MOST_SPRINGS:
+                missing = f"{count:,} springs are too many for a page.".replace(",", " ")
+            else:
+                vertices = group["vertices"][()]
+                vertices = vertices.reshape(count, -1)
+                vertices = vertices[np.lexsort(vertices.T[::-1])]
+                sections.integers(f"springs-{kind}", vertices, vertices.shape[1])
+                found[kind] = f"springs-{kind}"
+    return {"kinds": found, "counts": run.counts, "missing": None if found else missing}
+
+
+def _add_obstacles(sections, run, notes):
+    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0. Notes say which can't
+    be drawn."""
+    parts = []
+    with tempfile.TemporaryDirectory() as folder:
+        _write_inputs(run, Path(folder))
+        for effect in obstacles.obstacles_of(run.config):
+            name = effect.get("file", "")
+            home = folder if (Path(folder) / name).is_file() else FOLDER
+            try:
+                points, triangles = obstacles.surfaces({"effects": [effect]}, 0.0, 4 * run.size, home)
+            except (OSError, ValueError):
+                notes.append(
+                    f"An obstacle is not drawn, for its file {name} was not found or is no .obj file.")
+                continue
+            if len(triangles):
+                section = f"obstacle-{len(parts)}"
+                sections.floats(f"{section}-points", points, 3)
+                sections.integers(f"{section}-triangles", triangles, 3)
+                parts.append({"section": section, "velocity": list(effect["velocity"])})
+    return parts
+
+
+def _write_inputs(run, folder):
+    """Writes the files that the run's config names, which its run file keeps, below a folder."""
+    with h5py.File(run.file, "r") as file:
+        for entry in file["provenance/inputs"].values() if "provenance/inputs" in file else ():
+            name = entry.attrs["name"]
+            name = name.decode() if isinstance(name, bytes) else str(name)
+            path = (folder / name).resolve()
+            if folder.resolve() in path.parents:
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(np.asarray(entry[()]).tobytes())

@@ -1,0 +1,137 @@
+"""The axes of a sweep as charts and tables need them: labels of their values, scale, unit."""
+import json
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from collected import flattened
+from sweeps import point_key
+
+CELLS = "/mesh/cells"
+
+
+@dataclass
+class Axis:
+    pointer: str
+    values: list
+    texts: list  # of the values
+    label: str
+    unit: str = ""
+    meaning: str = ""
+    places: dict = field(default_factory=dict)  # point_key of a value → its number
+
+    @property
+    def numeric(self):
+        return all(_is_number(value) for value in self.values)
+
+    @property
+    def short(self):
+        """The label where there is little room."""
+        return "cells" if self.pointer == CELLS else self.label
+
+    @property
+    def is_seed(self):
+        """Whether runs along it are repetitions, over whose spread medians are taken."""
+        return self.pointer.endswith("/seed")
+
+    @property
+    def models(self):
+        """The bending model of every value, None if it is no axis of models."""
+        if self.pointer == "/bending/model":
+            return self.values
+        if self.pointer == "/bending" and all(isinstance(v, dict) and "model" in v for v in self.values):
+            return [value["model"] for value in self.values]
+        return None
+
+    @property
+    def scale(self):
+        """How a chart draws it: band, linear, log or log2."""
+        if not self.numeric:
+            return "band"
+        if self.pointer == CELLS:
+            return "log2"
+        numbers = np.sort(np.array(self.values, float))
+        if numbers[0] <= 0:
+            return "linear"
+        ratios = numbers[1:] / numbers[:-1]
+        even = len(ratios) > 1 and ratios.min() >= 1.5 and np.allclose(ratios, ratios[0], rtol=0.02)
+        return "log" if even or numbers[-1] / numbers[0] >= 8 else "linear"
+
+    def place(self, run):
+        """The number of the run's value, None if the axis is none of its model's."""
+        if self.pointer not in run.point:
+            return None
+        return self.places.get(point_key({self.pointer: run.point[self.pointer]}))
+
+    def text(self, run):
+        place = self.place(run)
+        return "" if place is None else self.texts[place]
+
+
+def axes_of(sweep, meanings):
+    """The axes of a sweep with more than one value, and those that have one only."""
+    axes = [_axis(pointer, values, sweep, meanings) for pointer, values in sweep.axes.items() if values]
+    return [axis for axis in axes if len(axis.values) > 1], [axis for axis in axes if len(axis.values) == 1]
+
+
+def _axis(pointer, values, sweep, meanings):
+    unit, meaning = meanings.setting(pointer)
+    places = {point_key({pointer: value}): i for i, value in enumerate(values)}
+    label = "cells along the width" if pointer == CELLS else _name(pointer, sweep.axes)
+    return Axis(pointer, values, _texts(values), label, unit, meaning, places)
+
+
+def _name(pointer, axes):
+    """The last part of a pointer, or as much of its end as tells it from the other axes."""
+    parts = pointer.split("/")[1:]
+    for count in range(1, len(parts) + 1):
+        end = parts[-count:]
+        if not any(other != pointer and other.split("/")[1:][-count:] == end for other in axes):
+            break
+    return " ".join(end).replace("_", " ")
+
+
+def _texts(values):
+    """A short text for every value. Objects are told by the settings in which they differ."""
+    if all(isinstance(value, dict) for value in values):
+        flat = [flattened(value) for value in values]
+        keys = dict.fromkeys(key for each in flat for key in each)
+        differ = [key for key in keys if len({json.dumps(each.get(key)) for each in flat}) > 1]
+        texts = [_object_text(each, differ) for each in flat]
+    else:
+        texts = [value_text(value) for value in values]
+    return texts if len(set(texts)) == len(texts) else [json.dumps(value) for value in values]
+
+
+def _object_text(flat, differ):
+    model = flat.get("/model")
+    parts = [model] if model and "/model" in differ else []
+    parts += [f"{key.rsplit('/', 1)[1].replace('_', ' ')} {value_text(flat[key])}" for key in differ
+              if key in flat and key != "/model"]
+    return ", ".join(parts) or "as it is"
+
+
+def value_text(value):
+    """A value in few letters; names are those that the program writes."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, (int, float)):
+        return str(int(value)) if value == int(value) and abs(value) < 1e9 else f"{value:.6g}"
+    if isinstance(value, str):
+        return value
+    if isinstance(value, list) and all(_is_number(entry) for entry in value):
+        return " ".join(map(value_text, value))
+    return json.dumps(value)
+
+
+def _is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool)
+
+
+def label_of(run, axes):
+    """A run by its place: '64, adaptive' with names where a number alone says nothing."""
+    parts = [axis.text(run) if axis.models or not axis.numeric else f"{axis.short} {axis.text(run)}"
+             for axis in sorted(axes, key=lambda axis: axis.models is None) if axis.place(run) is not None]
+    return ", ".join(parts) or run.name
+
+

@@ -1,0 +1,288 @@
+"""The charts of a sweep: its numbers against each of its axes, over time, and where the time goes."""
+import math
+
+import numpy as np
+
+import looks
+from expectations import expected_of
+from load import by_model, group
+from sweep_axes import label_of
+
+FIRST = ["mean_strain", "pin_max_stretch", "max_stretch", "drop", "effective_bending_stiffness",
+         "effective_membrane_stiffness", "error_physical_rms", "error_solver_rms",
+         "stiffness_flexural_rigidity", "drape_coefficient", "worst_stretch",
+         "kinetic_energy"]  # what most people look at, in this order
+FRAME_S = 1 / 60  # of which CPU times are told
+CPU = "ms_per_frame"
+MOST_NUMBERS, MOST_ROWS, MOST_TIMES, MOST_PARTS = 12, 24, 300, 4
+NOT_OF_STEPS = ("recording", "set_up")  # passes that no step has: told, but not drawn at first
+OF_COURSE = ("vertices", "triangles", "size", "memory_bytes")  # not measured, but chosen
+
+
+def cpu_ms(run):
+    """CPU time of the steps per FRAME_S of simulated time, in ms; NaN if it is not known."""
+    seconds = simulated_s(run)
+    return 1e3 * FRAME_S * run.step_cpu_s / seconds if seconds > 0 and run.step_cpu_s > 0 else math.nan
+
+
+def simulated_s(run):
+    """How much time of the cloth a run has. Of one that went to its end its file need not be opened."""
+    if run.complete and not run.get("/settled_speed") and run.get("/duration"):
+        return float(run.get("/duration"))
+    return float(run.metrics["time"][-1]) if run.frames else 0.0
+
+
+def number_of(run, name):
+    """A number of a run's summary: infinite for a run that diverged, NaN if it has none."""
+    if name == CPU:
+        return cpu_ms(run)
+    return run.summary.get(name, math.inf if run.status == "diverged" else math.nan)
+
+
+def numbers_of(sweep, meanings):
+    """[{name, label, unit, meaning}] of the numbers that vary in a sweep, first those that it expects."""
+    names = {name for run in sweep.runs for name in run.summary}
+    expected = [each.metric for each in expected_of(sweep.settings)]
+    others = sorted(name for name in names if not name.startswith("rest_") and name not in OF_COURSE)
+    ordered = dict.fromkeys([*expected, *FIRST, *others])
+    last = {name.removesuffix("_last") for name in ordered if name.endswith("_last")}
+    wanted = [name for name in ordered if name in names and (name in expected or _varies(sweep.runs, name))
+              and not (name.endswith("_last") and name.removesuffix("_last") in last & names)]
+    told = [about_number(name, meanings) for name in wanted[:MOST_NUMBERS]]
+    return [*told, about_number(CPU, meanings)] if any(cpu_ms(run) > 0 for run in sweep.runs) else told
+
+
+def about_number(name, meanings):
+    if name == CPU:
+        return {"name": CPU, "label": "CPU time per frame", "unit": "ms",
+                "meaning": "CPU time of the steps for 1/60 s of simulated time"}
+    unit, meaning = meanings.number(name)
+    return {"name": name, "label": name.replace("_", " "), "unit": unit, "meaning": meaning}
+
+
+def _varies(runs, name):
+    found = {run.summary[name] for run in runs if name in run.summary}
+    return len(runs) == 1 or len(found) > 1
+
+
+# --- against an axis ---------------------------------------------------------------------------------------
+
+def axis_charts(sweep, axes, numbers, command, prefix):
+    """A chart for every axis but those of seeds: medians over seeds, with their range."""
+    if not numbers:
+        return []
+    wanted = [axis for axis in axes if not axis.is_seed]
+    ordered = sorted(wanted, key=lambda axis: (axis.scale == "band", axis.pointer != "/mesh/cells"))
+    charts = [_axis_chart(sweep, axis, wanted, numbers, command, f"{prefix}against-{i + 1}")
+              for i, axis in enumerate(ordered)]
+    return [chart for chart in charts if chart["series"]]
+
+
+def _axis_chart(sweep, axis, axes, numbers, command, name):
+    others = [other for other in axes if other is not axis]
+    curves = _curve_axis(others)
+    held = [other for other in others if other is not curves]
+    series = []
+    for key, some in group(sweep.runs, lambda run: tuple(other.place(run) for other in others)).items():
+        places = dict(zip([other.pointer for other in others], key))
+        one = _series(some, axis, numbers)
+        if not one:
+            continue
+        place = places[curves.pointer] if curves else None
+        label, look = _curve_name(curves, place, sweep)
+        series.append({"label": label, "look": look, "held": [places[other.pointer] for other in held],
+                       "order": -1 if place is None else place, **one})
+    series.sort(key=lambda each: each.pop("order"))
+    if axis.models and len({each["label"] for each in series}) == 1:
+        series = [part for each in series for part in _by_model(each, axis)]
+    seeds = {run.point[pointer] for run in sweep.runs for pointer in run.point if pointer.endswith("/seed")}
+    spread = f"Median and range over {len(seeds)} seeds." if len(seeds) > 1 else ""
+    x = {"name": axis.pointer, "label": axis.label, "unit": "" if axis.unit == "1" else axis.unit,
+         "scale": axis.scale}
+    x |= {"categories": axis.texts} if axis.scale == "band" else {"ticks": axis.values}
+    return {"id": name, "kind": "lines", "title": f"Against {axis.label}", "note": spread, "x": x,
+            "ys": numbers, "choice": 0, "series": series, "command": command,
+            "limits": _limits(sweep), **({"legend": False, "dodge": False} if axis.models and len(series) > 1
+                                         and all(len(each["x"]) == 1 for each in series) else {}),
+            "held": [{"name": other.pointer, "label": other.label, "values": other.texts,
+                      "at": _middle(sweep.runs, other)} for other in held]}
+
+
+def _curve_axis(others):
+    """The axis whose values are the curves: that of the models, else the one of fewest values."""
+    models = [axis for axis in others if axis.models]
+    return (models or sorted(others, key=lambda axis: (len(axis.values) > 12, len(axis.values))) or [None])[0]
+
+
+def _curve_name(axis, place, sweep):
+    if axis is None or place is None:
+        models = list(by_model([run for run in sweep.runs if run.config]))
+        return sweep.name, looks.of_model(models[0]) if len(models) == 1 else looks.of_place(0)
+    look = looks.of_model(axis.models[place]) if axis.models and _own_looks(axis) else looks.of_place(place)
+    text = axis.texts[place]
+    return (text if axis.scale == "band" else f"{axis.short} {text}"), look
+
+
+def _own_looks(axis):
+    """Whether every value of an axis of models is another model, so that the models' colours tell them."""
+    return len(set(axis.models)) == len(axis.models)
+
+
+def _by_model(series, axis):
+    """One series per point, each in its model's look."""
+    for i, place in enumerate(series["x"]):
+        at = lambda numbers: {name: [values[i]] for name, values in numbers.items()}
+        look = looks.of_model(axis.models[place]) if _own_looks(axis) else looks.of_place(place)
+        yield series | {"label": axis.texts[place], "look": look, "x": [place], "runs": [series["runs"][i]],
+                        "y": at(series["y"]), **({"low": at(series["low"]), "high": at(series["high"])}
+                                                 if "low" in series else {})}
+
+
+def _series(runs, axis, numbers):
+    """Places, runs and numbers along an axis; None without any."""
+    at = {place: some for place, some in sorted(group(
+        [run for run in runs if axis.place(run) is not None], axis.place).items()) if any(
+            run.summary or run.status == "diverged" for run in some)}
+    if not at:
+        return None
+    found = {"x": [place if axis.scale == "band" else axis.values[place] for place in at],
+             "runs": [[run.id for run in some] for some in at.values()], "y": {}}
+    if axis.scale != "band":
+        order = np.argsort(found["x"], kind="stable")
+    else:
+        order = np.arange(len(found["x"]))
+    found["x"] = [found["x"][i] for i in order]
+    found["runs"] = [found["runs"][i] for i in order]
+    several = any(len(some) > 1 for some in at.values())
+    if several:
+        found |= {"low": {}, "high": {}}
+    groups = [list(at.values())[i] for i in order]
+    for number in numbers:
+        spreads = [_spread([number_of(run, number["name"]) for run in some]) for some in groups]
+        for part, place in (("y", 0), ("low", 1), ("high", 2)) if several else (("y", 0),):
+            found[part][number["name"]] = [shortened(entry[place]) for entry in spreads]
+    return found
+
+
+def _spread(numbers):
+    """(median, lowest, highest) of what is known."""
+    known = np.array([number for number in numbers if not math.isnan(number)])
+    if not len(known):
+        return math.nan, math.nan, math.nan
+    with np.errstate(invalid="ignore"):
+        return float(np.median(known)), float(known.min()), float(known.max())
+
+
+def _middle(runs, axis):
+    """The place of an axis that most runs have; of several the one in the middle."""
+    places = [axis.place(run) for run in runs if axis.place(run) is not None]
+    counts = np.bincount(places, minlength=len(axis.values)) if places else np.zeros(1, int)
+    most = np.flatnonzero(counts == counts.max())
+    return int(most[len(most) // 2] if axis.numeric else most[0])
+
+
+def _limits(sweep):
+    """The bounds that are expected of every run."""
+    return [{"metric": each.metric, "value": bound, "text": f"expected {word} {bound:g}"}
+            for each in expected_of(sweep.settings) if not each.where
+            for bound, word in ((each.minimum, "at least"), (each.maximum, "at most")) if bound is not None]
+
+
+def shortened(number, digits=5):
+    """A number for JSON: rounded, None for NaN, "∞" for infinite ones."""
+    if number is None or math.isnan(number):
+        return None
+    if math.isinf(number):
+        return "∞" if number > 0 else "-∞"
+    return float(f"{number:.{digits}g}")
+
+
+# --- over time, and of time --------------------------------------------------------------------------------
+
+TIMES = ["mean_strain", "max_stretch", "pin_max_stretch", "drop", "kinetic_energy", "pin_region_stretch",
+         "linear_momentum", "angular_momentum", "degenerate_triangles"]
+
+
+def time_chart(runs, labels, run_looks, command, name):
+    """What was recorded of every frame of these runs, over time. None if they recorded nothing."""
+    series, names = [], []
+    for run in runs:
+        times = run.metrics["time"] if run.frames else []
+        if len(times) < 2:
+            continue
+        every = np.unique(np.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int))
+        own = [metric for metric in [*TIMES, *(m for m in run.metrics if m not in TIMES)]
+               if metric in run.metrics and metric != "time" and not _is_quality(metric)][:MOST_NUMBERS]
+        names += [metric for metric in own if metric not in names]
+        series.append({"label": labels[run.id], "look": run_looks[run.id], "run": run.id,
+                       "x": [shortened(float(t)) for t in times[every]],
+                       "y": {metric: [shortened(float(v), 4) for v in run.metrics[metric][every]]
+                             for metric in own}})
+    if not series:
+        return None
+    first = next(run for run in runs if run.id == series[0]["run"])
+    about = {}
+    for metric in names:
+        run = next(run for run in [first, *runs] if metric in run.metrics)
+        unit, meaning = run.metrics.about(metric)
+        about[metric] = {"name": metric, "label": metric.replace("_", " "), "unit": unit, "meaning": meaning}
+    shown = [about[metric] for metric in names if metric not in series[0]["y"] or _moves(series, metric)]
+    return {"id": name, "kind": "lines", "title": "Over time", "x": {
+        "name": "time", "label": "time", "unit": "s", "scale": "linear"}, "ys": shown or list(about.values()),
+        "choice": 0, "series": series, "command": command, "dodge": False}
+
+
+def _is_quality(metric):
+    return metric.endswith(("_minimum", "_maximum", "_median", "_percentile_1", "_percentile_99")) \
+        or metric in ("caps", "collinear", "needles", "small_angles")
+
+
+def _moves(series, metric):
+    return len({value for each in series for value in each["y"].get(metric, [])}) > 1
+
+
+def pass_chart(sweep, axes, command, name):
+    """Time per pass: a bar per run, or the medians of runs that differ in seeds, or in all but two axes."""
+    runs = [run for run in sweep.runs if run.passes and simulated_s(run) > 0]
+    if not runs:
+        return None
+    axes = [axis for axis in axes if not axis.is_seed]
+    rows, kept = group(runs, lambda run: label_of(run, axes) if axes else run.id), axes
+    while len(rows) > MOST_ROWS and len(kept) > 1:
+        widest = max((axis for axis in kept if not axis.models), key=lambda axis: len(axis.values))
+        kept = [axis for axis in kept if axis is not widest]
+        rows = group(runs, lambda run: label_of(run, kept))
+    left_out = max(0, len(rows) - 2 * MOST_ROWS)
+    rows = dict(list(rows.items())[:2 * MOST_ROWS])
+    ms = lambda run, part: 1e3 * FRAME_S * run.passes.get(part, 0.0) / simulated_s(run)
+    parts = sorted({part for run in runs for part in run.passes},
+                   key=lambda part: (part in NOT_OF_STEPS, -sum(ms(run, part) for run in runs)))
+    values = {label: [float(np.median([ms(run, part) for run in some])) for part in parts]
+              for label, some in rows.items()}
+    of_steps = [i for i, part in enumerate(parts) if part not in NOT_OF_STEPS]
+    sums = [sum(each[i] for each in values.values()) for i in range(len(parts))]
+    total = sum(sums[i] for i in of_steps) or 1
+    main = [i for i in of_steps if sums[i] >= 0.01 * total][:MOST_PARTS]
+    rest = [i for i in of_steps if i not in main]
+    besides = [i for i in range(len(parts)) if i not in of_steps]
+    told = lambda i, place: {"label": parts[i].replace("_", " "), "look": looks.of_place(place)}
+    told_parts = [told(i, n) for n, i in enumerate(main)]
+    if rest:
+        told_parts.append({"label": "others", "look": looks.of_place(6)})
+    told_parts += [told(i, MOST_PARTS + n) | {"hidden": True} for n, i in enumerate(besides)]
+    entries = [{"label": label if axes else run_label(some[0]), "runs": [run.id for run in some][:50],
+                "values": [shortened(values[label][i], 4) for i in main]
+                + ([shortened(sum(values[label][i] for i in rest), 4)] if rest else [])
+                + [shortened(values[label][i], 4) for i in besides]}
+               for label, some in rows.items()]
+    pooled = [axis.label for axis in axes if axis not in kept]
+    note = f"Medians over {', '.join(pooled)}." if pooled else ""
+    if left_out:
+        note += f" {left_out} more bars are left out."
+    return {"id": name, "kind": "bars", "title": "Time per pass", "note": note, "command": command,
+            "x": {"name": "ms", "label": "time for 1/60 s of cloth", "unit": "ms"}, "parts": told_parts,
+            "rows": entries}
+
+
+def run_label(run):
+    return run.name

@@ -1,0 +1,69 @@
+/** Makes elements. Texts are set as text, never as markup: names of a config are shown, not read. */
+
+const SVG = "http://www.w3.org/2000/svg";
+
+/**
+ * An HTML element.
+ * @param {string} tag
+ * @param {Object<string, any>} [attributes] `on…` functions are listeners; what is false or missing is left out
+ * @param {...(Node|string|null|undefined|false)} children
+ */
+export function html(tag, attributes = {}, ...children) {
+  return filled(document.createElement(tag), attributes, children);
+}
+
+/** An SVG element; arguments as of html(). */
+export function svg(tag, attributes = {}, ...children) {
+  return filled(document.createElementNS(SVG, tag), attributes, children);
+}
+
+function filled(element, attributes, children) {
+  for (const [name, value] of Object.entries(attributes)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (name.startsWith("on")) element.addEventListener(name.slice(2), value);
+    else element.setAttribute(name, value === true ? "" : String(value));
+  }
+  element.append(...children.filter((child) => child !== null && child !== undefined && child !== false));
+  return element;
+}
+
+/** A button that does something; `pressed`: true or false of one that switches. */
+export function button(text, press, attributes = {}) {
+  return html("button", { type: "button", class: "button", onclick: press, ...attributes }, text);
+}
+
+/** Puts text on the clipboard, also in a page from file://, and says so on the button for a moment. */
+export async function copy(text, from) {
+  const said = (await clipboard(text)) ? "Copied" : "Press Ctrl-C";
+  if (!from) return;
+  const before = (from.dataset.text ??= from.textContent);
+  from.textContent = said;
+  setTimeout(() => {
+    from.textContent = before;
+  }, 1400);
+}
+
+async function clipboard(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch {
+    const area = html("textarea", { class: "off-screen", readonly: true });
+    area.value = text;
+    (document.querySelector("dialog[open]") ?? document.body).append(area);
+    area.select();
+    const copied = document.execCommand("copy");
+    area.remove();
+    return copied;
+  }
+}
+
+/** Saves text as a file of the user's. */
+export function save(name, text, type) {
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  const link = html("a", { href: address, download: name });
+  document.body.append(link);
+  link.click();
+  link.remove();
+  setTimeout(() => URL.revokeObjectURL(address), 1000);
+}

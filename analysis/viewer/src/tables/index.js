@@ -1,0 +1,32 @@
+/** Tables of a page: `<table class="sortable">` sorts and filters; cells with data-run open their run. */
+import { makeFilterable } from "./filter.js";
+import { startRuns } from "./run_dialog.js";
+import { makeSortable } from "./sort.js";
+
+/** @param {Document} root */
+export function startTables(root = document) {
+  for (const table of root.querySelectorAll("table.sortable")) {
+    labelCells(table);
+    if (table.tBodies[0].rows.length > 3) makeFilterable(table);
+    makeSortable(table);
+  }
+  startRuns();
+}
+
+// On a phone every row is a card, in which each cell says what it is.
+function labelCells(table) {
+  const labels = [...table.tHead.rows[table.tHead.rows.length - 1].cells].map((head) =>
+    (head.dataset.label ?? head.textContent).trim(),
+  );
+  const narrow = matchMedia("(max-width: 560px)");
+  const label = () => {
+    if (!narrow.matches) return;
+    narrow.removeEventListener("change", label);
+    for (const row of table.tBodies[0].rows)
+      [...row.cells].forEach((cell, i) => {
+        cell.dataset.label = labels[i];
+      });
+  };
+  narrow.addEventListener("change", label);
+  label();
+}

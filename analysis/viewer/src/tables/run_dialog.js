@@ -1,0 +1,241 @@
+/** A run, opened from a table, a chart or an address: how it moves, its worst number, config, command. */
+import { button, copy, html } from "../page/dom.js";
+import { pageData } from "../page/data.js";
+import { number, value, withUnit } from "../page/numbers.js";
+import { configText, differences } from "./settings.js";
+
+let dialog = null,
+  list = [],
+  back = null,
+  playing = null;
+
+/** Runs open on `bendlab:open`, on cells with data-run, and on an address that ends in #run-ID. */
+export function startRuns() {
+  document.addEventListener("bendlab:open", (event) => open(event.detail.ids, event.detail.from));
+  document.addEventListener("click", (event) => {
+    const cell = event.target.closest?.("[data-run]");
+    if (!cell || cell.closest("dialog") || event.target.closest("a, summary")) return;
+    const ids = neighbours(cell);
+    open(ids.list, cell.querySelector("button") ?? cell, ids.at);
+  });
+  addEventListener("hashchange", fromAddress);
+  fromAddress();
+}
+
+function fromAddress() {
+  const id = decodeURIComponent(location.hash).match(/^#run-(.+)$/)?.[1];
+  if (id && pageData().byId.has(id)) open([id], null);
+}
+
+// The runs in the order in which the table shows them now.
+function neighbours(cell) {
+  const shown = [...(cell.closest("tbody")?.querySelectorAll("[data-run]") ?? [cell])]
+    .filter((other) => other.getClientRects().length)
+    .map((other) => other.dataset.run);
+  const all = [...new Set(shown)];
+  return { list: all, at: all.indexOf(cell.dataset.run) };
+}
+
+function open(ids, from, at = 0) {
+  list = ids.filter((id) => pageData().byId.has(id));
+  if (!list.length) return;
+  back = from;
+  if (!dialog) {
+    dialog = html("dialog", { class: "run", "aria-labelledby": "run-title" });
+    dialog.addEventListener("close", closed);
+    dialog.addEventListener("click", (event) => {
+      if (event.target === dialog) dialog.close();
+    });
+    document.body.append(dialog);
+  }
+  show(Math.max(0, at));
+  if (!dialog.open) dialog.showModal();
+}
+
+function closed() {
+  stop();
+  history.replaceState(null, "", location.pathname + location.search);
+  back?.focus?.();
+}
+
+function stop() {
+  document.dispatchEvent(new CustomEvent("bendlab:discard", { detail: { element: playing } }));
+  playing = null;
+}
+
+function show(at) {
+  const run = pageData().byId.get(list[at]);
+  stop();
+  const step = (by, text, name) =>
+    button(
+      text,
+      () => {
+        show(at + by);
+        dialog.querySelector(`[aria-label="${name}"]:not(:disabled)`)?.focus();
+      },
+      { "aria-label": name, disabled: at + by < 0 || at + by >= list.length },
+    );
+  const head = html(
+    "header",
+    {},
+    html("h2", { id: "run-title" }, run.title ?? run.label),
+    list.length > 1 && html("span", { class: "grey small" }, `${at + 1} of ${list.length}`),
+    list.length > 1 && step(-1, "‹", "The run before"),
+    list.length > 1 && step(1, "›", "The next run"),
+    button("Close", () => dialog.close(), { autofocus: true }),
+  );
+  dialog.replaceChildren(head, html("div", { class: "body" }, ...about(run)));
+  dialog.scrollTop = 0;
+  history.replaceState(null, "", `#run-${encodeURIComponent(run.id)}`);
+  if (playing) play(run);
+}
+
+// Of a run with its first and last frame alone the last one is shown.
+function play(run) {
+  document.dispatchEvent(new CustomEvent("bendlab:player", { detail: { element: playing } }));
+  if (run.frames.count <= 2 && playing.player)
+    Object.assign(playing.player, { time: Infinity, played: true });
+}
+
+function about(run) {
+  const parts = [
+    html(
+      "p",
+      {},
+      html("span", { class: `status ${run.status}` }, run.status),
+      run.told && html("span", { class: "grey" }, ` · ${run.told}`),
+    ),
+  ];
+  if (run.why)
+    parts.push(
+      html("div", { class: `note ${run.status === "diverged" ? "diverged" : "no"}` }, html("p", {}, run.why)),
+    );
+  parts.push(worst(run));
+  if (run.frames) {
+    playing = html("div", { class: "player", "data-runs": run.id });
+    parts.push(playing);
+  } else if (run.view) {
+    parts.push(html("h3", {}, "Watch it"), command(run.view));
+  }
+  for (const warning of run.warnings ?? []) {
+    parts.push(
+      html("div", { class: "note open" }, html("p", {}, html("b", {}, warning.code), `: ${warning.message}`)),
+    );
+  }
+  parts.push(html("h3", {}, "Repeat it"), command(run.command));
+  parts.push(...numbers(run), ...config(run));
+  return parts;
+}
+
+function command(text) {
+  const press = (event) => copy(text, event.currentTarget);
+  return html("div", { class: "copy" }, html("code", {}, text), button("Copy", press));
+}
+
+function worst(run) {
+  const found = run.worst;
+  if (!found) return html("p", { class: "worst grey" }, "No bound is stated for this run.");
+  const limit =
+    found.limit === undefined || found.limit === null
+      ? ""
+      : ` — limit ${withUnit(value(found.limit), found.unit)}${found.held ? ", held" : ", broken"}`;
+  return html(
+    "p",
+    { class: "worst" },
+    `${found.label} `,
+    html("b", {}, withUnit(value(found.value), found.unit)),
+    html("span", { class: "grey" }, limit, found.note ? ` (${found.note})` : ""),
+  );
+}
+
+function numbers(run) {
+  const metrics = pageData().summary ?? {};
+  const rows = Object.entries(run.summary ?? {}).filter(([name]) => name in metrics);
+  if (!rows.length) return [];
+  return [
+    html("h3", {}, "Numbers"),
+    html(
+      "div",
+      { class: "scroll" },
+      html(
+        "table",
+        {},
+        html(
+          "tbody",
+          {},
+          ...rows.map(([name, x]) =>
+            html(
+              "tr",
+              {},
+              html("th", { class: "t", scope: "row" }, metrics[name].label),
+              html("td", {}, withUnit(value(x), metrics[name].unit, 4)),
+              html("td", { class: "t text grey" }, metrics[name].meaning ?? ""),
+            ),
+          ),
+        ),
+      ),
+    ),
+  ];
+}
+
+// The settings in which this run differs from the ones beside it in the list; alone: from all others.
+function config(run) {
+  if (!run.changes && run.base === undefined) return [];
+  const at = list.indexOf(run.id);
+  const beside =
+    list.length > 1
+      ? [list[at - 1], list[at + 1]].filter(Boolean).map((id) => pageData().byId.get(id))
+      : pageData()
+          .runs.filter((other) => other !== run && other.base !== undefined)
+          .slice(0, 2);
+  const rows = differences([run, ...beside]);
+  const table = rows.length
+    ? html(
+        "div",
+        { class: "scroll" },
+        html(
+          "table",
+          {},
+          html(
+            "thead",
+            {},
+            html(
+              "tr",
+              {},
+              html("th", { class: "t" }, "setting"),
+              html("th", { class: "t" }, "this run"),
+              ...beside.map((other) => html("th", { class: "t" }, other.title ?? other.label)),
+            ),
+          ),
+          html(
+            "tbody",
+            {},
+            ...rows.map(({ pointer, values }) =>
+              html(
+                "tr",
+                {},
+                html("td", { class: "t" }, html("code", {}, pointer)),
+                ...values.map((text, i) => html("td", { class: i === 0 ? "t here" : "t" }, text)),
+              ),
+            ),
+          ),
+        ),
+      )
+    : html("p", { class: "grey" }, "No setting differs from those of the runs beside it.");
+  const text = configText(run);
+  return [
+    html("h3", {}, "Config, where it differs from the runs beside it"),
+    table,
+    html(
+      "details",
+      {},
+      html("summary", {}, "The whole config"),
+      html(
+        "p",
+        {},
+        button("Copy", (event) => copy(text, event.currentTarget)),
+      ),
+      html("pre", {}, text),
+    ),
+  ];
+}

@@ -1,0 +1,48 @@
+/** Sorts a table by a column, by the number in `data-v` where a cell has one, else by its text. */
+
+/** @param {HTMLTableElement} table */
+export function makeSortable(table) {
+  const heads = [...table.tHead.rows[table.tHead.rows.length - 1].cells];
+  heads.forEach((head, column) => {
+    if (head.classList.contains("fixed")) return;
+    const press = document.createElement("button");
+    press.type = "button";
+    press.className = "sort";
+    press.append(...head.childNodes);
+    head.append(press);
+    press.addEventListener("click", () => {
+      const down = head.getAttribute("aria-sort") === "ascending";
+      for (const other of heads) other.removeAttribute("aria-sort");
+      head.setAttribute("aria-sort", down ? "descending" : "ascending");
+      sortBy(table, column, down ? -1 : 1);
+    });
+  });
+}
+
+function sortBy(table, column, direction) {
+  const body = table.tBodies[0];
+  const rows = [...body.rows].map((row, i) => ({ row, i, key: keyOf(row.cells[column]) }));
+  rows.sort((a, b) => compare(a.key, b.key, direction) || a.i - b.i);
+  body.append(...rows.map(({ row }) => row));
+}
+
+// A number, a text, or null: nothing there.
+function keyOf(cell) {
+  const written = cell?.dataset.v;
+  if (written !== undefined) {
+    const number = written === "∞" ? Infinity : Number(written);
+    return written === "" ? null : Number.isNaN(number) ? written : number;
+  }
+  return cell?.textContent.trim() || null;
+}
+
+// What is not there comes last, in both directions; numbers before texts.
+function compare(a, b, direction) {
+  if (a === null || b === null) return a === b ? 0 : a === null ? 1 : -1;
+  if (typeof a !== typeof b) return typeof a === "number" ? -1 : 1;
+  const order =
+    typeof a === "number"
+      ? Math.sign(a - b) || 0
+      : a.localeCompare(b, "en", { numeric: true, sensitivity: "base" });
+  return direction * order;
+}

@@ -1,0 +1,183 @@
+// `bendlab report` and `bendlab view`: a page of any runs. Python makes it (analysis/sweep_page.py, live.py).
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+
+#include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/run_index.hpp"
+#include "experiments/cli/child_program.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/find_run.hpp"
+#include "experiments/config/nearest_name.hpp"
+#include "experiments/terminal/printable.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_sweep_file(const fs::path& file) {
+  return file.filename().string().ends_with(".sweep.json");
+}
+
+bool has_sweep_file(const fs::path& folder) {
+  return std::ranges::any_of(fs::directory_iterator(folder),
+                             [](const fs::directory_entry& entry) { return is_sweep_file(entry.path()); });
+}
+
+/// Files of runs whose ids begin with this text.
+std::vector<fs::path> files_by_id(const std::string& beginning, const fs::path& folder) {
+  std::vector<fs::path> files;
+  const bool may_be_id = !beginning.empty() && std::ranges::all_of(beginning, [](unsigned char character) {
+    return std::isxdigit(character) != 0;
+  });
+  if (!may_be_id || !fs::is_directory(folder)) return files;
+  for (const RunRecord& record : read_runs(folder))
+    if (record.id.starts_with(beginning)) files.push_back(record.file);
+  return files;
+}
+
+/// "; did you mean 'results/first'?": the nearest name beside the path, or in the folder of results.
+std::string nearest_result(const fs::path& result, const fs::path& folder) {
+  const std::string name = result.filename().string();
+  for (const fs::path& place : {result.parent_path(), folder}) {
+    if (!fs::is_directory(place)) continue;
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(place))
+      if (entry.is_directory() || is_sweep_file(entry.path()))
+        names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    const std::string nearest = nearest_name(name, names);
+    if (!nearest.empty()) return fmt::format("; did you mean '{}'?", (place / nearest).string());
+  }
+  return "";
+}
+
+/// What an argument means: a folder with runs, a sweep's file or a run's file.
+fs::path found_result(const std::string& result, const fs::path& folder) {
+  const fs::path path = result;
+  if (fs::is_regular_file(path)) return path;
+  if (fs::is_directory(path)) {
+    if (has_sweep_file(path) || !find_run_files(path).empty()) return path;
+    throw UsageError(fmt::format(
+        "there are no runs in '{}'; 'bendlab run CONFIG --out DIR' computes some in DIR", result));
+  }
+  const std::vector<fs::path> files = files_by_id(result, folder);
+  if (files.size() == 1) return files.front();
+  if (!files.empty()) {
+    std::string all;
+    for (const fs::path& file : files) all += "\n  " + file.string();
+    throw UsageError(fmt::format("'{}' could be any of {} runs; which one?{}", result, files.size(), all));
+  }
+  throw UsageError(fmt::format(
+      "'{}' is no folder of results, no run file, and no run in '{}' has an id that begins with "
+      "it{} 'bendlab list {}' shows what is there",
+      result, folder.string(), nearest_result(path, folder).empty() ? ";" : nearest_result(path, folder),
+      folder.string()));
+}
+
+/// The page of one result lies in its folder, that of several where they have a folder in common.
+fs::path default_page(const std::vector<fs::path>& results) {
+  const auto home = [](const fs::path& result) {
+    const fs::path whole = fs::canonical(result);
+    return fs::is_directory(whole) ? whole : whole.parent_path();
+  };
+  fs::path common = home(results.front());
+  for (const fs::path& result : results) {
+    const fs::path other = home(result);
+    fs::path shared;
+    for (auto a = common.begin(), b = other.begin(); a != common.end() && b != other.end() && *a == *b;
+         ++a, ++b)
+      shared /= *a;
+    common = shared;
+  }
+  const fs::path page = common / "report.html", near = page.lexically_proximate(fs::current_path());
+  return near.string().starts_with("..") ? page : near;
+}
+
+/// As a shell takes it.
+std::string quoted(const std::string& text) {
+  const auto plain = [](unsigned char c) {
+    return std::isalnum(c) != 0 ||
+           std::string_view("-_./=,:+@%").find(static_cast<char>(c)) != std::string_view::npos;
+  };
+  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
+  std::string result = "'";
+  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return result + "'";
+}
+
+/// The command as the page tells it.
+std::string told_command(const char* command, const PageArguments& arguments) {
+  std::string told = fmt::format("./bendlab {}", command);
+  for (const std::string& result : arguments.results) told += " " + quoted(result);
+  for (const std::string& run : arguments.play) told += " --play " + quoted(run);
+  if (!arguments.out.empty()) told += " -o " + quoted(arguments.out.string());
+  return told;
+}
+
+/// Python with a script of the checkout, and what every page needs to be told.
+std::vector<std::string> script_call(const char* script, const char* command, const PageArguments& arguments,
+                                     const std::vector<fs::path>& results) {
+  const fs::path path = fs::path(BENDLAB_SOURCE_DIR) / "analysis" / script;
+  if (!fs::is_regular_file(path))
+    throw UsageError(
+        fmt::format("{} needs the scripts of the checkout that this program was built from, and "
+                    "'{}' is not there: run ./bendlab {} in a checkout",
+                    command, path.string(), command));
+  std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--program",
+                                   own_program(),  "--command",   told_command(command, arguments)};
+  for (const std::string& run : arguments.play) call.push_back("--play=" + run);
+  call.emplace_back("--");
+  for (const fs::path& result : results) call.push_back(result.string());
+  return call;
+}
+
+int page_code(const std::vector<std::string>& call) {
+  const int code = run_program(call);  // says where the page is, or what was wrong
+  if (code == exit_ok || code == exit_usage || code == exit_io || code >= 128) return code;
+  if (code == 127) print_text(stderr, "bendlab: Python could not be started: {}\n", fmt::join(call, " "));
+  return exit_failed;
+}
+
+std::vector<fs::path> found_results(const PageArguments& arguments) {
+  std::vector<fs::path> results;
+  for (const std::string& result : arguments.results)
+    results.push_back(found_result(result, arguments.folder));
+  return results;
+}
+
+}  // namespace
+
+int report_command(const PageArguments& arguments) {
+  const std::vector<fs::path> results = found_results(arguments);
+  std::vector<std::string> call = script_call("sweep_page.py", "report", arguments, results);
+  const fs::path page = arguments.out.empty() ? default_page(results) : arguments.out;
+  call.insert(call.begin() + 2, "--out=" + page.string());
+  return page_code(call);
+}
+
+int view_command(const PageArguments& arguments) {
+  const std::vector<fs::path> results = found_results(arguments);
+  if (arguments.live && results.size() != 1)
+    throw UsageError("--live shows one run: name one that is going on, by its folder");
+  std::vector<std::string> call =
+      script_call(arguments.live ? "live.py" : "sweep_page.py", "view", arguments, results);
+  if (!arguments.live)
+    call.insert(call.begin() + 2, arguments.out.empty() ? "--cached" : "--out=" + arguments.out.string());
+  if (!arguments.no_open) call.insert(call.begin() + 2, "--open");
+  if (!arguments.live) return page_code(call);
+  std::vector<char*> argv;  // the server takes this process over, and with it Ctrl-C
+  for (std::string& argument : call) argv.push_back(argument.data());
+  argv.push_back(nullptr);
+  execv(argv.front(), argv.data());
+  print_text(stderr, "bendlab: Python could not be started: {}\n", fmt::join(call, " "));
+  return exit_failed;
+}
+
+}  // namespace bendlab

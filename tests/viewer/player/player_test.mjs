@@ -1,0 +1,457 @@
+// Uses the pages that test_player.py wrote, as a user does, and compares with what h5py read.
+import assert from "node:assert/strict";
+import { readFileSync } from "node:fs";
+import { opened, usable } from "./browser.mjs";
+
+if (!usable()) process.exit(77);
+const folder = process.argv[2];
+const expected = JSON.parse(readFileSync(`${folder}/expected.json`, "utf8"));
+const PLAYER = "document.querySelector('.player').player";
+const only = process.env.BENDLAB_VIEWER_TEST; // a part of a name
+
+async function ready(page) {
+  await page.waitForSelector(".player[data-decoded]", { timeout: 60_000 });
+}
+
+/** Waits until an expression is true. (The page forbids eval, which waitForFunction() needs.) */
+async function until(page, expression, seconds = 30) {
+  for (const end = Date.now() + 1000 * seconds; !(await page.evaluate(expression));) {
+    assert.ok(Date.now() < end, `not within ${seconds} s: ${expression}`);
+    await page.waitForTimeout(30);
+  }
+}
+
+/** Where a vertex of the first view is on the screen. */
+const onScreen = (page, vertex) => page.evaluate((vertex) => {
+  const player = document.querySelector(".player").player, view = player.views[0];
+  player.drawNow(); // or the camera is that of the picture before
+  const place = view.camera.position.clone().fromArray(view.cloth.positions, 3 * vertex).project(view.camera);
+  const box = player.cells[0].element.getBoundingClientRect();
+  return { x: box.left + (place.x + 1) / 2 * box.width, y: box.top + (1 - place.y) / 2 * box.height };
+}, vertex);
+
+async function withPage(name, how, use) {
+  const all = await opened(`file://${folder}/${name}.html`, how);
+  try {
+    await ready(all.page);
+    await use(all.page, all);
+    assert.deepEqual(all.errors, []);
+    assert.equal(all.requests.length, 1, `requests: ${all.requests}`);
+  } finally {
+    await all.browser.close();
+  }
+}
+
+const tests = {
+  async "positions are within half a step of the run file in every frame"() {
+    await withPage("page", { calm: true }, async (page) => {
+      for (const [i, { positions, times, triangles, pinned }] of expected.entries()) {
+        const found = await page.evaluate(([i, positions]) => {
+          const { frames } = document.querySelector(".player").player.views[i];
+          const each = new Float64Array(3 * frames.vertices);
+          let worst = 0;
+          for (let frame = 0; frame < frames.count; ++frame) {
+            frames.positions(frame, each);
+            for (let k = 0; k < each.length; ++k)
+              worst = Math.max(worst, Math.abs(each[k] - positions[frame * each.length + k]));
+          }
+          return { worst, half: frames.head.step / 2, count: frames.count, times: [...frames.times],
+                   triangles: [...frames.triangles], pinned: [...frames.pinned],
+                   box: frames.head.box[1].map((x, c) => x - frames.head.box[0][c]) };
+        }, [i, positions]);
+        assert.ok(found.worst <= found.half * (1 + 1e-9), `${found.worst} > ${found.half}`);
+        assert.ok(found.half <= Math.max(...found.box) / 65535 / 2 * (1 + 1e-9), "16 bits within the run's box");
+        assert.equal(found.count, times.length);
+        found.times.forEach((time, k) => assert.ok(Math.abs(time - times[k]) < 1e-8));
+        assert.deepEqual(found.triangles, triangles);
+        assert.deepEqual(found.pinned, pinned);
+      }
+    });
+  },
+
+  async "stretches and shapes are those of the run file, within what rounding allows"() {
+    await withPage("page", { calm: true }, async (page) => {
+      for (const [i, { max_stretch, min_stretch, shape }] of expected.entries()) {
+        const worst = await page.evaluate(async ([i, largest, smallest, shape]) => {
+          const player = document.querySelector(".player").player, view = player.views[i];
+          const { frames, mesh } = view;
+          const result = { stretch: 0, shape: 0, uncertainty: 0 };
+          for (let frame = 0; frame < frames.count; ++frame) {
+            player.time = frames.times[frame];
+            player.drawNow(true, true);
+            const strain = player.compare.values("strain", view, null).values;
+            const stretch = player.compare.values("stretch", view, null).values;
+            const quality = player.compare.values("quality", view, null).values;
+            for (let t = 0; t < mesh.triangleCount; ++t) {
+              const k = frame * mesh.triangleCount + t;
+              // |dF| of two edges whose ends are half a step off on three axes, and float32's own digits
+              const off = Math.sqrt(6) * frames.head.step * mesh.frames.reach[t] + 2e-6 * largest[k];
+              result.uncertainty = Math.max(result.uncertainty, off);
+              const told = Math.max(Math.abs(largest[k] - 1), Math.abs(smallest[k] - 1));
+              result.stretch = Math.max(result.stretch, Math.abs(stretch[t] + 1 - largest[k]) / off,
+                                        Math.abs(strain[t] - told) / off);
+              result.shape = Math.max(result.shape, Math.abs(quality[t] - shape[k]));
+            }
+          }
+          return result;
+        }, [i, max_stretch, min_stretch, shape]);
+        assert.ok(worst.stretch <= 1, `${worst.stretch} of the uncertainty`);
+        assert.ok(worst.uncertainty < 2e-3, `${worst.uncertainty}`);
+        assert.ok(worst.shape < 2e-3, `${worst.shape}`);
+      }
+    });
+  },
+
+  async "a pick answers with what h5py reads"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.evaluate(`${PLAYER}.seek(0.5), ${PLAYER}.drawNow()`);
+      // Where a vertex in the middle is on the screen
+      const at = await onScreen(page, 6 * 13 + 6);
+      await page.mouse.click(at.x, at.y);
+      await page.waitForSelector(".player-panel:not([hidden])");
+      const row = async (name, column = 1) => page.evaluate(([name, column]) =>
+        [...document.querySelectorAll(".player-panel tr")].filter((each) => each.cells[0].textContent === name)
+          .map((each) => each.cells[column].textContent), [name, column]);
+      const [vertex, triangle] = (await row("number")).map(Number);
+      const [run] = expected, frame = run.times.findLastIndex((time) => time <= 0.5 + 1e-9);
+      assert.deepEqual(await row("frame"), [`${frame} (${run.times[frame].toFixed(4)} s)`]);
+      const half = await page.evaluate(`${PLAYER}.views[0].frames.head.step / 2`);
+      const [told] = await row("position (m)");
+      const vertices = run.positions.length / 3 / run.times.length;
+      told.replaceAll("−", "-").split(", ").map(Number).forEach((x, c) => {
+        const stored = run.positions[3 * (frame * vertices + vertex) + c];
+        assert.ok(Math.abs(x - stored) <= half + 6e-6, `${x} is not ${stored}`);
+      });
+      const count = run.triangles.length / 3;
+      const [largest] = await row("stretch σ₁"), [smallest] = await row("stretch σ₂");
+      for (const [text, stored] of [[largest, run.max_stretch[frame * count + triangle]],
+                                    [smallest, run.min_stretch[frame * count + triangle]]]) {
+        const [value, off] = text.replace(/·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)/, (_, e) => `e${[...e].map((c) =>
+          c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c)).join("")}`).split(" ± ").map(Number);
+        assert.ok(Math.abs(value - stored) <= off * 1.05 + 1e-4, `${text} is not ${stored}`);
+      }
+      assert.deepEqual((await row("vertices"))[0].split(", ").map(Number), run.triangles.slice(3 * triangle, 3 * triangle + 3));
+      assert.ok(run.triangles.slice(3 * triangle, 3 * triangle + 3).includes(vertex));
+      // The springs that the file has at this vertex, all drawn
+      const springs = [];
+      for (let i = 0; i < run.springs.length; i += 2)
+        if (run.springs[i] === vertex || run.springs[i + 1] === vertex)
+          springs.push(run.springs[i] === vertex ? run.springs[i + 1] : run.springs[i]);
+      assert.ok(springs.length > 0);
+      await until(page, `${PLAYER}.views[0].picked.springs.length > 0`);
+      const drawn = await page.evaluate(`${PLAYER}.views[0].picked.springs.flatMap((each) => each.others)`);
+      assert.deepEqual(drawn.sort((a, b) => a - b), springs.sort((a, b) => a - b));
+      const texts = await page.locator(".player-springs").textContent();
+      assert.match(texts, /ring 1: \d/);
+      assert.match(texts, /--set \/output\/constraints=true/, "the run without springs says how to get them");
+      // The same place of the finer mesh is near it at rest
+      const away = await page.evaluate(() => {
+        const [a, , c] = document.querySelector(".player").player.views;
+        return Math.hypot(...[0, 1, 2].map((k) => a.mesh.rest[3 * a.picked.vertex + k] - c.mesh.rest[3 * c.picked.vertex + k]));
+      });
+      assert.ok(away <= 1 / 17, `${away}`);
+      await page.keyboard.press("Escape");
+      assert.equal(await page.locator(".player-panel").isHidden(), true);
+    });
+  },
+
+  async "time: play, pause, step, slider, speed, loop, different rates"() {
+    await withPage("page", { calm: true }, async (page) => {
+      const time = () => page.evaluate(`${PLAYER}.time`);
+      assert.equal(await time(), 0, "nothing plays by itself where motion is unwelcome");
+      await page.locator(".player-view").first().focus();
+      await page.keyboard.press("ArrowRight");
+      assert.ok(Math.abs(await time() - 1 / 30) < 1e-6);
+      await page.keyboard.press("ArrowLeft");
+      assert.equal(await time(), 0);
+      await page.keyboard.press("Space");
+      await until(page, `${PLAYER}.time > 0.3`);
+      await page.keyboard.press("Space");
+      const stopped = await time();
+      await page.waitForTimeout(200);
+      assert.equal(await time(), stopped);
+      await page.keyboard.press("End");
+      assert.equal(await time(), 1);
+      const frames = await page.evaluate(`${PLAYER}.drawNow(), ${PLAYER}.views.map((view) => view.frame)`);
+      assert.deepEqual(frames, expected.map(({ times }) => times.length - 1));
+      assert.match(await page.locator(".player-view").nth(2).textContent(), /ends at 0\.60 s/);
+      await page.locator(".player-slider").focus();
+      await page.keyboard.press("Home");
+      assert.equal(await time(), 0);
+      await page.locator(".player-slider").fill("0.5");
+      const at = await page.evaluate(`${PLAYER}.drawNow(), ${PLAYER}.views.map((view) => view.time)`);
+      at.forEach((shown, i) => {
+        const last = expected[i].times.findLast((each) => each <= 0.5 + 1e-9);
+        assert.ok(Math.abs(shown - last) < 1e-8);
+      });
+      await page.locator(".player-view").first().focus();
+      await page.keyboard.press("]");
+      assert.equal(await page.evaluate(`${PLAYER}.speed`), 2);
+      await page.keyboard.press("l");
+      assert.equal(await page.getByRole("button", { name: "Loop" }).getAttribute("aria-pressed"), "true");
+    });
+  },
+
+  async "it plays by itself where motion is welcome, once"() {
+    await withPage("page", {}, async (page) => {
+      await until(page, `${PLAYER}.time >= 1`);
+      assert.equal(await page.evaluate(`${PLAYER}.playing`), false);
+    });
+  },
+
+  async "cameras are locked together, or not"() {
+    await withPage("page", { calm: true }, async (page) => {
+      const turns = () => page.evaluate(`${PLAYER}.views.map((view) => view.orbit.azimuth)`);
+      const box = await page.locator(".player-view").nth(1).boundingBox();
+      const drag = async () => {
+        await page.mouse.move(box.x + 100, box.y + 100);
+        await page.mouse.down();
+        await page.mouse.move(box.x + 160, box.y + 110, { steps: 4 });
+        await page.mouse.up();
+      };
+      await drag();
+      const locked = await turns();
+      assert.ok(locked[0] !== -62 && locked.every((turn) => turn === locked[0]), `${locked}`);
+      await page.keyboard.press("c");
+      await drag();
+      const free = await turns();
+      assert.equal(free[0], locked[0]);
+      assert.notEqual(free[1], locked[1]);
+      await page.keyboard.press("c");
+      assert.equal(new Set(await turns()).size, 1);
+      await page.keyboard.press("Shift+ArrowLeft");
+      assert.notDeepEqual(await turns(), free);
+      await page.keyboard.press("r");
+      assert.deepEqual(await turns(), [-62, -62, -62]);
+    });
+  },
+
+  async "distance and differences to another run"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.getByLabel("Compare with").selectOption({ label: "dihedral" });
+      assert.equal(await page.evaluate(`${PLAYER}.key`), "distance");
+      await page.evaluate(`${PLAYER}.seek(0.5), ${PLAYER}.drawNow()`);
+      const found = await page.evaluate(() => {
+        const player = document.querySelector(".player").player;
+        return [...player.compare.values("distance", player.views[0], player.reference).values];
+      });
+      const [a, b] = expected, vertices = found.length;
+      const frame = a.times.findLastIndex((time) => time <= 0.5 + 1e-9);
+      found.forEach((distance, v) => {
+        const stored = Math.hypot(...[0, 1, 2].map((c) => a.positions[3 * (frame * vertices + v) + c] -
+          b.positions[3 * (frame * vertices + v) + c]));
+        assert.ok(Math.abs(distance - stored) < 1e-4, `${distance} is not ${stored}`);
+      });
+      assert.match(await page.locator(".player-bar-name").textContent(), /\(m\)/);
+      // At rest two meshes of one sheet are in the same place
+      const rest = await page.evaluate(() => {
+        const player = document.querySelector(".player").player, view = player.views[2];
+        return Math.max(...player.compare.values("distance", view, player.reference, view.mesh.rest,
+          player.reference.mesh.rest).values);
+      });
+      assert.ok(rest < 1e-6, `${rest}`);
+      await page.getByLabel("Colour", { exact: true }).selectOption("stretch");
+      const range = await page.evaluate(`${PLAYER}.compare.range("stretch", ${PLAYER}.views, ${PLAYER}.reference)`);
+      assert.equal(range[0], -range[1]);
+    });
+  },
+
+  async "the colour bar has a unit and a range, which can be typed"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.getByLabel("Colour", { exact: true }).selectOption("bending");
+      await page.evaluate(`${PLAYER}.drawNow()`);
+      assert.match(await page.locator(".player-bar-name").textContent(), /1\/m²/);
+      const high = page.getByLabel("Largest value of the colour bar");
+      await high.fill("250");
+      await high.press("Enter");
+      assert.equal((await page.evaluate(`${PLAYER}.compare.range("bending", ${PLAYER}.views, null)`))[1], 250);
+      await high.fill("none");
+      await high.press("Enter");
+      assert.equal(await page.locator(".player-wrong").count(), 1);
+    });
+  },
+
+  async "the cloth is in the picture, its back has another tone, a fold is darker"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.getByLabel("Colour", { exact: true }).selectOption("none");
+      const colour = async () => page.evaluate(() => {
+        const player = document.querySelector(".player").player;
+        player.drawNow();
+        const { canvas } = player.controls, copy = document.createElement("canvas");
+        [copy.width, copy.height] = [canvas.width, canvas.height];
+        const context = copy.getContext("2d");
+        context.drawImage(canvas, 0, 0);
+        const view = player.views[0], cell = player.cells[0], { ratio } = player.stage;
+        const place = view.camera.position.clone().fromArray(view.cloth.positions, 3 * (3 * 13 + 4)).project(view.camera);
+        const x = (cell.x + (place.x + 1) / 2 * cell.width) * ratio, y = (cell.y + (1 - place.y) / 2 * cell.height) * ratio;
+        return [...context.getImageData(Math.round(x), Math.round(y), 1, 1).data];
+      });
+      const front = await colour();
+      await page.evaluate(`${PLAYER}.move((orbit) => { orbit.elevation = -40; })`);
+      const back = await colour();
+      assert.ok(front[0] > front[2] + 5, `the front is warm: ${front}`);
+      assert.ok(back[2] > back[0] + 5, `the back is cool: ${back}`);
+    });
+  },
+
+  async "obstacles move with their velocity, pins with the cloth"() {
+    await withPage("page", { calm: true }, async (page) => {
+      for (const frame of [0, 17]) {
+        const found = await page.evaluate((frame) => {
+          const player = document.querySelector(".player").player, view = player.views[0];
+          player.time = view.frames.times[frame];
+          player.drawNow();
+          const [{ drawn }] = view.obstacles, points = drawn.geometry.getAttribute("position").array;
+          const low = [0, 1, 2].map((c) => points.filter((_, i) => i % 3 === c).reduce((a, b) => Math.min(a, b)));
+          const high = [0, 1, 2].map((c) => points.filter((_, i) => i % 3 === c).reduce((a, b) => Math.max(a, b)));
+          return { centre: low.map((x, c) => (x + high[c]) / 2 + drawn.position.getComponent(c)), wide: high[0] - low[0],
+                   visible: drawn.visible, pins: [...view.pinMarks.geometry.getAttribute("position").array],
+                   order: [...view.pins], time: view.time };
+        }, frame);
+        [0.1, -0.2, -0.4 + 0.2 * found.time].forEach((x, c) => assert.ok(Math.abs(found.centre[c] - x) < 1e-3));
+        assert.ok(Math.abs(found.wide - 0.3) < 1e-3 && found.visible);
+        const vertices = expected[0].positions.length / 3 / expected[0].times.length;
+        found.order.forEach((v, i) => [0, 1, 2].forEach((c) => assert.ok(
+          Math.abs(found.pins[3 * i + c] - expected[0].positions[3 * (frame * vertices + v) + c]) < 1e-4)));
+      }
+    });
+  },
+
+  async "full screen and back"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.locator(".player-view").first().focus();
+      const height = () => page.evaluate("document.querySelector('.player-stage').clientHeight");
+      const before = await height();
+      await page.keyboard.press("f");
+      await until(page, `${PLAYER}.isFull() && document.querySelector('.player-stage').clientHeight > ${before} + 50`);
+      await page.keyboard.press("f");
+      await until(page, `!${PLAYER}.isFull() && document.querySelector('.player-stage').clientHeight === ${before}`);
+    });
+  },
+
+  async "runs without frames say what to do; texts are texts"() {
+    await withPage("bare", { calm: true }, async (page) => {
+      assert.match(await page.locator(".player-empty").textContent(), /Do this: .*\.\/bendlab run again/);
+      assert.equal(await page.evaluate(`${PLAYER}.views.length`), 3);
+      assert.equal(await page.title(), "Player");
+      assert.match(await page.locator(".player-name").nth(1).textContent(), /<script>.*<!--/);
+    });
+  },
+
+  async "frames that were left out are told"() {
+    await withPage("thin", { calm: true }, async (page) => {
+      assert.match(await page.locator(".player-notes").textContent(), /\d+ of 31 frames are shown, one of \d+/);
+      const { chosen, times } = await page.evaluate(`${PLAYER}.views[0].frames.head`);
+      assert.equal(chosen.at(-1), 30);
+      chosen.forEach((frame, k) => assert.ok(Math.abs(times[k] - expected[0].times[frame]) < 1e-8));
+    });
+  },
+
+  async "a still, a WebM and an animated PNG are saved"() {
+    await withPage("page", { calm: true }, async (page) => {
+      const saved = async (key) => {
+        const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.keyboard.press(key)]);
+        return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
+      };
+      await page.locator(".player-view").first().focus();
+      const still = await saved("s");
+      assert.match(still.name, /0\.00s\.png$/);
+      assert.deepEqual([...still.bytes.subarray(0, 4)], [0x89, 0x50, 0x4e, 0x47]);
+      assert.ok(still.bytes.length > 10_000, `${still.bytes.length} bytes`);
+      await page.evaluate(`${PLAYER}.setSpeed(2), ${PLAYER}.recorder.slowest = Infinity`);
+      const film = await saved("a");
+      assert.match(film.name, /\.webm$/);
+      assert.deepEqual([...film.bytes.subarray(0, 4)], [0x1a, 0x45, 0xdf, 0xa3], "EBML");
+      assert.ok(film.bytes.length > 1_000, `${film.bytes.length} bytes`);
+      await page.evaluate("delete window.MediaRecorder; delete globalThis.MediaRecorder");
+      await page.evaluate(`${PLAYER}.setSpeed(4)`);
+      const pictures = await saved("a");
+      assert.match(pictures.name, /\.png$/);
+      const text = pictures.bytes.toString("latin1");
+      assert.ok(text.includes("acTL") && text.includes("fdAT"), "more than one picture");
+      const shown = await page.evaluate(async (bytes) => {
+        const image = new Image();
+        image.src = URL.createObjectURL(new Blob([Uint8Array.from(bytes)], { type: "image/png" }));
+        await image.decode();
+        return [image.width, image.height];
+      }, [...pictures.bytes]);
+      assert.ok(shown[0] > 100 && shown[1] > 100);
+    });
+  },
+
+  async "the keyboard alone reaches everything"() {
+    await withPage("page", { calm: true }, async (page) => {
+      const wanted = await page.evaluate(() => [...document.querySelectorAll(
+        ".player button, .player select, .player input, .player summary, .player-view")]
+        .filter((each) => each.checkVisibility() && !each.closest("dialog")).length);
+      const reached = new Set();
+      for (let i = 0; i < wanted + 5; ++i) {
+        await page.keyboard.press("Tab");
+        const found = await page.evaluate(() => {
+          const each = document.activeElement;
+          if (!each.closest(".player")) return null;
+          each.dataset.reached ??= String(Math.random());
+          const { outlineStyle, outlineWidth } = getComputedStyle(each);
+          return { id: each.dataset.reached, seen: outlineStyle !== "none" && outlineWidth !== "0px",
+                   name: each.ariaLabel ?? each.textContent };
+        });
+        if (found) {
+          assert.ok(found.seen, `${found.name} shows that it has the focus`);
+          reached.add(found.id);
+        }
+      }
+      assert.equal(reached.size, wanted);
+      await page.locator(".player-view").first().focus();
+      await page.keyboard.press("?");
+      assert.match(await page.locator("dialog[open]").textContent(), /play, pause/);
+      await page.keyboard.press("Escape");
+      await until(page, "!document.querySelector('dialog[open]')");
+      await page.locator(".player-view").first().focus();
+      await page.keyboard.press("v");
+      await page.keyboard.type("20");
+      await page.keyboard.press("Enter");
+      await until(page, `${PLAYER}.views[0].picked.vertex === 20`);
+      await page.keyboard.press("Escape");
+      await until(page, `${PLAYER}.views[0].picked.vertex === null`);
+      const named = await page.evaluate(() => [...document.querySelectorAll(".player button, .player input, .player select")]
+        .filter((each) => !(each.ariaLabel || each.textContent.trim() || each.labels?.length)).length);
+      assert.equal(named, 0, "every control has a name");
+    });
+  },
+
+  async "runs are chosen and left, and the graphics are given back"() {
+    await withPage("page", { calm: true }, async (page) => {
+      await page.locator(".player-runs summary").click();
+      await page.locator(".player-runs input").nth(1).uncheck();
+      await until(page, `${PLAYER}.views.length === 2 && ${PLAYER}.decoded`);
+      assert.equal(await page.locator(".player-view").count(), 2);
+      await page.evaluate(`${PLAYER}.dispose()`);
+      assert.equal(await page.evaluate("document.querySelector('.player-stage canvas').getContext('webgl2').isContextLost()"), true);
+    });
+  },
+
+  async "a phone: touch turns the cloth, nothing sticks out"() {
+    await withPage("page", { calm: true, width: 420, height: 800, touch: true }, async (page) => {
+      assert.ok(await page.evaluate("document.documentElement.scrollWidth <= 420"));
+      const { x, y } = await onScreen(page, 6 * 13 + 6);
+      await page.touchscreen.tap(x, y);
+      await until(page, `${PLAYER}.hasPick()`);
+    });
+  },
+};
+
+let failed = 0, passed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  if (only && !name.includes(only)) continue;
+  const start = performance.now();
+  try {
+    await test();
+    ++passed;
+    console.log(`ok      ${name} (${Math.round(performance.now() - start)} ms)`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n${error.stack ?? error}`);
+  }
+}
+console.log(`${passed} passed, ${failed} failed`);
+process.exit(failed ? 1 : 0);

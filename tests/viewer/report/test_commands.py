@@ -1,0 +1,265 @@
+#!/usr/bin/env python3
+"""`bendlab report` and `bendlab view` as somebody would use them: test_commands.py PROGRAM"""
+import http.client
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+from urllib.parse import urlparse
+
+PROGRAM = None
+SWEEP = {"name": "some", "description": "Few runs", "duration": 0.2, "mesh": {"cells": 4},
+         "pins": {"vertices": ["upper_left"]}, "output": {"frames_per_second": 20},
+         "expect": [{"metric": "mean_strain", "max": 1, "why": "holds"},
+                    {"metric": "drop", "min": 5, "why": "fails", "where": {"/bending/model": "none"}},
+                    {"metric": "mean_strain", "min": 0, "why": "holds", "where": {
+                        "/mesh/cells": 5.0, "/bending": {"model": "dihedral"}}}],
+         "sweep": {"/bending/model": ["none", "dihedral"], "/mesh/cells": [4, 5]}}
+LONG = {"name": "long", "duration": 600, "mesh": {"cells": 32}, "pins": {"vertices": ["upper_left"]},
+        "output": {"frames_per_second": 30}}
+
+
+class Place(unittest.TestCase):
+    """A folder with a sweep that is computed once."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.folder = Path(tempfile.mkdtemp())
+        cls.environment = {key: value for key, value in os.environ.items()
+                           if key not in ("DISPLAY", "WAYLAND_DISPLAY")}
+        cls.environment |= {"XDG_CACHE_HOME": str(cls.folder / "cache")}
+        (cls.folder / "some.json").write_text(json.dumps(SWEEP))
+        done = cls.run_program("run", "some.json", "--json")
+        cls.told = [json.loads(line) for line in done.stdout.splitlines()]
+        assert len(cls.told) == 4, done.stderr
+
+    @classmethod
+    def tearDownClass(cls):
+        shutil.rmtree(cls.folder)
+
+    @classmethod
+    def run_program(cls, *arguments, **environment):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=cls.folder, capture_output=True, text=True,
+                              check=False, stdin=subprocess.DEVNULL, env=cls.environment | environment,
+                              timeout=120)
+
+    def page(self, *arguments):
+        """The data of the page that these arguments make, and its text."""
+        done = self.run_program("report", *arguments, "-o", "page.html")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stdout, "page.html\n")
+        text = (self.folder / "page.html").read_text(encoding="utf-8")
+        return json.loads(re.search(r"id='bendlab-data'>(.*?)</script>", text, re.DOTALL)[1]), text
+
+    def wrong(self, *arguments, code=2):
+        done = self.run_program(*arguments)
+        self.assertEqual((done.returncode, done.stdout), (code, ""))
+        return done.stderr
+
+
+class Report(Place):
+    def test_the_page_lies_beside_its_runs(self):
+        done = self.run_program("report", "results/some")
+        self.assertEqual((done.stdout, done.stderr), ("results/some/report.html\n", ""))
+        self.assertTrue((self.folder / "results/some/report.html").exists())
+        run = Path(self.told[0]["file"])
+        self.assertEqual(self.run_program("report", run).stdout, f"{run.parent / 'report.html'}\n")
+        self.assertEqual(self.run_program("report", run, Path(self.told[1]["file"]).parent).stdout,
+                         "results/some/report.html\n")
+
+    def test_every_run_of_a_sweep_is_there(self):
+        data, text = self.page("results/some")
+        self.assertEqual({run["id"] for run in data["runs"]}, {run["id"] for run in self.told})
+        self.assertEqual([chart["id"] for chart in data["charts"]],
+                         ["s1-against-1", "s1-against-2", "over-time", "s1-passes"])
+        self.assertIn("Few runs", text)
+        self.assertIn("./bendlab report results/some -o page.html", text)
+
+    def test_a_run_by_its_file_its_folder_and_its_id(self):
+        run = self.told[0]
+        for name in (run["file"], Path(run["file"]).parent, run["id"], run["id"][:12]):
+            data, _ = self.page(name)
+            self.assertEqual([entry["id"] for entry in data["runs"]], [run["id"]])
+            self.assertIn(f"./bendlab rerun {run['file']}", data["runs"][0]["command"])
+
+    def test_expectations_are_those_of_run(self):
+        sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
+        from collected import collect
+        from expectations import check
+        sweep = collect([self.folder / "results/some"])[0]
+        for run, told in zip(sweep.runs, self.told):
+            self.assertEqual(run.id, told["id"])
+            self.assertEqual([(each.metric, each.holds) for each in check(sweep.settings, run)],
+                             [(each["metric"], each["holds"]) for each in told["expectations"]])
+        _, text = self.page("results/some")
+        self.assertIn("5 of 7 expectations hold", text)
+        self.assertIn("fails in 2 of 2", text)
+
+    def test_the_command_of_a_run_computes_that_run(self):
+        data, _ = self.page("results/some")
+        for entry in data["runs"]:
+            words = subprocess.run(["bash", "-c", f'printf "%s\\n" {entry["command"]}'], capture_output=True,
+                                   text=True,
+                                   check=True).stdout.splitlines()
+            plan = self.run_program("plan", *words[2:], "--json")
+            self.assertEqual([json.loads(line)["id"] for line in plan.stdout.splitlines()], [entry["id"]])
+
+    def test_without_a_sweep_file_the_runs_say_their_places(self):
+        shutil.copytree(self.folder / "results/some", self.folder / "copy",
+                        ignore=shutil.ignore_patterns("*.json"))
+        data, _ = self.page("copy")
+        self.assertEqual(len(data["runs"]), 4)
+        self.assertEqual([chart["x"]["name"] for chart in data["charts"][:2]],
+                         ["/mesh/cells", "/bending/model"])
+
+    def test_missing_and_damaged_runs(self):
+        shutil.copytree(self.folder / "results/some", self.folder / "less")
+        places = [Path(run["file"]).parent.name for run in self.told]
+        shutil.rmtree(self.folder / "less" / places[0])
+        damaged = self.folder / "less" / places[1] / "run.vtkhdf"
+        content = bytearray(damaged.read_bytes())
+        content[len(content) // 2] ^= 1
+        damaged.write_bytes(content)
+        data, text = self.page("less")
+        status = {run["id"]: run["status"] for run in data["runs"]}
+        self.assertEqual([status[run["id"]] for run in self.told],
+                         ["missing", "unreadable", "complete", "complete"])
+        self.assertIn("was changed after it was written", text)
+
+    def test_an_implausible_run_has_its_cause(self):
+        torn = {"name": "torn", "defaults": "paper", "allow": ["implausible"], "duration": 1,
+                "mesh": {"cells": 32},
+                "bending": {"model": "none"}, "pins": {"vertices": ["upper_right"], "ring": 0},
+                "solver": {"iterations": 10, "substeps": 1}, "material": {"strain": {"form": "normalised"}},
+                "initial": {"perturbation": 1e-6}}
+        (self.folder / "torn.json").write_text(json.dumps(torn))
+        told = json.loads(self.run_program("run", "torn.json", "--json").stdout)
+        self.assertEqual(told["status"], "implausible")
+        data, text = self.page("results/torn")
+        self.assertEqual(data["runs"][0]["worst"]["limit"], float(f"{told['implausible']['limit']:.5g}"))
+        self.assertFalse(data["runs"][0]["worst"]["held"])
+        self.assertIn("broke the bound on", text)
+
+    def test_several_results(self):
+        (self.folder / "other.json").write_text(json.dumps(SWEEP | {"name": "other", "sweep": {},
+                                                                    "expect": []}))
+        self.run_program("run", "other.json")
+        data, text = self.page("results/some", "results/other")
+        self.assertEqual(len(data["runs"]), 5)
+        self.assertEqual(self.run_program("report", "results/some", "results/other").stdout,
+                         "results/report.html\n")
+        self.assertIn("<th class='t choose'>sweep</th>", text)
+
+    def test_runs_to_be_played_are_named(self):
+        data, _ = self.page("results/some", "--play", self.told[2]["id"][:10])
+        chart = next(chart for chart in data["charts"] if chart["id"] == "over-time")
+        self.assertEqual([series["run"] for series in chart["series"]], [self.told[2]["id"]])
+        told = self.wrong("report", "results/some", "--play", "none such")
+        self.assertIn("--play none such: no run", told)
+        self.assertIn(self.told[0]["id"], told)
+
+    def test_what_is_not_there_is_answered_with_what_is(self):
+        self.assertIn("did you mean 'results/some'?", self.wrong("report", "results/sme"))
+        self.assertIn("did you mean 'results/some'?", self.wrong("view", "smoe"))
+        self.assertIn("'bendlab list results' shows what is there", self.wrong("report", "far"))
+        (self.folder / "empty").mkdir(exist_ok=True)
+        self.assertIn("there are no runs in 'empty'", self.wrong("report", "empty"))
+        (self.folder / "text").write_text("no run")
+        data, _ = self.page("text")  # said in the page, as for a folder of runs
+        self.assertEqual(data["runs"][0]["status"], "unreadable")
+        self.assertIn("RESULT is required", self.wrong("report"))
+
+    def test_a_page_that_cannot_be_written(self):
+        (self.folder / "file").write_text("")
+        told = self.wrong("report", "results/some", "-o", "file/page.html", code=5)
+        self.assertRegex(told, "could not be written to file/page.html: .*Name another file with -o")
+
+    def test_help_and_completion(self):
+        for command, example in (("report", "-o both.html"), ("view", "--play cells=16")):
+            self.assertIn(example, self.run_program(command, "--help").stdout)
+            self.assertRegex(self.run_program("completion", "bash").stdout,
+                             rf"    {command}\) options='.*--play")
+
+
+class View(Place):
+    def test_the_page_is_kept_in_the_cache_and_opened(self):
+        tools = self.folder / "tools"
+        tools.mkdir()
+        opener = tools / "xdg-open"
+        opener.write_text(f"#!/bin/sh\nprintf '%s\\n' \"$@\" > '{self.folder}/opened'\n")
+        opener.chmod(0o755)
+        path = f"{tools}:{os.environ['PATH']}"
+        done = self.run_program("view", "results/some", DISPLAY=":9", PATH=path)
+        page = Path(done.stdout.strip())
+        self.assertEqual(page.parent, self.folder / "cache/bendlab")
+        self.assertTrue(page.exists())
+        self.assertEqual((self.folder / "opened").read_text(), f"{page.as_uri()}\n")
+        self.assertEqual(self.run_program("view", "results/some", "--no-open").stdout, done.stdout)
+
+    def test_without_a_browser_it_says_where_the_page_is(self):
+        done = self.run_program("view", "results/some", "-o", "watch.html")
+        self.assertEqual((done.returncode, done.stdout), (0, "watch.html\n"))
+        self.assertIn("there is no browser to open it in", done.stderr)
+
+    def test_live_wants_one_run_that_is_there(self):
+        self.assertIn("--live shows one run", self.wrong("view", "results/some", "results/some", "--live"))
+
+    def ask(self, address, path=None, host=None):
+        parts = urlparse(address)
+        connection = http.client.HTTPConnection(parts.hostname, parts.port, timeout=60)
+        try:
+            connection.request("GET", path or parts.path, headers={"Host": host or parts.netloc})
+            answer = connection.getresponse()
+            return answer.status, answer.read()
+        finally:
+            connection.close()
+
+    def test_a_run_that_goes_on_is_served_and_grows(self):
+        (self.folder / "long.json").write_text(json.dumps(LONG))
+        run = subprocess.Popen([PROGRAM, "run", "long.json"], cwd=self.folder, stdout=subprocess.DEVNULL,
+                               stderr=subprocess.DEVNULL)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.kill)
+        until = time.monotonic() + 60
+        while not list(self.folder.glob("results/long/*/run.vtkhdf*.part")) and time.monotonic() < until:
+            time.sleep(0.1)
+        time.sleep(2)
+        server = subprocess.Popen([PROGRAM, "view", "results/long", "--live", "--no-open"], cwd=self.folder,
+                                  stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
+                                  env=self.environment)
+        self.addCleanup(server.wait)
+        self.addCleanup(server.kill)
+        self.addCleanup(server.stdout.close)
+        address = server.stdout.readline().strip()
+        parts = urlparse(address)
+        self.assertEqual(parts.hostname, "127.0.0.1")
+        self.assertGreaterEqual(len(parts.path), 30)
+        status, page = self.ask(address)
+        self.assertEqual(status, 200)
+        self.assertIn(b"The run goes on.", page)
+        self.assertIn(b"connect-src 'self'", page)
+        self.assertEqual(self.ask(address, "/")[0], 404)
+        self.assertEqual(self.ask(address, host="evil.example")[0], 404)
+        first = json.loads(self.ask(address, f"{parts.path}frames")[1])
+        self.assertEqual((first["status"], first["duration"]), ("running", 600))
+        later, until = first, time.monotonic() + 60
+        while later["frames"] == first["frames"] and time.monotonic() < until:
+            time.sleep(0.5)
+            later = json.loads(self.ask(address, f"{parts.path}frames")[1])
+        self.assertGreater(later["frames"], first["frames"])
+        self.assertGreater(later["time"], first["time"])
+        self.assertEqual(later["run"]["frames"]["recorded"], later["frames"])
+        server.send_signal(signal.SIGINT)
+        self.assertEqual(server.wait(timeout=20), 130)
+
+
+if __name__ == "__main__":
+    PROGRAM = str(Path(sys.argv.pop(1)).resolve())
+    unittest.main()
