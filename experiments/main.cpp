@@ -1,5 +1,5 @@
 #include "experiments/cli/command_line.hpp"
 
 int main(int argc, char** argv) {
-  return bendlab::command_line(argc, argv);
+  bendlab::leave(bendlab::command_line(argc, argv));
 }

@@ -13,7 +13,47 @@ if(GIT AND EXISTS "${SOURCE}/.git")  # an unpacked archive may lie inside somebo
     WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE changes ERROR_QUIET)
   if(changes)
     set(dirty true)
+    # With files that git does not know yet.
+    execute_process(COMMAND ${GIT} diff --binary HEAD -- lib experiments CMakeLists.txt CMakePresets.json
+      WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE patch ERROR_QUIET)
+    execute_process(COMMAND ${GIT} ls-files --others --exclude-standard -- lib experiments
+      WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE others ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE)
+    string(REPLACE "\n" ";" others "${others}")
+    foreach(other IN LISTS others)
+      execute_process(COMMAND ${GIT} diff --binary --no-index -- /dev/null "${other}"
+        WORKING_DIRECTORY "${SOURCE}" OUTPUT_VARIABLE added ERROR_QUIET)
+      string(APPEND patch "${added}")
+    endforeach()
   endif()
+endif()
+
+# The changes since that commit, packed, for a folder beside results; none where they are too many.
+get_filename_component(folder "${OUTPUT}" DIRECTORY)
+set(packed "")
+set(patch_hash "")
+string(LENGTH "${patch}" patch_length)
+if(patch_length GREATER 0)
+  string(SHA256 patch_hash "${patch}")
+  string(SUBSTRING ${patch_hash} 0 16 patch_hash)
+  set(most 4194304)  # bytes
+  if(patch_length GREATER most)
+    string(PREPEND patch_hash "too_long_")
+  else()
+    file(WRITE "${folder}/changes.patch" "${patch}")
+    file(ARCHIVE_CREATE OUTPUT "${folder}/changes.gz" PATHS "${folder}/changes.patch" FORMAT raw
+      COMPRESSION GZip)
+    file(READ "${folder}/changes.gz" packed HEX)
+    string(REGEX REPLACE "(..)" "0x\\1," packed "${packed}")
+  endif()
+endif()
+set(changes_file "${folder}/bendlab_changes.hpp")
+set(before "")
+if(EXISTS "${changes_file}")
+  file(STRINGS "${changes_file}" before LIMIT_COUNT 1)
+endif()
+if(NOT before STREQUAL "// ${patch_hash}")
+  file(WRITE "${changes_file}" "// ${patch_hash}\n"
+    "constexpr char changes_hash[] = \"${patch_hash}\";\nconstexpr unsigned char changes[] = {${packed}0};\n")
 endif()
 
 # The sources that decide results: not how they are printed or chosen.

@@ -322,8 +322,10 @@ class Advisor {
     Experiment experiment;
     experiment.name = question_.name();
     experiment.runs = std::move(configs);
-    for (const auto& [pointer, value] : experiment.runs.front().point)
-      experiment.axes.push_back({pointer, {}});
+    for (const RunConfig& config : experiment.runs)
+      for (const auto& [pointer, value] : config.point)
+        if (std::ranges::find(experiment.axes, pointer, &Axis::first) == experiment.axes.end())
+          experiment.axes.push_back({pointer, {}});
     std::vector<CampaignRun> runs;
     for (const RunConfig& config : experiment.runs)
       runs.push_back({.experiment = &experiment, .config = &config});

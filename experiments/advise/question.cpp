@@ -318,6 +318,14 @@ RunConfig Question::run_with(const Setting& setting, const Json& accuracy) const
                {"/solver/substeps", setting.substeps},
                {"/solver/iterations", setting.iterations},
                {"/solver/precision", setting.double_precision ? "double" : "single"}};
+  // By these a message tells runs apart; no setting says alone whether there are tethers.
+  const Variant& variant = setting.variant;
+  run.point.emplace_back("/effects/tethers", variant.tethers);
+  run.point.emplace_back("/material/strain/form", variant.shear);
+  if (variant.flight_limit != own_.flight_limit)
+    run.point.emplace_back("/solver/flight_limit", variant.flight_limit);
+  if (variant.radius > 0)
+    run.point.emplace_back(fmt::format("/bending/{}/radius", setting.model), variant.radius);
   return run;
 }
 

@@ -14,9 +14,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // What decides the bits of a result beside its settings.
-constexpr std::array<const char*, 12> decisive = {
-    "version",        "git_commit", "git_dirty",   "source_hash", "own_code",  "compiler",
-    "compiler_flags", "build_type", "vector_bits", "processor",   "libraries", "blas_kernels"};
+constexpr std::array<const char*, 13> decisive = {
+    "version",        "git_commit", "git_dirty",   "git_changes", "source_hash", "own_code",    "compiler",
+    "compiler_flags", "build_type", "vector_bits", "processor",   "libraries",   "blas_kernels"};
 
 std::string text_in(const RunRecord& run, const char* name) {
   const auto found = run.provenance.find(name);

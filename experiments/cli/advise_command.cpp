@@ -15,7 +15,9 @@
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/config/defaults.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/config/nearest_name.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -98,7 +100,7 @@ std::string point_text(const Rated& point, const Advice& advice) {
 }
 
 // For a shell.
-std::string quoted(const std::string& change) {
+std::string quoted_change(const std::string& change) {
   return change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'";
 }
 
@@ -143,33 +145,33 @@ std::string demand_text(const Demand& demand) {
 // Says that nothing is advised, what came nearest, and why.
 void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
   if (anything_fit(advice))
-    fmt::print("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",
+    print_text("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",
                demand_text(options.demand));
   else
-    fmt::print("{}: nothing to advise, no setting {}is fit", question.name(),
+    print_text("{}: nothing to advise, no setting {}is fit", question.name(),
                advice.out_of_time ? "run so far " : "");
   if (advice.nearest)
-    fmt::print("; nearest is {}{}", point_text(*advice.nearest, advice),
+    print_text("; nearest is {}{}", point_text(*advice.nearest, advice),
                anything_fit(advice) ? "" : ", which is not to be used");
-  fmt::print("\n");
+  print_text("\n");
   for (const std::string& sentence : why_none(advice, options.demand, options.time_limit_s))
-    fmt::print("{}\n", sentence);
+    print_text("{}\n", sentence);
 }
 
-void print_text(const Advice& advice, const Question& question, const AdviceOptions& options) {
+void print_advice(const Advice& advice, const Question& question, const AdviceOptions& options) {
   if (advice.best)
-    fmt::print("{}: take {}\n", question.name(), point_text(*advice.best, advice));
+    print_text("{}: take {}\n", question.name(), point_text(*advice.best, advice));
   else
     print_none(advice, question, options);
-  fmt::print("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+  print_text("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
   if (question.rigidity_is_default())
-    fmt::print("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
+    print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
                default_flexural_rigidity);
-  if (!unfit_front_of(advice.points).empty()) fmt::print("{}\n", limits_text());
-  fmt::print("\n{}", front_text(advice));
+  if (!unfit_front_of(advice.points).empty()) print_text("{}\n", limits_text());
+  print_text("\n{}", front_text(advice));
   constexpr double at_rest = 0.02;  // sizes per second
   if (advice.error_of == ErrorOf::rest && advice.still_moving > at_rest)
-    fmt::print(
+    print_text(
         "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
         "lets it come to rest, and --what motion compares its motion instead.\n",
         percent_text(advice.still_moving));
@@ -177,13 +179,13 @@ void print_text(const Advice& advice, const Question& question, const AdviceOpti
   if (point && anything_fit(advice)) {
     constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
-      fmt::print("\nThe reference's own error is more than a tenth of this error.\n");
-    fmt::print("\nto use {}:\n", advice.best ? "it" : "the nearest");
+      print_text("\nThe reference's own error is more than a tenth of this error.\n");
+    print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
     for (const std::string& change : question.changes(point->setting))
-      fmt::print("  --set {}\n", quoted(change));
+      print_text("  --set {}\n", quoted_change(change));
   }
-  if (!advice.left_out.empty()) fmt::print("\nnot in this table:\n");
-  for (const LeftOut& each : advice.left_out) fmt::print("  {}: {}\n", each.what, each.why);
+  if (!advice.left_out.empty()) print_text("\nnot in this table:\n");
+  for (const LeftOut& each : advice.left_out) print_text("  {}: {}\n", each.what, each.why);
 }
 
 Json number_or_null(double number) {
@@ -289,18 +291,18 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
   catch_stop_signals();
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const Advice advice = advise(question, options, [&](const std::string& news) {
-    if (on_terminal) fmt::print(stderr, "bendlab: {}\n", news);
+    if (on_terminal) print_text(stderr, "bendlab: {}\n", news);
   });
   if (advice.exit_code != 0) {
-    if (stop_exit_code() != 0) fmt::print(stderr, "bendlab: stopped; the same command again continues\n");
+    if (stop_exit_code() != 0) print_text(stderr, "bendlab: stopped; the same command again continues\n");
     return advice.exit_code;
   }
   if (json)
-    fmt::print("{}\n", advice_json(advice, question, options).dump());
+    print_text("{}\n", json_text(advice_json(advice, question, options)));
   else
-    print_text(advice, question, options);
+    print_advice(advice, question, options);
   if (!advice.best && !arguments.write.empty())
-    fmt::print(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
+    print_text(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
                anything_fit(advice) ? "meets the demand" : "is fit to be advised");
   if (!advice.best) return exit_failed;
   if (!arguments.write.empty())

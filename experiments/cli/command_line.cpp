@@ -10,6 +10,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdio>
+#include <cstdlib>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -24,6 +25,7 @@
 #include "experiments/measures/reference.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/version.hpp"
+#include "experiments/terminal/printable.hpp"
 
 namespace bendlab {
 namespace {
@@ -54,11 +56,12 @@ struct Arguments {
   SubmitArguments submitted;
   std::filesystem::path plan;
   ExportArguments exported;
+  PageArguments page;
   std::function<int()> command;
 };
 
 // For --help: a command line that can be typed as it is, in a checkout with results.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 23> examples = {{
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> examples = {{
     {"run", "bendlab run configs/plain/first.json --set /mesh/cells=24 --out results/try"},
     {"plan", "bendlab plan configs/plain/first.json"},
     {"validate", "bendlab validate configs/recommended.json"},
@@ -71,6 +74,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 23> examples
     {"compare", "bendlab compare results/first results/second"},
     {"rerun", "bendlab rerun results/first/cells=16"},
     {"export", "bendlab export results/first/cells=16 --format usda --to first.usda"},
+    {"report", "bendlab report results/first results/second -o both.html"},
+    {"view", "bendlab view results/first --play cells=16"},
     {"stiffness", "bendlab stiffness results/strip"},
     {"advise", "bendlab advise configs/advise/strip.json --error 5%"},
     {"mesh", "bendlab mesh garment.obj --bad-triangles repair"},
@@ -283,6 +288,36 @@ void add_rerun_command(CLI::App& app, Arguments& a) {
   add_json(rerun, a, "As one JSON object");
 }
 
+void add_page(CLI::App* command, Arguments& a, const char* name, const char* out) {
+  command
+      ->add_option(name, a.page.results,
+                   "Folders of results, run files, .sweep.json files, or the beginnings of runs' ids")
+      ->required();
+  command->add_option("-o,--out", a.page.out, out)->type_name("FILE");
+  command
+      ->add_option("--play", a.page.play,
+                   "A run to be played: the beginning of its id, or part of its folder's name. Repeatable "
+                   "(default: at most 8, every value of one axis, the others in the middle)")
+      ->type_name("RUN")
+      ->allow_extra_args(false);
+  command->add_option("--results", a.page.folder, "Where a run's id is looked for")->capture_default_str();
+}
+
+void add_page_commands(CLI::App& app, Arguments& a) {
+  CLI::App* report = add_command(app, a, "report", "Make a page of any runs: how they move, charts, tables",
+                                 [&a] { return report_command(a.page); });
+  add_page(report, a, "RESULT", "The page's file (default: report.html in the folder of the results)");
+
+  CLI::App* view =
+      add_command(app, a, "view", "Watch runs in the browser", [&a] { return view_command(a.page); });
+  add_page(view, a, "RUN", "The page's file (default: one in ~/.cache/bendlab)");
+  view->add_flag(
+      "--live", a.page.live,
+      "Serve a run that is going on at 127.0.0.1, under an address that nobody can guess; the page "
+      "gets new frames. Ctrl-C ends it");
+  view->add_flag("--no-open", a.page.no_open, "Only print where the page is");
+}
+
 void add_export_command(CLI::App& app, Arguments& a) {
   CLI::App* exported =
       add_command(app, a, "export", "Write a run for Blender, Houdini, a spreadsheet or other programs",
@@ -422,7 +457,7 @@ void add_bench_command(CLI::App& app, Arguments& a) {
 void add_reference(CLI::App& app, Arguments& a, const char* name, const char* summary, std::string (*text)(),
                    Json (*json)()) {
   CLI::App* command = add_command(app, a, name, summary, [&a, text, json] {
-    fmt::print("{}\n", a.json ? json().dump(2) : text());
+    print_text("{}\n", a.json ? json().dump(2) : text());
     return int{exit_ok};
   });
   add_json(command, a, "As JSON");
@@ -439,7 +474,7 @@ void add_read_file_command(CLI::App& app, Arguments& a) {
 void add_completion_command(CLI::App& app, Arguments& a) {
   CLI::App* completion = add_command(app, a, "completion",
                                      "Print a script that completes the command line in a shell", [&app, &a] {
-                                       fmt::print("{}", completion_script(app, a.run));
+                                       print_text("{}", completion_script(app, a.run));
                                        return int{exit_ok};
                                      });
   completion->add_option("SHELL", a.run, "To be read by the shell: source <(bendlab completion bash)")
@@ -460,12 +495,12 @@ int usage_error(const CLI::App& app, const CLI::ParseError& error, int argc, cha
          app.get_subcommands([](const CLI::App* c) { return !c->get_group().empty(); }))
       names.push_back(command->get_name());
     if (std::ranges::find(names, argv[1]) == names.end()) {
-      fmt::print(stderr, "bendlab: there is no command '{}'{}\nCommands: {}\n", argv[1],
+      print_text(stderr, "bendlab: there is no command '{}'{}\nCommands: {}\n", argv[1],
                  suggestion(argv[1], names), fmt::join(names, ", "));
       return exit_usage;
     }
   }
-  fmt::print(stderr, "bendlab: {}\nRun with --help for the usage.\n", error.what());
+  print_text(stderr, "bendlab: {}\nRun with --help for the usage.\n", error.what());
   return exit_usage;
 }
 
@@ -481,6 +516,7 @@ int dispatch(int argc, char** argv) {
   add_compare_command(app, arguments);
   add_rerun_command(app, arguments);
   add_export_command(app, arguments);
+  add_page_commands(app, arguments);
   add_stiffness_command(app, arguments);
   add_advise_command(app, arguments);
   add_mesh_command(app, arguments);
@@ -501,7 +537,7 @@ int dispatch(int argc, char** argv) {
   add_command(app, arguments, "test", "Build and run the tests (./bendlab test)", test_command)
       ->allow_extras();
   if (argc == 1) {
-    fmt::print(stderr, "{}", app.help());
+    print_text(stderr, "{}", app.help());
     return exit_usage;
   }
   try {
@@ -530,13 +566,23 @@ int command_line(int argc, char** argv) {
   try {
     const int code = dispatch(argc, argv);
     if (std::fflush(stdout) == 0 && std::ferror(stdout) == 0) return code;
-    fmt::print(stderr, "bendlab: the output could not be written to stdout\n");
+    print_text(stderr, "bendlab: the output could not be written to stdout\n");
     return exit_io;
   } catch (...) {
     const Failure failure = current_failure();
-    std::fputs(fmt::format("bendlab: {}\n", failure.message).c_str(), stderr);  // a full disk may refuse it
+    std::fputs(fmt::format("bendlab: {}\n", printable(failure.message)).c_str(),
+               stderr);  // may be a full disk
     return failure.exit_code;
   }
+}
+
+void leave(int exit_code) {
+  std::fflush(nullptr);
+#ifdef __SANITIZE_ADDRESS__
+  std::exit(exit_code);  // leaks are looked for there
+#else
+  std::_Exit(exit_code);
+#endif
 }
 
 }  // namespace bendlab

@@ -104,6 +104,21 @@ std::vector<std::pair<std::string, std::string>> export_formats();
 /// Writes a run for other programs.
 int export_command(const ExportArguments& arguments, bool json);
 
+struct PageArguments {
+  std::vector<std::string> results;  ///< folders with runs, run files, sweep files, beginnings of ids
+  std::string folder = "results";    ///< where ids are looked for
+  std::filesystem::path out;         ///< of the page; empty: beside the results, or for view in the cache
+  std::vector<std::string> play;     ///< runs to be played, by id or folder; empty: a choice
+  bool live = false;                 ///< serve a run that is going on
+  bool no_open = false;              ///< print where the page is, and leave the browser alone
+};
+
+/// Writes the page of any runs, and prints where it is.
+int report_command(const PageArguments& arguments);
+
+/// The same page, opened in the browser; with `live` the page of a run that is going on, served at 127.0.0.1.
+int view_command(const PageArguments& arguments);
+
 struct StiffnessArguments {
   std::optional<double> clamp_offset, exclude;  ///< m, see StripSettings
   std::int64_t frame = -1;                      ///< negative: from the end

@@ -10,6 +10,8 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -26,7 +28,7 @@ std::string percent_of(const std::optional<double>& relative) {
 }
 
 std::string text_of(const Json& value) {
-  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : value.dump();
+  return value.is_null() ? "-" : value.is_string() ? value.get<std::string>() : json_text(value);
 }
 
 Json number_or_null(const std::optional<double>& number) {
@@ -53,32 +55,32 @@ Json to_json(const RunRecord& one, const RunRecord& other, const RunDifference& 
 }
 
 void print_pair(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
-  fmt::print("one:   {}  {}\nother: {}  {}\n", one.id, one.file.string(), other.id, other.file.string());
+  print_text("one:   {}  {}\nother: {}  {}\n", one.id, one.file.string(), other.id, other.file.string());
   if (found.differing_parts.empty())
-    fmt::print("\nfiles: the same bits in every frame, metric and number\n");
+    print_text("\nfiles: the same bits in every frame, metric and number\n");
   else
-    fmt::print("\nfiles: {} differ in their bits: {}\n", counted(found.differing_parts.size(), "part"),
+    print_text("\nfiles: {} differ in their bits: {}\n", counted(found.differing_parts.size(), "part"),
                fmt::join(found.differing_parts, ", "));
-  if (found.settings.empty()) fmt::print("\nsettings: the same\n");
+  if (found.settings.empty()) print_text("\nsettings: the same\n");
   if (!found.settings.empty()) {
     Table table({"setting", "one", "other"});
     for (const ChangedSetting& each : found.settings)
       table.add_row({each.pointer, text_of(each.one), text_of(each.other)});
-    fmt::print("\n{}", table.text());
+    print_text("\n{}", table.text());
   }
-  if (found.summary.empty()) fmt::print("\nsummary: the same\n");
+  if (found.summary.empty()) print_text("\nsummary: the same\n");
   if (!found.summary.empty()) {
     Table table({"number", "one", "other", "change"});
     for (const ChangedNumber& each : found.summary)
       table.add_row({each.name, text_of(each.one), text_of(each.other), percent_of(each.relative)});
-    fmt::print("\n{}", table.text());
+    print_text("\n{}", table.text());
   }
-  if (!found.no_cloth.empty()) fmt::print("\ncloths: not compared: {}\n", found.no_cloth);
+  if (!found.no_cloth.empty()) print_text("\ncloths: not compared: {}\n", found.no_cloth);
   if (!found.cloth.empty()) {
-    fmt::print("\ncloths: distances in sizes of the mesh, over the frames at the same times\n");
+    print_text("\ncloths: distances in sizes of the mesh, over the frames at the same times\n");
     Table table({"distance", "value"});
     for (const auto& [name, value] : found.cloth) table.add_row({name, format_number(value)});
-    fmt::print("{}", table.text());
+    print_text("{}", table.text());
   }
 }
 
@@ -113,7 +115,7 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
     ++in_both;
     const RunRecord& other = found->second;
     const RunDifference pair = difference(one, other);
-    if (json) fmt::print("{}\n", to_json(one, other, pair).dump());
+    if (json) print_text("{}\n", json_text(to_json(one, other, pair)));
     std::vector<std::string> row = {point};
     for (const std::string& name : names) {
       const auto value = [&](const RunRecord& record) -> std::optional<double> {
@@ -133,7 +135,7 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
     throw UsageError(
         fmt::format("'{}' and '{}' have no point of a sweep in common", arguments.one, arguments.other));
   if (!json)
-    fmt::print("{}{} in both; {} only in one, {} only in other\n", table.text(), counted(in_both, "point"),
+    print_text("{}{} in both; {} only in one, {} only in other\n", table.text(), counted(in_both, "point"),
                ones.size() - in_both, others.size() - in_both);
   return exit_ok;
 }
@@ -146,7 +148,7 @@ int compare_command(const CompareArguments& arguments, bool json) {
                   other = find_run(arguments.other, arguments.folder);
   const RunDifference found = difference(one, other);
   if (json)
-    fmt::print("{}\n", to_json(one, other, found).dump());
+    print_text("{}\n", json_text(to_json(one, other, found)));
   else
     print_pair(one, other, found);
   return exit_ok;

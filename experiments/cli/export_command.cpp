@@ -7,7 +7,9 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/export/format.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 
 namespace bendlab {
@@ -36,7 +38,7 @@ std::string size_text(std::uint64_t bytes) {
 }
 
 void print_exported(const RunRecord& run, const Exported& exported) {
-  fmt::print("{}: {}, {}\n{}  {}  {}: {} to {}\n", exported.to.string(), counted(exported.files, "file"),
+  print_text("{}: {}, {}\n{}  {}  {}: {} to {}\n", exported.to.string(), counted(exported.files, "file"),
              size_text(exported.bytes), run.id, run.name, counted(exported.frames.size(), "frame"),
              exported.frames.front().number, exported.frames.back().number);
 }
@@ -58,14 +60,14 @@ int export_command(const ExportArguments& arguments, bool json) {
   catch_stop_signals();
   try {
     const Exported exported = export_run(run, format, options);
-    for (const std::string& note : exported.notes) fmt::print(stderr, "bendlab: {}\n", note);
+    for (const std::string& note : exported.notes) print_text(stderr, "bendlab: {}\n", note);
     if (json)
-      fmt::print("{}\n", to_json(run, format, exported).dump());
+      print_text("{}\n", json_text(to_json(run, format, exported)));
     else
       print_exported(run, exported);
     return exit_ok;
   } catch (const ExportStopped&) {
-    fmt::print(stderr, "bendlab: stopped; nothing was written\n");
+    print_text(stderr, "bendlab: stopped; nothing was written\n");
     return stop_exit_code();
   }
 }

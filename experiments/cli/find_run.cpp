@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <system_error>
+
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/terminal/printable.hpp"
 
 namespace bendlab {
 namespace {
@@ -12,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 void tell(const std::string& what) {
-  fmt::print(stderr, "bendlab: {}\n", what);
+  print_text(stderr, "bendlab: {}\n", what);
 }
 
 }  // namespace
@@ -22,11 +25,12 @@ std::vector<RunRecord> read_runs(const fs::path& folder) {
 }
 
 RunRecord find_run(const std::string& run, const fs::path& folder) {
-  if (fs::is_regular_file(run)) return read_checked(run);
+  std::error_code none;  // a name that no file can have names no file
+  if (fs::is_regular_file(run, none)) return read_checked(run);
   std::vector<fs::path> files;
-  if (fs::is_directory(run)) {
+  if (fs::is_directory(run, none)) {
     files = find_run_files(run);
-  } else if (fs::is_directory(folder)) {
+  } else if (fs::is_directory(folder, none)) {
     for (const RunRecord& record : read_runs(folder))
       if (record.id.starts_with(run)) files.push_back(record.file);
   }

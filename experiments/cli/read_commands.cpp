@@ -13,9 +13,11 @@
 #include "experiments/cli/mesh_report.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/warnings.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -69,7 +71,7 @@ void print_section(const char* heading, const std::map<std::string, std::string>
   if (rows.empty()) return;
   Table table({heading, ""});
   for (const auto& [name, value] : rows) table.add_row({"  " + name, value});
-  fmt::print("\n{}", table.text());
+  print_text("\n{}", table.text());
 }
 
 Json stored_config(const RunRecord& record) {
@@ -120,7 +122,7 @@ int list_command(const ListArguments& arguments, bool json) {
   if (own_column) headings.push_back(sort);
   Table table(headings);
   for (const RunRecord& record : records) {
-    if (json) fmt::print("{}\n", to_json(record).dump());
+    if (json) print_text("{}\n", json_text(to_json(record)));
     const auto number = [&](const char* name) {
       const auto found = record.summary.find(name);
       return found == record.summary.end() ? std::string() : format_number(found->second);
@@ -143,9 +145,9 @@ int list_command(const ListArguments& arguments, bool json) {
   }
   if (json) return exit_ok;
   if (records.empty())
-    fmt::print("no {}runs in {}\n", arguments.where.empty() ? "" : "such ", arguments.folder);
+    print_text("no {}runs in {}\n", arguments.where.empty() ? "" : "such ", arguments.folder);
   else
-    fmt::print("{}", table.text());
+    print_text("{}", table.text());
   return exit_ok;
 }
 
@@ -153,15 +155,15 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
   const RunRecord record = find_run(run, folder);
   const Json description = to_json(record);
   if (json) {
-    fmt::print("{}\n", description.dump());
+    print_text("{}\n", json_text(description));
     return exit_ok;
   }
-  fmt::print("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
+  print_text("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
              to_string(record.status), counted(record.frames, "frame"), when(record.file));
   if (const auto broken = broken_bound_of(stored_json(record, "implausible")))
-    fmt::print("\nimplausible: {}\n", text_of(*broken));
+    print_text("\nimplausible: {}\n", text_of(*broken));
   for (const Warning& warning : warnings_of(stored_json(record, "warnings")))
-    fmt::print("\nwarning {}: {}\n", warning.code, warning.message);
+    print_text("\nwarning {}: {}\n", warning.code, warning.message);
 
   std::map<std::string, std::string> summary;
   for (const auto& [name, value] : record.summary) summary[name] = format_number(value);
@@ -175,12 +177,12 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
       passes.add_row({"  " + pass.name, fmt::format("{:.3f}", pass.seconds),
                       fmt::format("{:.1f}", all > 0 ? 100 * pass.seconds / all : 0.0),
                       fmt::format("{}", pass.calls)});
-    fmt::print("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
+    print_text("\n{}wall {:.2f} s, CPU {:.2f} s\n", passes.text(), record.wall_s, record.cpu_s);
   }
   std::map<std::string, std::string> provenance = record.provenance;
   for (const char* told : {"implausible", "warnings"}) provenance.erase(told);
   print_section("provenance", provenance);
-  fmt::print("\nconfig\n{}\n", description.at("config").dump(2));
+  print_text("\nconfig\n{}\n", description.at("config").dump(2, ' ', false, Json::error_handler_t::replace));
   return exit_ok;
 }
 
@@ -189,6 +191,7 @@ namespace {
 // What each policy would make of a file that was refused.
 std::string policies_text(const fs::path& file) try {
   const PolygonSoup soup = read_polygon_soup(file);
+  if (soup.triangles.empty()) return "";
   std::string text = "\n/mesh/bad_triangles (here: --bad-triangles) would";
   for (std::size_t p = 1; p < bad_triangles_names.size(); ++p) try {
       const AcceptedMesh accepted = accept(soup, static_cast<BadTriangles>(p));
@@ -215,14 +218,14 @@ int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std:
     if (error.kind() != MeshFileError::Kind::refused) throw;
     throw MeshFileError(error.kind(), error.what() + policies_text(file));
   }
-  for (const std::string& note : accepted.notes) fmt::print(stderr, "bendlab: {}\n", note);
+  for (const std::string& note : accepted.notes) print_text(stderr, "bendlab: {}\n", note);
   if (json) {
     nlohmann::ordered_json report = mesh_report_json(accepted.mesh, file.string(), thresholds);
     report["bad_triangles"] = policy;
     report["notes"] = accepted.notes;
-    fmt::print("{}\n", report.dump());
+    print_text("{}\n", json_text(report));
   } else {
-    fmt::print("{}", mesh_report(accepted.mesh, file.string(), thresholds));
+    print_text("{}", mesh_report(accepted.mesh, file.string(), thresholds));
   }
   return exit_ok;
 }

@@ -8,6 +8,8 @@
 #include "experiments/campaign/rerun.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/config/json_text.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -50,18 +52,18 @@ Json to_json(const RunRecord& run, const Repetition& found) {
 }
 
 void print(const RunRecord& run, const Repetition& found) {
-  fmt::print("{}  {}\n", run.id, run.file.string());
+  print_text("{}  {}\n", run.id, run.file.string());
   if (found.differing_parts.empty())
-    fmt::print("repeated: the same bits in every frame, metric and number\n");
+    print_text("repeated: the same bits in every frame, metric and number\n");
   else
-    fmt::print("repeated: DIFFERENT BITS in {}\n", fmt::join(found.differing_parts, ", "));
+    print_text("repeated: DIFFERENT BITS in {}\n", fmt::join(found.differing_parts, ", "));
   if (found.changed.empty()) {
-    fmt::print("by the same program, on the same machine with the same libraries\n");
+    print_text("by the same program, on the same machine with the same libraries\n");
     return;
   }
   Table table({"changed since", "then", "now"});
   for (const auto& [name, texts] : found.changed) table.add_row({name, texts.first, texts.second});
-  fmt::print("\n{}", table.text());
+  print_text("\n{}", table.text());
 }
 
 }  // namespace
@@ -77,7 +79,7 @@ int rerun_command(const RerunArguments& arguments, bool json) {
       repeat(run, arguments.out.empty() ? fs::path(scratch.path()) : arguments.out, {.stop = &stop_flag()});
   if (stop_exit_code() != 0) return stop_exit_code();
   if (json)
-    fmt::print("{}\n", to_json(run, found).dump());
+    print_text("{}\n", json_text(to_json(run, found)));
   else
     print(run, found);
   return found.differing_parts.empty() ? exit_ok : exit_failed;

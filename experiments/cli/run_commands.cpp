@@ -1,12 +1,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <map>
 #include <set>
 #include <stdexcept>
@@ -18,12 +17,16 @@
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
+#include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/forecast.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -45,24 +48,59 @@ void check_writable(const fs::path& folder) {
 /// Prints each warning of an experiment once, with the first run that has it.
 void tell_warnings(std::span<const CampaignRun> runs) {
   for (const CollectedWarning& warning : collected_warnings(runs))
-    fmt::print(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
+    print_text(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
 }
 
-/// Prints the warnings that need no run, each once per experiment. Returns how many there are.
-std::size_t tell_warnings_before(const std::vector<Experiment>& experiments) {
-  std::size_t told = 0;
+/// Whether a run's mesh is so large that building it takes seconds.
+bool has_large_mesh(const RunConfig& config) {
+  constexpr std::int64_t large = 512;  // cells
+  return config.mesh_file().empty() && config.section("/mesh").integer("cells") > large;
+}
+
+/// What is known of runs before they are computed.
+struct KnownBefore {
+  std::size_t warnings = 0;
+  int exit_code = exit_ok;  ///< of a mesh, pins or a start pose that cannot be had
+};
+
+/// Builds the scenes of the runs without their bending constraints; prints the warnings that this shows, and
+/// what is wrong with meshes and pins, each once per experiment. Unless `all` are asked for, looks at each
+/// mesh
+/// with its pins, and at the other runs for `some_seconds`.
+KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
+  constexpr std::chrono::seconds some_seconds(2);
+  const auto begin = std::chrono::steady_clock::now();
+  KnownBefore known;
   for (const Experiment& experiment : experiments) {
     std::vector<CampaignRun> runs;
-    std::set<std::string> seen;
+    std::set<std::string> seen, places, failures;
+    std::size_t left_out = 0;
     for (const RunConfig& config : experiment.runs) {
       if (!seen.insert(text_of_what_warns_before(config)).second) continue;
+      const Json& settings = config.resolved();
+      const bool new_place = places.insert(settings["mesh"].dump() + settings["pins"].dump()).second;
+      if (!all && (has_large_mesh(config) ||
+                   (!new_place && std::chrono::steady_clock::now() - begin > some_seconds))) {
+        ++left_out;
+        continue;
+      }
       CampaignRun& run = runs.emplace_back(CampaignRun{.experiment = &experiment, .config = &config});
-      run.outcome = RunOutcome{.warnings = warnings_before(experiment, config)};
+      try {
+        run.outcome = RunOutcome{.warnings = warnings_before(experiment, config)};
+      } catch (...) {
+        const Failure failure = current_failure();
+        if (known.exit_code == exit_ok) known.exit_code = failure.exit_code;
+        if (failures.insert(failure.message).second)
+          print_text(stderr, "bendlab: {}: {}\n", run_text(run), failure.message);
+      }
     }
     tell_warnings(runs);
-    told += collected_warnings(runs).size();
+    known.warnings += collected_warnings(runs).size();
+    if (left_out > 0)
+      print_text(stderr, "bendlab: {}: {} of {} not looked at for warnings; --strict looks at all\n",
+                 experiment.name, left_out, counted(experiment.runs.size(), "run"));
   }
-  return told;
+  return known;
 }
 
 /// How the runs are reported on stdout.
@@ -70,32 +108,52 @@ enum class Report { tables, lines, json, explanations };
 
 /// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
 /// were not started because of a signal are left out.
+/// What runs need: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".
+std::string needs_text(const Needs& needs) {
+  return fmt::format("about {} of CPU time, up to {} of memory for a run, {} of disk",
+                     duration_text(needs.cpu_s), bytes_text(needs.most_memory_bytes),
+                     bytes_text(needs.disk_bytes));
+}
+
+/// Says on stderr what the runs need if that is much. (`plan` always says it.)
+void tell_large_needs(const std::vector<CampaignRun>& runs) {
+  constexpr double long_s = 60, large_bytes = 1e9;
+  const Needs needs = needs_of(runs);
+  if (needs.cpu_s < long_s && needs.most_memory_bytes < large_bytes && needs.disk_bytes < large_bytes) return;
+  print_text(stderr, "bendlab: {}: {}, if none is there yet\n", counted(runs.size(), "run"),
+             needs_text(needs));
+}
+
 int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, Report report,
                    bool strict = false) {
-  if (strict && tell_warnings_before(experiments) > 0) {
-    fmt::print(stderr, "bendlab: nothing was computed, because --strict makes these warnings errors\n");
+  if (const KnownBefore known = strict ? look_before(experiments, true) : KnownBefore{};
+      known.exit_code != exit_ok) {
+    return known.exit_code;
+  } else if (known.warnings > 0) {
+    print_text(stderr, "bendlab: nothing was computed, because --strict makes these warnings errors\n");
     return exit_failed;
   }
   check_writable(options.out);
-  catch_stop_signals();
   for (const Experiment& experiment : experiments) write_sweep_file(options.out, experiment);
+  catch_stop_signals();
   std::vector<CampaignRun> runs = plan_campaign(experiments);
+  tell_large_needs(runs);
   std::vector<CampaignRun> of_experiment;
   bool first = true;
   // Messages go to stderr while the runs go on. Who reads both on one terminal need not read them twice.
   const bool one_terminal = isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
-    if (report == Report::json && runs[index].started()) fmt::print("{}\n", run_json(runs[index]).dump());
+    if (report == Report::json && runs[index].started()) print_text("{}\n", json_text(run_json(runs[index])));
     if (report == Report::explanations && runs[index].started())
-      fmt::print("{}\n", explain_text(runs[index]));
+      print_text("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
       if (report != Report::lines && !(report == Report::tables && one_terminal))
         tell_warnings(of_experiment);
       if (report == Report::tables)
-        fmt::print("{}{}", first ? "" : "\n", experiment_text(of_experiment, !one_terminal));
-      if (report == Report::lines) fmt::print("{}", experiment_line(of_experiment));
+        print_text("{}{}", first ? "" : "\n", experiment_text(of_experiment, !one_terminal));
+      if (report == Report::lines) print_text("{}", experiment_line(of_experiment));
       first = false;
     }
     if (last) of_experiment.clear();
@@ -105,7 +163,7 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   if (const int code = stop_exit_code(); code != 0) {
     const auto complete = std::ranges::count_if(
         runs, [](const CampaignRun& run) { return run.outcome && is_whole(run.outcome->status); });
-    fmt::print(stderr, "bendlab: stopped; {} of {} complete; the same command again does the rest\n",
+    print_text(stderr, "bendlab: stopped; {} of {} complete; the same command again does the rest\n",
                complete, counted(runs.size(), "run"));
     return code;
   }
@@ -154,21 +212,6 @@ constexpr std::array reproducibles = {
     Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
     Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
 };
-
-/// Runs a program to its end. Returns its exit code, 128 + the signal that ended it, or 127 if it can't be
-/// started.
-int run_program(std::vector<std::string> arguments) {
-  std::vector<char*> argv;
-  for (std::string& argument : arguments) argv.push_back(argument.data());
-  argv.push_back(nullptr);
-  pid_t child = 0;
-  if (posix_spawn(&child, argv.front(), nullptr, nullptr, argv.data(), environ) != 0) return 127;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0) {
-    if (errno != EINTR) return 127;
-  }
-  return WIFSIGNALED(status) ? 128 + WTERMSIG(status) : WEXITSTATUS(status);
-}
 
 /// What lies in the folders of an experiment's runs.
 using RecordsByFolder = std::map<fs::path, RunRecord>;
@@ -231,36 +274,53 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
   for (const Experiment& experiment : experiments) {
     const RecordsByFolder records = records_of(out, experiment);
     std::vector<std::string> headings = axis_headings(experiment);
-    headings.insert(headings.end(), {"id", "state"});
+    headings.insert(headings.end(), {"id", "state", "CPU time", "memory", "disk"});
     Table table(headings);
     std::size_t complete = 0;
+    std::vector<CampaignRun> left;
     for (const RunConfig& config : experiment.runs) {
       const std::string id = run_id(config);
       const fs::path folder = run_folder(out, experiment, config, id);
       const std::string state = state_on_disk(records, folder, id);
       if (state == "complete") ++complete;
+      if (state != "complete" && state != "implausible")
+        left.push_back({.experiment = &experiment, .config = &config});
+      const std::optional<Forecast> needs = forecast(config);
       if (json) {
-        const Json line = {
+        Json line = {
             {"experiment", experiment.name}, {"point", point_json(config)}, {"id", id}, {"state", state},
             {"folder", folder.string()},     {"config", config.resolved()}};
-        fmt::print("{}\n", line.dump());
+        if (needs)
+          line["needs"] = {{"cpu_s", needs->cpu_s},
+                           {"memory_bytes", needs->memory_bytes},
+                           {"disk_bytes", needs->disk_bytes}};
+        print_text("{}\n", json_text(line));
+        continue;
       }
       std::vector<std::string> cells = axis_cells(experiment, config);
       cells.insert(cells.end(), {id, state});
+      if (needs)
+        cells.insert(cells.end(), {duration_text(needs->cpu_s), bytes_text(needs->memory_bytes),
+                                   bytes_text(needs->disk_bytes)});
+      else
+        cells.insert(cells.end(), 3, "-");
       table.add_row(std::move(cells));
     }
     if (!json)
-      fmt::print("{}: {}, {} complete\n{}\n{}\n", experiment.name, counted(experiment.runs.size(), "run"),
-                 complete, cover_text(experiment.cover), table.text());
+      print_text("{}: {}, {} complete; {}\n{}\n{}\n", experiment.name, counted(experiment.runs.size(), "run"),
+                 complete, left.empty() ? "nothing is left to do" : "left are " + needs_text(needs_of(left)),
+                 cover_text(experiment.cover), table.text());
   }
   return exit_ok;
 }
 
 int validate_command(const ConfigArguments& configs, bool strict) {
   const std::vector<Experiment> experiments = load_experiments(configs);
-  if (strict && tell_warnings_before(experiments) > 0) return exit_failed;
+  const KnownBefore known = look_before(experiments, strict);
+  if (known.exit_code != exit_ok) return known.exit_code;
+  if (strict && known.warnings > 0) return exit_failed;
   for (const Experiment& experiment : experiments)
-    fmt::print("{}: {} ({})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
+    print_text("{}: {} ({})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
                counted(experiment.runs.size(), "run"), cover_text(experiment.cover));
   return exit_ok;
 }
@@ -299,7 +359,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
     const int runs_code = run_and_report(experiments[i], options, Report::lines);
     if (stop_exit_code() != 0) return runs_code;
     code = std::max(code, runs_code);
-    fmt::print(stderr, "bendlab: drawing the figures\n");
+    print_text(stderr, "bendlab: drawing the figures\n");
     const fs::path script = source / "analysis" / stage.script;
     std::vector<std::string> drawing = {BENDLAB_PYTHON,       script.string(), "--results",
                                         options.out.string(), "--out",         page.string()};
@@ -307,7 +367,7 @@ int reproduce_command(CampaignOptions options, const ReproduceArguments& argumen
     const int page_code = run_program(drawing);  // says where what it drew is
     if (stop_exit_code() != 0) return stop_exit_code();
     if (page_code != 0) {
-      fmt::print(stderr, "bendlab: {} ended with exit code {}\n", fmt::join(drawing, " "), page_code);
+      print_text(stderr, "bendlab: {} ended with exit code {}\n", fmt::join(drawing, " "), page_code);
       return exit_failed;
     }
   }

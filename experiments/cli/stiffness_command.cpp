@@ -10,7 +10,9 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/measures/strip.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -134,15 +136,15 @@ int stiffness_command(const std::string& run, const std::filesystem::path& folde
     for (const Row& row : rows) result[row.name] = number(row.value);
     result["fit_samples"] = stiffness.fit.samples;
     if (arguments.profile) result["profile"] = profile_json(stiffness.profile);
-    fmt::print("{}\n", result.dump());
+    print_text("{}\n", json_text(result));
     return exit_ok;
   }
-  fmt::print("{}\n{}  {}  frame {} at {:.6g} s\n\n", record.file.string(), record.id, record.name, frame,
+  print_text("{}\n{}  {}  frame {} at {:.6g} s\n\n", record.file.string(), record.id, record.name, frame,
              time);
   Table table({"", "value", "unit", "what it is"});
   for (const Row& row : rows) table.add_row({row.name, format_number(row.value), row.unit, row.meaning});
-  fmt::print("{}", table.text());
-  if (arguments.profile) fmt::print("\n{}", profile_text(stiffness.profile));
+  print_text("{}", table.text());
+  if (arguments.profile) print_text("\n{}", profile_text(stiffness.profile));
   return exit_ok;
 }
 

@@ -18,6 +18,8 @@
 #include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -37,7 +39,7 @@ Shard shard_of(const std::string& text) {
 }
 
 void say(const std::string& what) {
-  fmt::print(stderr, "bendlab: {}\n", what);
+  print_text(stderr, "bendlab: {}\n", what);
 }
 
 std::string seconds_text(double seconds) {
@@ -126,8 +128,8 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
   options.shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
   const Plan plan = load_plan(arguments.plan);
   options.out = plan.out;
-  catch_stop_signals();
   for (const Experiment& experiment : plan.experiments) write_sweep_file(plan.out, experiment);
+  catch_stop_signals();
   const std::vector<CampaignRun> runs = work_on(plan.experiments, options);
   std::size_t computed = 0, found = 0, left = 0, failed = 0;
   for (const CampaignRun& run : runs) {
@@ -139,7 +141,7 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
       ++found;
     else if (is_over(run.outcome->status))
       ++computed;
-    if (json && !run.outcome->left && !run.outcome->reused) fmt::print("{}\n", run_json(run).dump());
+    if (json && !run.outcome->left && !run.outcome->reused) print_text("{}\n", json_text(run_json(run)));
   }
   say(fmt::format("{} of {} computed here, {} by others, {} at work elsewhere, {} failed", computed,
                   counted(runs.size(), "run"), found, left, failed));
@@ -169,15 +171,14 @@ int status_command(const fs::path& file, bool json) {
     else
       expected_left += plan.runs[i].expected_s;
     if (json)
-      fmt::print("{}\n", Json{{"id", plan.runs[i].id},
-                              {"run", plan.runs[i].text},
-                              {"folder", plan.runs[i].folder.string()},
-                              {"state", name_of(state)},
-                              {"text", state.text},
-                              {"expected_s", plan.runs[i].expected_s},
-                              {"wall_s", state.wall_s},
-                              {"cpu_s", state.cpu_s}}
-                             .dump());
+      print_text("{}\n", json_text(Json{{"id", plan.runs[i].id},
+                                        {"run", plan.runs[i].text},
+                                        {"folder", plan.runs[i].folder.string()},
+                                        {"state", name_of(state)},
+                                        {"text", state.text},
+                                        {"expected_s", plan.runs[i].expected_s},
+                                        {"wall_s", state.wall_s},
+                                        {"cpu_s", state.cpu_s}}));
     if (state.kind == Kind::running || state.kind == Kind::failed) {
       table.add_row({name_of(state), plan.runs[i].text, state.text});
       any = true;
@@ -186,11 +187,11 @@ int status_command(const fs::path& file, bool json) {
   if (json) return exit_ok;
   std::vector<std::string> parts;
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
-  fmt::print("{}: {}\n", counted(states.size(), "run"), fmt::join(parts, ", "));
+  print_text("{}: {}\n", counted(states.size(), "run"), fmt::join(parts, ", "));
   if (expected_left > 0 && done_s > 0)
-    fmt::print("took {} of CPU time so far; as much as {} may be left\n", seconds_text(done_s),
+    print_text("took {} of CPU time so far; as much as {} may be left\n", seconds_text(done_s),
                seconds_text(expected_left * done_s / expected_of_done));
-  if (any) fmt::print("\n{}", table.text());
+  if (any) print_text("\n{}", table.text());
   return exit_ok;
 }
 
@@ -212,7 +213,7 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
           .lexically_normal();
   const std::string text = batch_file(plan, name, tasks, arguments);
   if (arguments.dry_run) {
-    fmt::print("{}", text);
+    print_text("{}", text);
     return exit_ok;
   }
   write_plan(plan, experiments, out);
@@ -220,7 +221,7 @@ int submit_command(const ConfigArguments& configs, const fs::path& out, const Su
   const fs::path batch = fs::path(plan).replace_extension(".sbatch");
   replace_file(batch, text);
   const std::string job = submit(batch);
-  fmt::print("job {}: {} in {}; 'bendlab status {}' shows how far they are\n", job,
+  print_text("job {}: {} in {}; 'bendlab status {}' shows how far they are\n", job,
              counted(expected_s.size(), "run"), counted(tasks, "task"), plan.string());
   return exit_ok;
 }

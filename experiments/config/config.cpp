@@ -180,16 +180,28 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   ConfigProblems problems;
   if (!schema.is_string()) problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
   experiment.axes = read_axes(sweep, settings, covered, problems);
+  const std::size_t of_axes = problems.size();
   experiment.expectations = read_expectations(expect, settings, problems);
   check_reasons(because, settings, problems);
   const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
-  if (!cover) check_settings(settings, experiment.axes, problems);
-  problems.insert(problems.begin(), reading.begin(), reading.end());
+  ConfigProblems beside_axes;
+  if (!cover) check_settings(settings, experiment.axes, beside_axes);
+  beside_axes.insert(beside_axes.begin(), reading.begin(), reading.end());
+  problems.insert(problems.begin(), beside_axes.begin(), beside_axes.end());
   const std::size_t before_runs = problems.size();
   if (problems.empty())
     experiment.runs =
         cover ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, problems)
               : expand_sweep(settings, folder, experiment.axes, problems);
+  // Where all runs are right, all values are. Where not, a value alone says more than its combinations.
+  if (!covered && !problems.empty()) {
+    ConfigProblems of_values;
+    check_values(settings, experiment.axes, of_values);
+    if (before_runs == 0 && !of_values.empty()) problems.clear();
+    const std::size_t place = before_runs == 0 ? 0 : beside_axes.size() + of_axes;
+    problems.insert(problems.begin() + static_cast<std::ptrdiff_t>(place), of_values.begin(),
+                    of_values.end());
+  }
   // What no combination mends is wrong beside the sweep; without an axis there is nothing else to be wrong.
   if (cover && experiment.runs.empty()) {
     ConfigProblems beside;

@@ -164,6 +164,12 @@ Json read_effects(const Json& given, ConfigProblems& problems) {
     problems.push_back({"/effects", "expected a list of objects {\"type\": …}, got " + given_text(given)});
     return canonical;
   }
+  constexpr std::size_t most = 1000;
+  if (given.size() > most) {
+    problems.push_back(
+        {"/effects", fmt::format("has {} entries, and at most {} are read", given.size(), most)});
+    return canonical;
+  }
   std::vector<std::pair<Json, std::string>> seen;  // type, pointer
   for (std::size_t i = 0; i < given.size(); ++i) {
     const std::string pointer = fmt::format("/effects/{}", i);

@@ -45,6 +45,10 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
     problems.push_back(
         {"/name", "may hold letters (a-z, A-Z), digits, '_' and '-' only, because it names a folder; got " +
                       given_text(canonical["name"])});
+  constexpr std::size_t longest = 100;  // a file system has 255 bytes for a name, and files add to it
+  if (name.size() > longest)
+    problems.push_back({"/name", fmt::format("has {} characters, and a folder's name may have {}; got {}",
+                                             name.size(), longest, given_text(canonical["name"]))});
 }
 
 // A mesh file replaces the generator: settings of a generator beside it are an error, and do not affect the

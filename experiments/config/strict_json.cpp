@@ -4,20 +4,25 @@
 
 #include <algorithm>
 #include <deque>
+#include <ranges>
 
 #include "experiments/config/counted.hpp"
+#include "experiments/config/json_text.hpp"
 #include "experiments/config/pointers.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr std::size_t deepest_nesting = 64;  // a config needs 5; dump() recurses and would overflow the stack
+constexpr std::size_t most_keys = 1000;  // of an object: all settings have 200; each is looked for among all
 
 std::string error_text(std::string_view source, const ConfigProblems& problems) {
+  constexpr std::size_t shown = 100;
   std::string text = fmt::format("{}: {}", source, counted(problems.size(), "problem"));
-  for (const ConfigProblem& problem : problems)
+  for (const ConfigProblem& problem : problems | std::views::take(shown))
     text +=
         fmt::format("\n  {}: {}", problem.pointer.empty() ? "(top level)" : problem.pointer, problem.message);
+  if (problems.size() > shown) text += fmt::format("\n  and {} more", problems.size() - shown);
   return text;
 }
 
@@ -60,6 +65,12 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 
   bool key(string_t& name) override {
     Level& level = levels_.back();
+    if (++level.keys > most_keys) {
+      problems_.push_back(
+          {pointer(levels_.size() - 1),
+           fmt::format("has more than {} keys, and an object has at most as many", most_keys)});
+      return false;
+    }
     level.key = name;
     level.duplicate = level.container->contains(name);
     if (level.duplicate)
@@ -88,6 +99,7 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
     Json* container;
     std::string key;         // of the value to come, in an object
     bool duplicate = false;  // that value is read and dropped
+    std::size_t keys = 0;    // so far
   };
 
   // Pointer to the value that is open, or to come, in level `depth - 1` (depth 0: the document itself).
@@ -144,9 +156,10 @@ std::string given_text(const Json& given) {
   if (given.is_object()) return "an object";
   if (given.is_array()) return given.empty() ? "an empty list" : "a list";
   constexpr std::size_t longest = 60;
-  const std::string dumped = given.dump(-1, ' ', false, Json::error_handler_t::replace);
-  const bool cut = dumped.size() > longest;
-  return (given.is_string() ? "the text " : "") + dumped.substr(0, longest) + (cut ? "…" : "");
+  const std::string dumped = json_text(given);
+  std::size_t end = std::min(longest, dumped.size());
+  while (end < dumped.size() && (dumped[end] & 0xC0) == 0x80) --end;  // not within a character
+  return (given.is_string() ? "the text " : "") + dumped.substr(0, end) + (end < dumped.size() ? "…" : "");
 }
 
 ConfigError::ConfigError(std::string_view source, ConfigProblems problems)

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/in_parallel.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/resolve.hpp"
 
@@ -54,14 +55,6 @@ void check_value(const Json& settings, const Axis& axis, std::size_t index, cons
     else if (std::ranges::find(known, problem) == known.end())
       problems.push_back({place, fmt::format("with this value {}: {}", problem.pointer, problem.message)});
   }
-}
-
-void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
-  const Json base = with_first_values(settings, axes);
-  ConfigProblems known;
-  resolve(base, known);
-  for (const Axis& axis : axes)
-    for (std::size_t i = 0; i < axis.second.size(); ++i) check_value(base, axis, i, known, problems);
 }
 
 // Whether the run depends on the setting at `pointer`: what contains it is still there after resolving.
@@ -123,6 +116,7 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
   }
   const std::vector<std::string> known = known_pointers(settings);
   std::size_t points = 1;
+  bool too_long = false;
   for (const auto& [pointer, given] : sweep.items()) {
     const Json values = listed(settings, pointer, given);
     const auto contained = std::ranges::find_if(
@@ -138,21 +132,36 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
           {axis_pointer(pointer), fmt::format("would overwrite '{}', which is swept before it: list it "
                                               "first",
                                               contained->first)});
-    else {
+    else if (values.size() > most_points) {
+      too_long = true;
+      problems.push_back(
+          {axis_pointer(pointer), fmt::format("has {} values, and a sweep has at most {} runs; "
+                                              "shorten the list, or make several configs of it",
+                                              values.size(), most_points)});
+    } else {
       Axis& axis = axes.emplace_back(pointer, std::vector<Json>());
       for (const Json& value : values) axis.second.push_back(normalised(settings, pointer, value));
       points = std::min(points * values.size(), most_points + 1);
     }
   }
-  if (covered) return axes;
-  if (points > most_points)
+  if (!covered && !too_long && points > most_points)
     problems.push_back(
         {"/sweep",
          fmt::format("has more than {} combinations; shorten the lists, make several configs of it, or "
                      "run a part that has every pair of values, with \"cover\": 2",
                      most_points)});
-  check_values(settings, axes, problems);
   return axes;
+}
+
+void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+  std::size_t values = 0;
+  for (const Axis& axis : axes) values += axis.second.size();
+  if (values > most_points) return;  // a problem already
+  const Json base = with_first_values(settings, axes);
+  ConfigProblems known;
+  resolve(base, known);
+  for (const Axis& axis : axes)
+    for (std::size_t i = 0; i < axis.second.size(); ++i) check_value(base, axis, i, known, problems);
 }
 
 std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
@@ -181,14 +190,28 @@ Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {
 
 std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem::path& folder,
                                     const std::vector<Axis>& axes, ConfigProblems& problems) {
+  struct Point {
+    std::vector<std::size_t> indices;
+    RunConfig run;
+    std::string text;
+    ConfigProblems problems;
+  };
+  std::vector<Point> points;
+  std::vector<std::size_t> indices(axes.size(), 0);
+  do points.push_back({indices, {}, {}, {}});
+  while (advance(indices, axes));
+  in_parallel(points.size(), 200, [&](std::size_t i) {
+    Point& point = points[i];
+    point.run = make_run(settings, folder, axes, point.indices, point.problems);
+    if (point.problems.empty()) point.text = point.run.resolved().dump();
+  });
   std::vector<RunConfig> runs;
   std::set<std::string> seen;
-  std::vector<std::size_t> indices(axes.size(), 0);
-  do {
-    RunConfig run = make_run(settings, folder, axes, indices, problems);
+  for (Point& point : points) {
+    problems.insert(problems.end(), point.problems.begin(), point.problems.end());
     if (!problems.empty()) return runs;
-    if (seen.insert(run.resolved().dump()).second) runs.push_back(std::move(run));
-  } while (advance(indices, axes));
+    if (seen.insert(std::move(point.text)).second) runs.push_back(std::move(point.run));
+  }
   return runs;
 }
 

@@ -10,9 +10,12 @@
 namespace bendlab {
 
 /// The axes of a `sweep` object, in its order. Each pointer must name a setting, a section or (part of) the
-/// effects that `settings` lists; lists must not be empty. Each value is checked by itself against the other
-/// settings, and so is the number of combinations. A `covered` sweep is checked by expand_cover() instead.
+/// effects that `settings` lists; lists must not be empty. The number of combinations is checked, unless the
+/// sweep is `covered`: then expand_cover() does that.
 std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covered, ConfigProblems& problems);
+
+/// Each value of the axes by itself against the other settings.
+void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems);
 
 /// The value of a config's `cover`, a number or an object; nothing if it is absent or wrong.
 std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems);

@@ -8,6 +8,7 @@
 #include "bendlab/io/checksum.hpp"
 #include "bendlab/io/disk.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/version.hpp"
 
 namespace bendlab {
 namespace {
@@ -48,11 +49,21 @@ Found look_for(const std::filesystem::path& file, const std::string& id) {
     }
     const RunRecord record = read_run(file);
     if (record.id != id) return {{}, fmt::format("is the file of another run, {}", record.id)};
-    if (is_over(record.status)) return {outcome_of(record), ""};
+    const auto kernels = record.provenance.find("blas_kernels");
+    if (is_over(record.status))
+      return {outcome_of(record), "", kernels == record.provenance.end() ? "" : kernels->second};
   } catch (const RunFileError& error) {
     return {{}, fmt::format("cannot be read: {}", error.what())};
   }
   return {};
+}
+
+void keep_changes(const std::filesystem::path& folder) try {
+  const std::filesystem::path file = folder / changes_file_name();
+  if (build_info().changes.empty() || std::filesystem::exists(file)) return;
+  make_folder(folder);
+  replace_file(file, build_info().changes, Wait::no);
+} catch (const std::exception&) {  // the runs say why nothing can be written there
 }
 
 std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token) {

@@ -24,10 +24,15 @@ struct Place {
 /// A run's file as it lies on the disk.
 struct Found {
   std::optional<RunOutcome>
-      over;           ///< of a run that is whole, or diverged (which it would again, bit for bit)
-  std::string wrong;  ///< why the file cannot be the run's; empty: it may, or there is none
+      over;                    ///< of a run that is whole, or diverged (which it would again, bit for bit)
+  std::string wrong;           ///< why the file cannot be the run's; empty: it may, or there is none
+  std::string blas_kernels{};  ///< that it was computed with
 };
 Found look_for(const std::filesystem::path& file, const std::string& id);
+
+/// Keeps what the program's sources differ in from their commit, in a folder of results: `<id>.patch.gz`.
+/// Nothing if they do not, if the file is there, or if it can't be written.
+void keep_changes(const std::filesystem::path& folder);
 
 /// Keeps a file that is not the run's beside the new one. Returns what to say of it.
 std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token);

@@ -121,6 +121,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));
+  if (!build.changes_id.empty()) header.provenance["git_changes"] = changes_file_name();
   if (const std::string own = own_code_hash(config); !own.empty()) header.provenance["own_code"] = own;
   header.config = config.resolved().dump(2);
   for (const auto& [pointer, file] : input_files(config))

@@ -1,6 +1,7 @@
 // What this program was built from: recorded in every run, part of every run's id.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace bendlab {
@@ -14,9 +15,14 @@ struct BuildInfo {
   std::string_view compiler;     ///< name and version
   std::string_view flags;        ///< compiler flags, space-separated
   std::string_view build_type;   ///< Release, Debug, RelWithDebInfo
+  std::string_view changes;  ///< since that commit: a patch, packed by gzip; empty: none, or more than 4 MB
+  std::string_view changes_id;  ///< 16 hex digits of the patch; empty: none
 };
 
 const BuildInfo& build_info();
+
+/// Of the file beside runs that holds `changes`; says so if they are too many to be kept.
+std::string changes_file_name();
 
 /// One line for `bendlab --version`.
 std::string_view version_text();

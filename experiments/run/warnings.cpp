@@ -10,6 +10,7 @@
 #include "bendlab/mesh/connected_parts.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/defaults.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/stiffness_settings.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
@@ -126,6 +127,57 @@ Message piece_without_pin(const WarningInput& input) {
       "pieces of the mesh with {} of its {} vertices (the first is vertex {}) have no pin, while others "
       "have: they will fall away. Pin each piece, or join them ('bendlab mesh FILE' counts the pieces)",
       loose, rest.vertex_count(), first);
+}
+
+// ---- effect_without_pins
+
+// Tethers are a default, and then nobody has asked for them.
+Message effect_without_pins(const WarningInput& input) {
+  if (!input.scene.pins.all.empty()) return std::nullopt;
+  const Json* const effects = value_at(input.experiment.settings, "/effects");
+  const bool by_default = effects == nullptr || *effects == default_effects(input.experiment.settings);
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
+    const std::string& type = input.scene.effects[index].type;
+    if (type == "moving_pins" || (type == "tethers" && !by_default))
+      return fmt::format(
+          "/effects/{} ({}) does nothing, because no vertex is pinned. Name pins in /pins/vertices or "
+          "/pins/indices, or remove the effect",
+          index, type);
+  }
+  return std::nullopt;
+}
+
+// ---- far_vertex
+
+// Edges of cloth that was made finer in places differ by some tens; a vertex that a slip of the mouse or a
+// wrong digit moved away is much farther.
+constexpr double far = 200;  // times the median edge
+
+Message far_vertex(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  const auto& positions = rest.positions();
+  std::vector<double> lengths;
+  const Adjacency& neighbours = rest.one_ring();
+  const auto length = [&](int from, int to) { return (positions.row(from) - positions.row(to)).norm(); };
+  double longest = 0;
+  int vertex = -1, other = -1;
+  for (int from = 0; from < rest.vertex_count(); ++from)
+    for (const int to : neighbours[static_cast<std::size_t>(from)])
+      if (from < to) {
+        lengths.push_back(length(from, to));
+        if (lengths.back() > longest) longest = lengths.back(), vertex = from, other = to;
+      }
+  if (lengths.empty()) return std::nullopt;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  if (!(longest > far * *middle)) return std::nullopt;
+  // Of the two the one that is farther from all.
+  const auto from_centre = [&](int v) { return (positions.row(v).transpose() - rest.centre()).norm(); };
+  if (from_centre(other) > from_centre(vertex)) std::swap(vertex, other);
+  return fmt::format(
+      "vertex {} lies {:.3g} m from its neighbour {}, {:.2g} times as far as the median edge is long: is it "
+      "where it should be? 'bendlab mesh FILE' tells about the mesh",
+      vertex, longest, other, longest / *middle);
 }
 
 // ---- all_pinned
@@ -281,6 +333,9 @@ constexpr std::array kinds = {
     WarningKind{"inert_seed", "a seed is set or swept that nothing uses", true, inert_seed},
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
                 piece_without_pin},
+    WarningKind{"effect_without_pins", "an effect is listed that needs pins, and there are none", true,
+                effect_without_pins},
+    WarningKind{"far_vertex", "a vertex is very far from its neighbours", true, far_vertex},
     WarningKind{"all_pinned", "no vertex can move", true, all_pinned},
     WarningKind{"inert_stiffness", "a number is given that the kind of stiffness does not use", true,
                 inert_stiffness},
@@ -313,13 +368,11 @@ std::vector<Warning> warnings_of(const WarningInput& input) {
   return warnings;
 }
 
-std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) try {
+std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) {
   Json bare = config.resolved();
   bare["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
   const Scene scene = build_scene(RunConfig(std::move(bare), config.folder()));
   return warnings_of(WarningInput{experiment, config, scene});
-} catch (const std::exception&) {
-  return {};
 }
 
 std::string text_of_what_warns_before(const RunConfig& config) {

@@ -40,8 +40,8 @@ std::span<const WarningKind> warning_kinds();
 /// The warnings of a run; without a summary those that are known before it.
 std::vector<Warning> warnings_of(const WarningInput& input);
 
-/// Those that are known before the run, from a scene that is built without bending constraints. None if the
-/// scene can't be built: the run says why.
+/// Those that are known before the run, from a scene that is built without bending constraints. Throws what
+/// build_scene() does.
 std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config);
 
 /// The settings that warnings_before() depends on, as text: runs with the same text have the same warnings.

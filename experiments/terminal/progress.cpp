@@ -7,6 +7,7 @@
 #include <numeric>
 #include <string>
 
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -42,7 +43,7 @@ void Progress::finish(std::size_t index, bool computed) {
 }
 
 void Progress::message(std::string_view text) {
-  pause([&] { fmt::print(stderr, "bendlab: {}\n", text); });
+  pause([&] { print_text(stderr, "bendlab: {}\n", text); });
 }
 
 void Progress::pause(const std::function<void()>& print) {

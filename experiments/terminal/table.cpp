@@ -8,6 +8,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "experiments/terminal/printable.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -31,6 +33,12 @@ bool is_number(const std::string& text) {
 }
 
 }  // namespace
+
+void Table::add_row(std::vector<std::string> cells) {
+  for (std::string& cell : cells)
+    if (cell.find_first_of("\n\t") != std::string::npos) cell = printable(cell, Lines::escape);
+  rows_.push_back(std::move(cells));
+}
 
 std::string Table::text() const {
   std::vector<std::size_t> widths;
@@ -70,10 +78,14 @@ std::string format_duration(double seconds) {
   return fmt::format("{}:{:02}", minutes, whole % 60);
 }
 
-std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
+bool has_colours(std::FILE* stream) {
   const char* no_color = std::getenv("NO_COLOR");
   const bool wanted = no_color == nullptr || *no_color == '\0';
-  if (!wanted || isatty(fileno(stream)) == 0) return std::string(text);
+  return wanted && isatty(fileno(stream)) != 0;
+}
+
+std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
+  if (!has_colours(stream)) return std::string(text);
   constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
   const int code = codes.at(static_cast<std::size_t>(colour));
   return fmt::format("\x1b[{}m{}\x1b[0m", code, text);

@@ -12,8 +12,8 @@ class Table {
  public:
   explicit Table(std::vector<std::string> headings) : headings_(std::move(headings)) {}
 
-  /// One cell per heading.
-  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  /// One cell per heading, shown on one line.
+  void add_row(std::vector<std::string> cells);
 
   /// Headings and rows, a line each. A column of numbers is aligned right, any other left.
   std::string text() const;
@@ -31,7 +31,10 @@ std::string format_duration(double seconds);
 
 enum class Colour { green, red, yellow, dim };
 
-/// The text in that colour if `stream` is a terminal and NO_COLOR is not set, else as it is.
+/// Whether `stream` is a terminal and NO_COLOR is not set.
+bool has_colours(std::FILE* stream);
+
+/// The text in that colour if `stream` has colours, else as it is.
 std::string coloured(std::string_view text, Colour colour, std::FILE* stream);
 
 }  // namespace bendlab

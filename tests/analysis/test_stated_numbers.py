@@ -22,11 +22,16 @@ LINK = re.compile(r"!?\[[^\]]*\]\(([^)\s]+)\)")
 WITH_UNIT = re.compile(r"(?P<number>\d[\d.]*)(?: to [\d.]+)? ?(?:ns|ms|%|MB|bytes|minutes|times)(?![\w-])")
 
 
+def own(paths):
+    """Those that are not packages of others."""
+    return (path for path in paths if "node_modules" not in path.parts)
+
+
 def readmes():
     """The READMEs of the checkout, without build folders."""
     return sorted(path for folder in (".", "configs", "analysis", "experiments", "lib", "tests", "results")
-                  for path in (ROOT.glob("README.md") if folder == "."
-                               else (ROOT / folder).rglob("README.md")))
+                  for path in own(ROOT.glob("README.md") if folder == "."
+                                  else (ROOT / folder).rglob("README.md")))
 
 
 def visible(text):
@@ -110,7 +115,7 @@ class StatedNumbers(unittest.TestCase):
     def test_that_lines_of_code_are_short(self):
         code = [path for folder in ("lib", "experiments", "tests", "analysis")
                 for ending in ("hpp", "cpp", "def", "py", "cmake", "txt")
-                for path in (ROOT / folder).rglob(f"*.{ending}")]
+                for path in own((ROOT / folder).rglob(f"*.{ending}"))]
         long = [f"{path.relative_to(ROOT)}:{at}" for path in code
                 for at, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1)
                 if len(line) > COLUMNS]

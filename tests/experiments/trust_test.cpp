@@ -5,8 +5,10 @@
 #include <fstream>
 
 #include "bendlab/io/checksum.hpp"
+#include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/mesh_surface.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -138,7 +140,41 @@ TEST_CASE("trust: pipes, devices and folders are no configs and no meshes", "[tr
   }
 }
 
+TEST_CASE("trust: validate looks at meshes, pins and warnings", "[trust]") {
+  Workplace place;
+  place.write("sheet.json", R"({"name": "sheet", "mesh": {"cells": 4}, "duration": 0.1})");
+  CHECK(place.run("validate sheet.json") == 0);
+  CHECK(place.err().empty());
+  place.write("file.json", R"({"name": "file", "duration": 0.1})");
+  CHECK(place.run("validate file.json --set /mesh/file=nothing.obj") == 5);
+  CHECK_THAT(place.err(), ContainsSubstring("nothing.obj"));
+  CHECK(place.run("validate sheet.json --set '/pins/indices=[25]'") == 3);
+  CHECK_THAT(place.err(), ContainsSubstring("vertex 25 is not in the mesh, which has vertices 0 to 24"));
+  CHECK(place.run("validate sheet.json --set /pins/vertices='[\"top_rim\"]'") == 3);
+  CHECK_THAT(place.err(), ContainsSubstring("/pins/vertices"));
+  place.write("empty.obj", "# nothing\n");
+  CHECK(place.run("validate file.json --set /mesh/file=empty.obj") == 4);
+  CHECK_THAT(place.err(), ContainsSubstring("has no triangles") && ContainsSubstring("export the mesh"));
+  // A warning is told, and an error where it is to be one.
+  CHECK(place.run("validate sheet.json --set /mesh/width=100 --set /mesh/height=100") == 0);
+  CHECK_THAT(place.err(), ContainsSubstring("warning") && ContainsSubstring("units"));
+  CHECK(place.run("validate sheet.json --set /mesh/width=100 --set /mesh/height=100 --strict") == 1);
+}
+
+TEST_CASE("trust: what a terminal may show of others' texts", "[trust]") {
+  CHECK(printable("plain, ä € 𝄞\tand\nlines") == "plain, ä € 𝄞\tand\nlines");
+  CHECK(printable("two\nlines\t", Lines::escape) == "two\\u000alines\\u0009");
+  CHECK(printable("\x1b[31m\x07\x7f") == "\\u001b[31m\\u0007\\u007f");
+  CHECK(printable("\xc2\x9b|\xe2\x80\xae|\xe2\x81\xa6|\xd8\x9c") == "\\u009b|\\u202e|\\u2066|\\u061c");
+  // No UTF-8: bytes alone, cut off, too long for what they say, half of a pair.
+  CHECK(printable("\x9b\xff") == "\\ufffd\\ufffd");
+  CHECK(printable("\xe2\x82") == "\\ufffd\\ufffd");
+  CHECK(printable("\xc0\x9b") == "\\ufffd\\ufffd");
+  CHECK(printable("\xed\xa0\x80") == "\\ufffd\\ufffd\\ufffd");
+}
+
 TEST_CASE("trust: a cloth that diverges on a mesh obstacle ends its own run alone", "[trust]") {
+  const WithoutTraps infinities;  // on purpose
   const MeshSurface surface(grid(2, 2, 1, 1));
   const double inf = std::numeric_limits<double>::infinity(), nan = std::nan("");
   for (const Vector3& x : {Vector3(nan, 0, 0), Vector3(0, inf, 0), Vector3(1e300, 0, -inf)}) {
@@ -262,7 +298,7 @@ TEST_CASE("trust: every command's help has an example", "[trust]") {
     CHECK_THAT(place.out(), ContainsSubstring("Example: "));
     ++commands;
   }
-  CHECK(commands == 23);
+  CHECK(commands == 25);
 }
 
 TEST_CASE("trust: the shells complete what the program takes", "[trust]") {

@@ -1,7 +1,11 @@
 // Every warning is given where it is due, with its number, and nowhere else.
 #include "experiments/run/warnings.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <fstream>
 #include <set>
 
 #include "tests/catch.hpp"
@@ -10,6 +14,7 @@ namespace bendlab {
 namespace {
 
 using Catch::Matchers::ContainsSubstring;
+namespace fs = std::filesystem;
 
 using Summary = std::map<std::string, double>;
 
@@ -61,6 +66,40 @@ TEST_CASE("warnings: a piece of the mesh without a pin", "[warnings]") {
   CHECK(codes_of(pieces + R"("pins": {"vertices": []})").empty());
   CHECK(codes_of(pieces + R"("pins": {"vertices": ["left", "right"]})").empty());  // cut from bottom to top
   CHECK(codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": ["upper_right"]})").empty());
+}
+
+TEST_CASE("warnings: an effect that needs pins where nothing is pinned", "[warnings]") {
+  const auto codes = [](const std::string& pins, const std::string& effect) {
+    return codes_of(R"("mesh": {"cells": 4}, "pins": {"vertices": [)" + pins +
+                    R"(]}, "effects": [{"type": "gravity"}, )" + effect + "]");
+  };
+  const std::string moving = R"({"type": "moving_pins", "times": [0, 1], "offsets": [0, 0, 0, 0, 0, 1]})",
+                    tethers = R"({"type": "tethers"})";
+  CHECK(codes("", moving) == Codes{"effect_without_pins"});
+  CHECK(codes("", tethers) == Codes{"effect_without_pins"});
+  CHECK(codes("", R"({"type": "viscous_drag"})").empty());
+  CHECK(codes(R"("top")", moving).empty());
+  CHECK(codes(R"("top")", tethers).empty());
+  const Experiment by_default =
+      parse_experiment(R"({"name": "d", "mesh": {"cells": 4}, "pins": {"vertices": []}})", "test");
+  CHECK(warnings_before(by_default, by_default.runs.front()).empty());
+}
+
+TEST_CASE("warnings: a vertex far from its neighbours", "[warnings]") {
+  const fs::path file = fs::temp_directory_path() / ("bendlab far " + std::to_string(getpid()) + ".obj");
+  const auto codes = [&](double far) {
+    std::ofstream(file) << "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.5 0\nv " << far << " " << far
+                        << " 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 4 3 6\n";
+    const std::string settings =
+        R"("pins": {"indices": [0], "ring": 0}, "effects": [], "mesh": {"file": ")" + file.string() + R"("})";
+    const std::string message = message_of("far_vertex", settings);
+    if (!message.empty()) CHECK_THAT(message, ContainsSubstring("vertex 5 lies "));
+    return codes_of(settings);
+  };
+  CHECK(codes(2).empty());
+  CHECK(codes(100).empty());
+  CHECK(codes(1000) == Codes{"far_vertex"});
+  fs::remove(file);
 }
 
 TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {

@@ -78,8 +78,12 @@ std::string lines_of(const std::vector<MeshProblem>& problems) {
 
 AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy) {
   const std::vector<MeshProblem> problems = diagnose(soup);
+  if (soup.triangles.empty())
+    throw std::invalid_argument(
+        "has no triangles, so that there is no cloth in it: export the mesh with its faces, and without "
+        "leaving out what is not selected");
   const std::string refusal = lines_of(problems);
-  if (!refusal.empty() && (policy == BadTriangles::refuse || soup.triangles.empty()))
+  if (!refusal.empty() && policy == BadTriangles::refuse)
     throw std::invalid_argument(
         "can't be simulated until it is repaired, in a mesh editor for instance or by /mesh/bad_triangles: "
         "repair, regularise or membrane_off (indices count from 0):" +

@@ -1,0 +1,46 @@
+// Many small pieces of work that need nothing of each other, by all cores.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <exception>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
+namespace bendlab {
+
+/// Calls work(i) for every i below `count`, in any order, from as many threads as there are cores (at most 8)
+/// and `worth_a_thread` pieces for each. Throws what a call threw first; the others may then be left undone.
+template <class Work>
+void in_parallel(std::size_t count, std::size_t worth_a_thread, const Work& work) {
+  constexpr std::size_t most_threads = 8, block = 64;
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t threads = std::min({most_threads, cores, 1 + count / worth_a_thread});
+  std::atomic<std::size_t> next{0};
+  std::exception_ptr failure;
+  std::mutex mutex;  // guards it
+  const auto take_blocks = [&] {
+    try {
+      for (std::size_t begin = next.fetch_add(block); begin < count; begin = next.fetch_add(block))
+        for (std::size_t i = begin; i < std::min(begin + block, count); ++i) work(i);
+    } catch (...) {
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+      next = count;
+    }
+  };
+  {
+    std::vector<std::jthread> others;
+    try {
+      for (std::size_t t = 1; t < threads; ++t) others.emplace_back(take_blocks);
+    } catch (const std::system_error&) {  // no more threads can be had: those that there are do it
+    }
+    take_blocks();
+  }
+  if (failure) std::rethrow_exception(failure);
+}
+
+}  // namespace bendlab

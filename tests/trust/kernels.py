@@ -1,0 +1,67 @@
+"""An equilibrium has other bits with other kernels of OpenBLAS: a run that was computed with others is
+reused,
+and that is told; other methods have the same bits, and nothing is told. 'rerun' names the kernels.
+
+    kernels.py PROGRAM      exit 1 if not; 77 where OpenBLAS has no other kernels to choose
+"""
+import json
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+from program import differences, run, run_files, write_config
+
+KERNELS = ("Prescott", "Haswell")
+SUPPLE = {"material": {"strain": {"stiffness": "compliance", "compliance": 1e-6}}}
+
+
+def main(program):
+    wrong = 0
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+
+        def check(holds, what):
+            nonlocal wrong
+            if not holds:
+                wrong += 1
+                print(f"WRONG: {what}", flush=True)
+
+        def compute(name, kernels, out="out"):
+            done = run(program, "run", f"{name}.json", "--out", out, "--json", folder=folder,
+                       env={**os.environ, "OPENBLAS_CORETYPE": kernels})
+            if done.returncode not in (0, 6):
+                raise SystemExit(done.stderr)
+            return json.loads(done.stdout.splitlines()[0]), done.stderr
+
+        common = {"mesh": {"cells": 24}, "duration": 0.2, "effects": [{"type": "gravity"}]}
+        write_config(folder, "moves", **common)
+        write_config(folder, "rests", **common, **SUPPLE, solver={"method": "equilibrium"})
+        write_config(folder, "begins", **common, **SUPPLE,
+                     initial={"after": ["/solver/method=equilibrium", "/duration=0.1"]})
+        bits = {}
+        for name in ("moves", "rests", "begins"):
+            compute(name, KERNELS[0])
+            found, told = compute(name, KERNELS[1])
+            check(found["reused"], f"{name} was not reused")
+            check(("BLAS kernels for Prescott" in told) == (name != "moves"), f"{name}: told {told!r}")
+            _, told = compute(name, KERNELS[0])
+            check("BLAS" not in told, f"{name}: with the same kernels told {told!r}")
+            compute(name, KERNELS[1], "other")
+            one, = run_files(folder / "out" / name)
+            other, = run_files(folder / "other" / name)
+            bits[name] = differences(one, other)
+            again = run(program, "rerun", one, "--json", folder=folder,
+                        env={**os.environ, "OPENBLAS_CORETYPE": KERNELS[1]})
+            changed = json.loads(again.stdout)["changed"]
+            if "blas_kernels" not in changed:
+                print("skipped: OpenBLAS does not choose its kernels here")
+                return 77
+        check(not bits["moves"], f"a motion depends on the kernels: {bits['moves']}")
+    print(f"{wrong} wrong answers; parts that differ with the kernels: "
+          f"{ {name: len(parts) for name, parts in bits.items()} }")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))

@@ -1,0 +1,125 @@
+"""Configs, plans, run files and names of files by somebody who means no good: no control character and none
+that turns the direction of text reaches the terminal, and JSON stays JSON.
+
+    texts.py PROGRAM      exit 1 if one does
+"""
+import json
+import re
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from program import fresh, run, run_files, write_config  # first: it knows where the scripts are
+
+import h5py
+import numpy as np
+from checksum import LENGTH, NAME, checksum
+
+# Clears the screen; sets the window's title; the same in C1; turns what follows around; rings; deletes.
+EVIL = "\x1b[2J\x1b]0;x\x07\x9b2J\x9d0;x\x9c\u202eabc\u2066\u200f\u2028\x7f\r\b"
+FORBIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069]")
+
+
+def evil_copy(file, to):
+    """A run file, whole by its checksum, whose texts are evil; one is no UTF-8."""
+    shutil.copy(file, to)
+    data = to.read_bytes()[:-LENGTH]
+    to.write_bytes(data)
+    with h5py.File(to, "r+") as run_file:
+        def put(node, name, value):
+            shape = node.attrs.get_id(name).shape if name in node.attrs else ()
+            node.attrs.create(name, np.full(shape, value, object), dtype=h5py.string_dtype())
+        put(run_file, "name", f"name{EVIL}")
+        run_file["summary"].attrs[f"number{EVIL}"] = 1.0
+        put(run_file["provenance"], f"key{EVIL}", f"value{EVIL}")
+        put(run_file["provenance"], "host", b"\xff\xfe\xc3(\xed\xa0\x80\x1b[2J")
+        config = json.loads(run_file["provenance/config"][()].reshape(-1)[0])
+        config["bending"]["model"] = f"model{EVIL}"
+        del run_file["provenance/config"]
+        text = np.empty(1, object)
+        text[0] = json.dumps(config, ensure_ascii=False)
+        run_file.create_dataset("provenance/config", data=text, dtype=h5py.string_dtype())
+    to.write_bytes(to.read_bytes() + NAME + checksum(to, to.stat().st_size) + b"\n")
+
+
+def places(program, folder):
+    """Argument lists whose output somebody else decides."""
+    write_config(folder, "good", mesh={"cells": 3}, duration=0.1)
+    run(program, "run", "good.json", folder=folder)
+    file, = run_files(folder / "results")
+    (folder / "evil").mkdir()
+    evil_copy(file, folder / "evil" / "run.vtkhdf")
+    names = folder / f"na{EVIL}me"
+    names.mkdir()
+    shutil.copy(file, names / "run.vtkhdf")
+    (names / f"{EVIL}.vtkhdf").write_bytes(b"no HDF5")
+
+    write_config(folder, "config", **{
+        "description": EVIL, "mesh": {"cells": 3}, "duration": 0.1, "because": {"/mesh/cells": EVIL},
+        "expect": [{"metric": "drop", "max": -1, "why": EVIL}],
+        "sweep": {"/mesh": [{"cells": 3}, {"file": f"mesh{EVIL}.obj"}]}})
+    write_config(folder, "wrong", **{f"key{EVIL}": EVIL,
+                 "mesh": {"generator": EVIL}, "sweep": {EVIL: [EVIL]}})
+    shutil.copy(folder / "wrong.json", folder / f"wrong{EVIL}.json")
+    (folder / "broken.json").write_text(f'{{"name": {EVIL}', encoding="utf-8")
+    (folder / f"mesh{EVIL}.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", encoding="utf-8")
+    (folder / "bad.obj").write_text(f"v 0 0 {EVIL}\nf {EVIL}\n", encoding="utf-8")
+
+    run(program, "plan", "good.json", "--out", "planned", "--write", "plan.json", folder=folder)
+    plan = json.loads((folder / "plan.json").read_text(encoding="utf-8"))
+    plan["runs"][0]["text"], plan["version"], plan["source_hash"] = EVIL, EVIL, EVIL
+    (folder / "plan.json").write_text(json.dumps(plan), encoding="utf-8")
+    failed = fresh(folder / "planned" / plan["runs"][0]["folder"])
+    (failed / "run.failure").write_text(EVIL, encoding="utf-8")
+
+    for extra in ([], ["--json"]):
+        yield ["list", "evil", *extra]
+        yield ["list", names, *extra]
+        yield ["list", ".", "--sort", "/bending/model", *extra]
+        yield ["show", "evil/run.vtkhdf", *extra]
+        yield ["compare", "evil/run.vtkhdf", file, *extra]
+        yield ["compare", "evil", "results", *extra]
+        yield ["rerun", "evil/run.vtkhdf", *extra]
+        yield ["export", "evil/run.vtkhdf", "--format", "obj", "--force", *extra]
+        yield ["stiffness", "evil/run.vtkhdf", *extra]
+        yield ["run", "config.json", *extra]
+        yield ["plan", "config.json", *extra]
+        yield ["status", "plan.json", *extra]
+        yield ["mesh", f"mesh{EVIL}.obj", *extra]
+        yield ["mesh", "bad.obj", *extra]
+    yield ["validate", "config.json", "wrong.json", f"wrong{EVIL}.json", "broken.json"]
+    yield ["validate", "config.json", "--strict"]
+    yield ["work", "plan.json"]
+    yield ["run", "wrong.json", "--set", f"/mesh/cells={EVIL}", "--set", EVIL]
+    yield [EVIL]
+
+
+def main(program):
+    wrong = tried = 0
+    with tempfile.TemporaryDirectory() as place:
+        folder = Path(place)
+        for arguments in places(program, folder):
+            tried += 1
+            done = run(program, *arguments, folder=folder, errors="surrogateescape")
+            output = done.stdout + done.stderr
+            found = FORBIDDEN.search(output) or re.search("[\udc80-\udcff]", output)
+            shown = " ".join(str(each) for each in arguments).replace(EVIL, "EVIL").replace(str(folder), ".")
+            if found or done.returncode < 0:
+                wrong += 1
+                at = found.start() if found else 0
+                print(f"{shown}: exit code {done.returncode}, prints {output[max(0, at - 30):at + 30]!r}",
+                      flush=True)
+            try:
+                lines = [json.loads(line) for line in done.stdout.splitlines() if "--json" in arguments]
+                if arguments == ["list", "evil", "--json"] and lines[0]["name"] != f"name{EVIL}":
+                    raise ValueError(f"the name is {lines[0]['name']!r}")
+            except (ValueError, IndexError) as error:
+                wrong += 1
+                print(f"{shown}: {error}", flush=True)
+    print(f"{tried} commands, {wrong} of them with output that is not as it should be")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1]))
