@@ -81,17 +81,10 @@ std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted)
   return advice;
 }
 
-double read_bytes(const char* file) {
+double read_bytes(const fs::path& file) {
   std::ifstream stream(file);
-  double value = std::numeric_limits<double>::infinity();
-  if (!(stream >> value)) return std::numeric_limits<double>::infinity();  // "max"
-  return value;
-}
-
-// Of control group 2 in a container, whose own group is at the root: what is left.
-double left_in_group() {
-  const double most = read_bytes("/sys/fs/cgroup/memory.max");
-  return std::isfinite(most) ? most - read_bytes("/sys/fs/cgroup/memory.current") : most;
+  double value = 0;
+  return stream >> value ? value : std::numeric_limits<double>::infinity();  // "max", or no such file
 }
 
 double left_in_machine() {
@@ -161,8 +154,20 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   return needs;
 }
 
+double left_in_group(const fs::path& group) {
+  const double most = read_bytes(group / "memory.max"), used = read_bytes(group / "memory.current");
+  if (!std::isfinite(most) || !std::isfinite(used)) return std::numeric_limits<double>::infinity();
+  double cached = 0;
+  std::ifstream info(group / "memory.stat");
+  std::string name;
+  for (double count = 0; info >> name >> count;)
+    if (name == "inactive_file") cached = count;
+  return most - used + cached;
+}
+
 double available_memory() {
-  return std::min({left_in_machine(), left_in_group(), left_in_limit()});
+  const double group = left_in_group("/sys/fs/cgroup");  // of a container, whose own group is at the root
+  return std::max(0.0, std::min({left_in_machine(), group, left_in_limit()}));
 }
 
 std::string bytes_text(double count) {

@@ -22,6 +22,10 @@ struct Forecast {
 /// time depends on the machine. Nothing if the mesh cannot be made.
 std::optional<Forecast> forecast(const RunConfig& config);
 
+/// Memory that processes of a control group (version 2, its folder) may still take, bytes; infinite without a
+/// limit. Files that the system keeps for them in memory are no obstacle: it drops those first.
+double left_in_group(const std::filesystem::path& group);
+
 /// Memory that this process may still take, bytes: of the machine, of its control group, and its own limit.
 double available_memory();
 

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "experiments/config/config.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/scene/expected_mesh.hpp"
@@ -123,4 +125,16 @@ TEST_CASE("forecast: numbers are printed for people") {
   CHECK(duration_text(3.04) == "3 s");
   CHECK(duration_text(240) == "4 min");
   CHECK(duration_text(9000) == "2.5 h");
+}
+
+TEST_CASE("forecast: files that the system keeps in memory leave room in a control group") {
+  Workplace place;
+  CHECK(std::isinf(left_in_group(place.folder)));
+  place.write("memory.max", "max\n");
+  place.write("memory.current", "900\n");
+  CHECK(std::isinf(left_in_group(place.folder)));
+  place.write("memory.max", "1000\n");
+  CHECK(left_in_group(place.folder) == 100);
+  place.write("memory.stat", "anon 100\ninactive_file 700\nactive_file 50\n");
+  CHECK(left_in_group(place.folder) == 800);
 }
