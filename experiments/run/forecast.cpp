@@ -36,14 +36,17 @@ constexpr double file = 57e3, file_per_vertex = 39;
 constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 1200;
 }  // namespace bytes
 
-// Seconds of CPU time, on the processor of results/performance.
+// Seconds of CPU time, on the processor of results/performance: fitted to the models on grids of 32 to 256
+// cells.
 namespace seconds {
 constexpr double of_run = 3e-3;
-constexpr double set_up_per_vertex = 5e-6, bent_sheet_per_vertex = 3e-5, per_fitted = 3.5e-6,
-                 fitted_hinge = 3e-6;
+constexpr double set_up_per_vertex = 6e-6, set_up_per_pair = 2e-7;
+constexpr double choice_by_reach = 7e-7;  // per chosen spring and edge of its reach
+// A fit bends the sheet, per vertex and, for the factor of its matrix, per vertex and √V; then fits each.
+constexpr double bent_sheet = 7e-6, bent_sheet_factor = 1e-7, fitted_by_reach = 6.5e-7, fitted_hinge = 3e-6;
 constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
 constexpr double effect_per_vertex = 3e-9;
-constexpr double triangle = 6e-9, pair = 1.6e-9, hinge = 9e-9;  // a projection
+constexpr double triangle = 6e-9, pair = 2.2e-9, hinge = 9e-9;  // a projection
 constexpr double frame_per_triangle = 1.2e-7;
 constexpr double equilibrium_per_vertex = 4e-4;
 }  // namespace seconds
@@ -144,11 +147,14 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   const double substep = count("iterations") * projection +
                          vertices * (seconds::vertex + seconds::effect_per_vertex *
                                                            static_cast<double>(config.effects().size()));
-  needs.cpu_s = seconds::of_run + vertices * seconds::set_up_per_vertex +
+  needs.cpu_s = seconds::of_run + vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
+                bending.chosen * bending.reach * seconds::choice_by_reach +
                 frames * mesh->triangles * seconds::frame_per_triangle;
-  if (fitted)
-    needs.cpu_s += pairs > 0 ? vertices * seconds::bent_sheet_per_vertex + pairs * seconds::per_fitted
-                             : bending.hinges * seconds::fitted_hinge;
+  if (fitted && pairs > 0)
+    needs.cpu_s += vertices * (seconds::bent_sheet + seconds::bent_sheet_factor * std::sqrt(vertices)) +
+                   pairs * bending.reach * seconds::fitted_by_reach;
+  else if (fitted)
+    needs.cpu_s += bending.hinges * seconds::fitted_hinge;
   needs.cpu_s += matrix ? vertices * seconds::equilibrium_per_vertex * fill(bending, vertices)
                         : steps * count("substeps") * substep;
   return needs;

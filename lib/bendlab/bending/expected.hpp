@@ -19,7 +19,8 @@ struct ExpectedMesh {
 /// Constraints by what they take: two vertices at a distance, two ends of an arc, four vertices of a hinge.
 struct ExpectedConstraints {
   double springs = 0, arcs = 0, hinges = 0;
-  double reach = 2;  ///< edges between the vertices that are farthest apart in one constraint
+  double reach = 2;   ///< edges between the vertices that are farthest apart in one constraint
+  double chosen = 0;  ///< of the springs those that a search in a whole ring finds
 };
 
 /// Vertices in rings `first` … `last` of a vertex, mean over the mesh, whose boundary cuts rings off.

@@ -162,8 +162,8 @@ ExpectedConstraints expected_thinned_rings(const ExpectedMesh& mesh, const Param
   const int t = static_cast<int>(parameters.integer("t")),
             least = static_cast<int>(parameters.integer("t_min"));
   const int level = std::max(least, t ? t : adaptive_levels(mesh.size, mesh.mean_edge, parameters).m);
-  return {.springs = mesh.vertices * static_cast<double>(parameters.integer("springs")),
-          .reach = static_cast<double>(level)};
+  const double springs = mesh.vertices * static_cast<double>(parameters.integer("springs"));
+  return {.springs = springs, .reach = static_cast<double>(level), .chosen = springs};
 }
 
 }  // namespace bendlab
