@@ -114,6 +114,6 @@ def as_json(run, on_front):
     errors = {name: value for name, value in run.summary.items() if name.startswith("error_")}
     numbers = {**errors, "cpu_s": run.cpu_s, "ms_per_frame": cost(run),
                "projections": run.summary.get("projections"), "memory_bytes": run.summary.get("memory_bytes")}
-    return {"experiment": run.name, "model": run.model, "settings": run.get("/solver"),
+    return {"experiment": run.name, "point": run.point, "model": run.model, "settings": run.get("/solver"),
             "cells": run.get("/mesh/cells"), "stiffness": run.get("/bending/stiffness"), "status": run.status,
             **rounded(numbers), "on_front": on_front}

@@ -4,7 +4,7 @@ A map is a grid over everything that the paper leaves open. A dimension is one o
 answer to each of them. The sentence under a map is derived from its cells.
 """
 import itertools
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 
@@ -125,6 +125,21 @@ class ClaimMap:
                 "cells": [{**place.__dict__, "text": cell.text, "holds": cell.holds,
                            "seeds": list(cell.seeds)}
                           for place, cell in sorted(self.cells.items())]}
+
+
+    def kept(self):
+        """Everything of it as JSON, for a page that is made again."""
+        cells = [{**place.__dict__, **cell.__dict__, "seeds": list(cell.seeds)}
+                 for place, cell in sorted(self.cells.items())]
+        return {entry.name: getattr(self, entry.name) for entry in fields(self)} | {"cells": cells}
+
+    @classmethod
+    def of_kept(cls, kept):
+        """The map that kept() told of."""
+        pick = lambda kind, entry: {name.name: entry[name.name] for name in fields(kind)}
+        cells = {Place(**pick(Place, entry)):
+                 Cell(**pick(Cell, entry) | {"seeds": tuple(entry["seeds"])}) for entry in kept["cells"]}
+        return cls(**kept | {"cells": cells})
 
 
 def region(cells):

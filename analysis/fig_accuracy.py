@@ -47,7 +47,7 @@ def main(results, out):
                                  "which states no cloth and has no solver error. The dotted line is the "
                                  f"distance between the reference and one on half as many cells ({gaps}); "
                                  "marks below it are hollow, because their order is not known. Models "
-                                 "without an equilibrium from Newton's method (Choi-Ko) have no solver "
+                                 "without an equilibrium from Newton's method (choi_ko) have no solver "
                                  "error."))
         section.pictures.append((_levels(scenes, out), "CPU time per frame of each model's cheapest run "
                                  "within an error from the stated cloth. A model without a mark has no such "

@@ -24,7 +24,7 @@ def main(results, out):
                                  "(left) to one iteration per substep (right), in single precision. The "
                                  "title compares the two ends of each line, and counts the lines whose "
                                  "smallest error lies between them: very short substeps have rounding "
-                                 "errors. Dihedral, Bridson and discrete shells are one hinge with three "
+                                 "errors. dihedral, bridson and discrete_shells are one hinge with three "
                                  "stiffnesses; their lines coincide."))
     if time_step or precision:
         section.pictures.append((_steps_and_precision(time_step, precision, out),

@@ -13,10 +13,10 @@ STRAIN = {"strain": ("strain triangles", style.INK),
 BENDING = {"crossover": ("crossover springs", style.MODEL_COLOURS["crossover"]),
            "dense": ("adaptive springs", style.MODEL_COLOURS["adaptive"]),
            "dihedral": ("dihedral hinges", style.MODEL_COLOURS["dihedral"]),
-           "bridson": ("Bridson hinges", style.MODEL_COLOURS["bridson"]),
+           "bridson": ("bridson hinges", style.MODEL_COLOURS["bridson"]),
            "isometric": ("isometric hinges", style.MODEL_COLOURS["isometric"]),
-           "choi_ko": ("Choi-Ko springs", style.MODEL_COLOURS["choi_ko"]),
-           "choi_ko_compliance": ("Choi-Ko springs with compliance", style.MODEL_COLOURS["choi_ko"])}
+           "choi_ko": ("choi_ko springs", style.MODEL_COLOURS["choi_ko"]),
+           "choi_ko_compliance": ("choi_ko springs with compliance", style.MODEL_COLOURS["choi_ko"])}
 KINDS = STRAIN | BENDING
 PRECISION = {"float": "single", "double": "double"}
 SCALARS = {"float": dict(ls="-", marker="o"), "double": dict(ls="--", marker="s", mfc="white")}

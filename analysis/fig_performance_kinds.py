@@ -8,8 +8,8 @@ from report import Section, Table
 
 COLOURS = {"float": style.MODEL_COLOURS["adaptive"], "double": style.MODEL_COLOURS["crossover"]}
 MARKERS = "oDsv^P"
-SAME = ("Springs of k_ring, LOD, sparse LOD and prestressed are projected like adaptive ones, discrete "
-        "shells like dihedral hinges.")
+SAME = ("Springs of k_ring, lod, sparse_lod and prestressed are projected like adaptive ones, "
+        "discrete_shells like dihedral hinges.")
 
 
 def kinds_of(table):

@@ -17,7 +17,7 @@ def main(bench, out):
     if compared:
         section.pictures.append((_draw(table, out), "Left: speed compared with the oracle, which is timed at "
                                  f"{usual(table):,} vertices only. Right: least possible time over "
-                                 "measured time. Choi-Ko springs with compliance are not compared with their "
+                                 "measured time. choi_ko springs with compliance are not compared with their "
                                  "oracle: it halves an interval until it has the answer, which is slow."))
         section.tables.append(_table(table))
     else:

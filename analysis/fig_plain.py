@@ -196,16 +196,17 @@ def _models_and_meshes(judged, out):
 
 
 def pairs(judged):
-    """Pairs of values that break more bounds together than either alone: (pair, wrong, runs, expected),
+    """Pairs of values that break more bounds together than either alone, of runs as summary.json has them:
+    (pair, wrong, runs, expected),
     strongest first."""
-    wrong = [one for one in judged if one.verdict in WRONG]
+    wrong = [one for one in judged if one["verdict"] in WRONG]
     if not wrong:
         return []
     runs_of, wrong_of = Counter(), Counter()
     for counter, some in ((runs_of, judged), (wrong_of, wrong)):
         for one in some:
-            counter.update(one.settings.items())
-            counter.update(itertools.combinations(one.settings.items(), 2))
+            counter.update(one["settings"].items())
+            counter.update(itertools.combinations(one["settings"].items(), 2))
     found = []
     for pair, number in wrong_of.items():
         if not isinstance(pair[0], tuple) or number < FEWEST:

@@ -10,7 +10,7 @@ from matplotlib.patches import Patch
 import render
 import style
 from load import group, models
-from report import Section, Table, figure_main
+from report import Section, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, MOVES_LIMITED, RED, SECTIONS, judge
 from stability_reasons import explain
 from sweeps import load_experiment
@@ -35,7 +35,6 @@ def main(results, out):
             failed = shown(section.cells, cases)
             if failed:
                 section.stills[title] = _stills(title, failed, out)
-        section.tables.append(_table(section.cells))
     return section
 
 
@@ -76,7 +75,7 @@ def caption(cells):
     return (f"{len(cells)} runs: {count(cells, GREEN)} green (pass), {count(cells, AMBER)} amber (stable, "
             f"but not recovered), {count(cells, RED)} red (not a number, flown apart, or momentum or energy "
             "gained). Each cell has two halves: single precision upper left, double precision lower right. "
-            f"Cases in which all runs have one colour are counted in grey and listed below. {MOVES_LIMITED}")
+            f"Cases in which all runs have one colour are counted in grey. {MOVES_LIMITED}")
 
 
 def folded(cells, cases):
@@ -248,17 +247,6 @@ def _slivers(places, triangles, colours):
 def number_text(criterion):
     unit = "" if criterion.unit == "1" else " " + criterion.unit
     return f"{criterion.name} {style.number(criterion.value)}{unit}"
-
-
-def _table(cells):
-    rows = [[cell.case.title, cell.model, cell.precision, cell.verdict, number_text(cell.worst),
-             style.number(cell.worst.limit),
-             style.number(cell.run.summary.get("stability_recovered_at", np.nan)),
-             style.number(100 * cell.run.summary.get("stability_energy_rises", np.nan)),
-             f"{cell.run.cpu_s:.2f}"] for cell in cells.values()]
-    return Table("Every run", ["case", "model", "precision", "verdict", "worst number", "its limit",
-                               "recovered at (s)", "steps in which energy rose (%)", "processor time (s)"],
-                 rows)
 
 
 if __name__ == "__main__":

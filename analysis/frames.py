@@ -92,7 +92,7 @@ def labels_of(runs):
     found = {}
     for run in runs:
         parts = [_config_name(run)] if several else []
-        parts.append(style.MODEL_LABELS[run.model])
+        parts.append(run.model)
         parts += [f"{pointer.rsplit('/', 1)[1].replace('_', ' ')} {_short(run.get(pointer))}"
                   for pointer in swept if run.get(pointer) is not None]
         found[run.id] = ", ".join(parts)

@@ -1,15 +1,16 @@
-"""HTML for every page: shell with style sheet and policy, sections, claims, tables and numbers."""
+"""HTML for every page: shell with style sheet and policy, sections, tables and numbers."""
 import base64
 import hashlib
 import html
 import json
+import re
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 import style
-from claim_map import Place, answer_rank
 
+MANY, CHOICES = 12, 14  # rows of a table without filters; values of a column to choose from
 VIEWER = Path(__file__).resolve().parent / "viewer/dist"
 HEAD = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8">
@@ -49,23 +50,20 @@ class Made:
         return f"<footer class='foot'><div><dl>{entries}</dl></div></footer>"
 
 
-def document(title, body):
-    """A whole page as HTML: text, pictures and tables that nothing moves."""
-    return _head(title, scripts=()) + f"<body class='article'><main>\n{body}\n</main></body></html>\n"
-
-
-def page(title, top, parts, made, data, frames=""):
+def page(title, top, parts, made, data, frames="", places="", player=True):
     """A whole page as HTML: what stands above its sections, these, and where it is from.
 
-    `data` is what its scripts read (viewer/README.md), `frames` HTML of the scripts that hold frames. Nothing
-    in the page runs but the viewer: its policy names the hashes of the one script and the one style sheet.
+    `data` is what its scripts read (viewer/README.md), `frames` HTML of the scripts that hold frames,
+    `places` links to other pages. Nothing in the page runs but the viewer: its policy names the hashes of the
+    one script and the one style sheet. Without `player` the script is a twelfth as long.
     """
-    script = _viewer("viewer.js")
+    script = _viewer("viewer.js" if player else "page.js")
     links = "".join(f"<a href='#{part.name}'>{escape(part.link or part.title)}</a>" for part in parts)
     sections = "".join(f"<section aria-labelledby='{part.name}'>{heading(part.name, part.title)}\n{part.body}"
                        "</section>\n" for part in parts)
+    home = "" if places else "<a class='home' href='#main'>bendlab</a>"
     return (f"{_head(title, [script], live=bool(data.get('live')))}<body>\n<a class='skip' href='#main'>Skip "
-            "to the content</a>\n<header class='bar'><div><a class='home' href='#main'>bendlab</a><nav "
+            f"to the content</a>\n{places}<header class='bar'><div>{home}<nav "
             f"aria-label='Sections'>{links}</nav></div></header>\n<main id='main'>\n{top}\n{sections}</main>"
             f"\n{made.html}\n<script type='application/json' id='bendlab-data'>{json_text(data)}</script>\n"
             f"{frames}\n<script>{script}</script></body></html>\n")
@@ -109,118 +107,55 @@ def _viewer(name):
     return text
 
 
-def mark(claim):
-    if claim.holds is None:
-        return "open", "no runs"
-    return ("yes", "holds") if claim.holds else ("no", "does not hold")
+def section_part(section, everything, verdicts=(), label="", charts=(), link="", printed=()):
+    """A section as a Part: charts and pictures, verdicts (HTML), text, missing runs, tables, commands.
 
-
-def section_html(section, everything, label="", verdicts=()):
-    """A section as HTML: heading with its label, text, missing runs, verdicts (HTML), pictures, tables,
-    commands.
-
-    The commands repeat the section's runs; `everything` is the last one and repeats the page.
+    The commands repeat the section's runs; `everything` is the last one and repeats the page. `printed`:
+    pictures that say what a chart says.
     """
-    parts = [f"<h2>{label}{escape(section.title)}</h2>"]
-    if section.text:
-        parts.append(f"<p>{escape(section.text)}</p>")
+    first, rest = _beginning(section.text)
+    parts = [f"<p>{escape(first)}</p>"] if first else []
     if section.missing:
         missing = "<br>".join(escape(line) for line in section.missing)
         parts.append(f"<div class='missing'>Runs that are missing:<br>{missing}</div>")
+    parts += charts
+    parts += [picture_html(*picture) for picture in section.pictures if picture[0] not in printed]
     parts += verdicts
-    parts += [f"<figure><img src='{name}' "
-              f"alt='{escape(caption)}'><figcaption>{escape(caption)}</figcaption></figure>"
-              for name, caption in section.pictures]
-    tables = "".join(table_html(table) for table in section.tables if table.rows)
+    parts += [folded("As a picture, for print", picture_html(*picture)) for picture in section.pictures
+              if picture[0] in printed]
+    if rest:
+        parts.append(folded("More on how it was measured", f"<p>{escape(rest)}</p>"))
+    tables = [table_html(table) for table in section.tables if table.rows]
     if tables:
-        parts.append(f"<details><summary>All numbers</summary>{tables}</details>")
+        parts.append(folded("All numbers" if len(tables) == 1 else f"All numbers, {len(tables)} tables",
+                            "".join(tables)))
     repeat = "\n".join([*section.commands, everything])
-    parts.append(f"<details><summary>Repeat it</summary><pre>{escape(repeat)}</pre></details>")
-    return "\n".join(parts)
+    parts.append(folded("Repeat it", f"<pre>{escape(repeat)}</pre>"))
+    return Part(address(section.title), f"{label}{section.title}", "\n".join(parts), link)
 
 
-def claim_html(claim):
-    kind, verdict = mark(claim)
-    if claim.setting:
-        kind, verdict = "open", f"{verdict} with {claim.setting}"
-    numbers = "".join(f"<tr><td class='t'>{escape(name)}</td><td>{shown(value)}</td></tr>"
-                      for name, value in claim.numbers.items())
-    note = f"<p>{escape(claim.note)}</p>" if claim.note else ""
-    return (f"<div class='claim {kind}'><p>“{escape(claim.claim)}” <span "
-            f"class='verdict'>{verdict}</span></p><table>{numbers}</table><p class='rule'>Holds if "
-            f"{escape(claim.rule)}.</p>{note}</div>")
+def folded(title, body):
+    """HTML that is folded away below its title."""
+    return f"<details><summary>{escape(title)}</summary>{body}</details>"
 
 
-def map_mark(claim_map):
-    """(class, text) of the verdict of a map: one word, and its sentence stands below it."""
-    if claim_map.holds is None:
-        return "open", "open"
-    if isinstance(claim_map.holds, float):
-        return "open", "holds in part"
-    return ("yes", "holds") if claim_map.holds else ("no", "does not hold")
+def picture_html(name, caption):
+    """A picture with its caption, and the same for print."""
+    return (f"<figure><img src='{escape(name)}' alt='{escape(caption)}' loading='lazy'><figcaption>"
+            f"{escape(caption)}</figcaption></figure>")
 
 
-def map_html(claim_map):
-    """The map of a claim: its sentence, what makes it true, a table of cells, and their commands."""
-    kind, verdict = map_mark(claim_map)
-    korean = f"<p class='korean' lang='ko'>{escape(claim_map.korean)}</p>" if claim_map.korean else ""
-    note = f"<p>{escape(claim_map.note)}</p>" if claim_map.note else ""
-    commands = "\n".join(_commands_text(place, cell) for place, cell in sorted(claim_map.cells.items())
-                         if cell.command)
-    repeat = (f"<details><summary>The commands of each cell</summary><pre>{escape(commands)}</pre></details>"
-              if commands else "")
-    quoted = "“{}”" if claim_map.korean else "{}"  # without the paper's sentence the claim is ours
-    return (f"<div class='claim {kind}'><p>{quoted.format(escape(claim_map.english))} <span "
-            f"class='verdict'>{verdict}</span></p>{korean}<p><b>{escape(claim_map.sentence)}</b></p>"
-            f"<p class='rule'>A cell holds (blue) if {escape(claim_map.rule)}. Its number: "
-            f"{escape(claim_map.number)}.</p>{_map_table(claim_map)}{note}{repeat}</div>")
+def address(title):
+    """A title as the address of its section: what-is-stable."""
+    return re.sub(r"[^a-z0-9]+", "-", title.lower()).strip("-")
 
 
-def _commands_text(place, cell):
-    setting = f"{_place_text(place)}, {cell.seeds_text}" if cell.seeds else _place_text(place)
-    return "\n  ".join([setting, *cell.command.splitlines()])
-
-
-def _place_text(place):
-    parts = [f"m {place.rounding}"] if place.rounding else []
-    return ", ".join([*parts, f"pinned: {place.pins}", f"N = {place.cells}", f"damping: {place.damping}",
-                      f"substeps × iterations: {place.solver}"])
-
-
-def _map_table(claim_map):
-    ordered = lambda name: sorted({getattr(place, name) for place in claim_map.cells}, key=answer_rank(name))
-    blocks, rows, columns, cells = map(ordered, ("rounding", "damping", "pins", "cells"))
-    solvers, parts = ordered("solver"), []
-    for block in blocks:
-        head = "".join(f"<th class='group first' colspan={len(cells)}>{escape(pins)}</th>"
-                       for pins in columns)
-        numbers = "".join(f"<th{_first(i)}>{n}</th>" for _ in columns for i, n in enumerate(cells))
-        body = ""
-        for damping in rows:
-            for i, solver in enumerate(solvers):
-                name = f"<th class=t rowspan={len(solvers)}>{escape(damping)}</th>" if i == 0 else ""
-                body += f"<tr>{name}<th class=t>{escape(solver)}</th>" + "".join(
-                    _map_cell(claim_map.cells.get(Place(block, damping, solver, pins, n)), i)
-                    for pins in columns for i, n in enumerate(cells)) + "</tr>"
-        title = (f"<caption>m {escape(block)} (eq. 6 does not say how m becomes an integer)</caption>"
-                 if block else "")
-        parts.append(f"<div class='scroll'><table class='map'>{title}<tr><th class=t>damping</th><th "
-                     f"class=t>substeps × iterations</th>{head}</tr><tr><th></th><th class=t>pinned ↑, N "
-                     f"→</th>{numbers}</tr>{body}</table></div>")
-    return "".join(parts)
-
-
-def _first(column):
-    return " class=first" if column == 0 else ""
-
-
-def _map_cell(cell, column):
-    first = " first" if column == 0 else ""
-    if cell is None:
-        return f"<td class='none{first}'>–</td>"
-    kind = {True: "holds", False: "fails", None: "none"}[cell.holds]
-    return (f"<td class='{kind}{first}' "
-            f"title='{escape(cell.command)}'>{escape(cell.text)}</td>")
+def _beginning(text, most=420):
+    """(the sentences with which a long text begins, the others)."""
+    if len(text) <= 1.5 * most:
+        return text, ""
+    cut = text[:most].rfind(". ")
+    return (text[:cut + 1], text[cut + 2:]) if cut > 0 else (text, "")
 
 
 def shown(value):
@@ -241,15 +176,24 @@ def number_text(value, digits=3):
 
 
 def table_html(table):
-    """A table as HTML; text columns are left-aligned."""
-    is_text = [any(isinstance(row[i], str) and not row[i][:1].isdigit() and row[i] not in ("–", "∞")
-                   for row in table.rows) for i in range(len(table.columns))]
-    cell = lambda tag, i, value: f"<{tag}{' class=t' if is_text[i] else ''}>{escape(str(value))}</{tag}>"
-    head = "".join(cell("th", i, name) for i, name in enumerate(table.columns))
-    rows = "".join("<tr>" + "".join(cell("td", i, value) for i, value in enumerate(row)) + "</tr>"
-                   for row in table.rows)
-    return (f"<div class='scroll'><table><caption>{escape(table.caption)}</caption>"
-            f"<tr>{head}</tr>{rows}</table></div>")
+    """A table as HTML that sorts and filters; text columns are left-aligned."""
+    kinds = ["t" if _is_text(table, i) else "" for i in range(len(table.columns))]
+    chosen = [kind and len(table.rows) > MANY and 1 < len({row[i] for row in table.rows}) <= CHOICES
+              for i, kind in enumerate(kinds)]
+    head = "".join(f"<th class='{kind}{' choose' if some else ''}'>{escape(name)}</th>"
+                   for kind, some, name in zip(kinds, chosen, table.columns))
+    cell = lambda kind, value: f"<td{' class=t' if kind else ''}>{escape(str(value))}</td>"
+    rows = "\n".join(f"<tr>{''.join(map(cell, kinds, row))}</tr>" for row in table.rows)
+    caption = f"<caption>{escape(table.caption)}</caption>" if table.caption else ""
+    tall = " tall' tabindex='0' role='region' aria-label='" + escape(table.caption) if len(
+        table.rows) > MANY else ""
+    return (f"<div class='scroll{tall}'><table class='sortable'>{caption}<thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table></div>")
+
+
+def _is_text(table, column):
+    return any(isinstance(row[column], str) and not row[column][:1].isdigit()
+               and row[column] not in ("–", "∞") for row in table.rows)
 
 
 def escape(text):

@@ -20,10 +20,31 @@ import fig_promise_strip
 import fig_scenes
 import fig_structure
 import fig_where
-from html_parts import claim_html, document, escape, map_html, map_mark, mark, section_html
+from html_parts import Part, escape, picture_html, section_part
 from load import at, group, statuses, summary_spread
+from project_pages import KEPT, Content, keep, kept, made_of, renew_start, write
 from report import rounded, write_objects
 from sweeps import CONFIGS, load_experiment
+from verdicts_html import cards_html, claim_html, map_cells, map_html, map_mark, mark
+
+COMMAND = "./bendlab reproduce"
+EVERYTHING = f"{COMMAND}      # everything, and this page"
+FIRST_PICTURE = "fig_5_promise.png"
+LINKS = {"Where each claim holds": "Maps",
+         "The promise: Fig. 5 a third time, with our settings": "The promise",
+         "As stiff at every resolution? The recommended cloth on strips": "Strips",
+         "One pinned vertex": "Fig. 1", "The springs of a vertex": "Fig. 2-4",
+         "Crossover against adaptive springs over resolutions": "Fig. 5",
+         "Where the failure went: stretch against distance from the pin": "Where",
+         "All rings against one ring (LOD)": "Fig. 6", "Another material by scaling n": "Fig. 7",
+         "Where the paper is silent": "Ablations", "Every bending model on the same scenes": "Models"}
+RULES = ("<p>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dynamics in Triangular "
+         "Meshes</em>: each figure repeated, and the measured numbers beside each claim. The sheets are "
+         "chaotic, so numbers are medians over the last simulated second and over seeds. The rule under each "
+         "claim turns its numbers into a verdict.</p><p>Unless a figure says otherwise, a sheet of 1 m × 1 m "
+         "in N × N cells is pinned at its upper right corner. It starts horizontal and falls for 4 s. "
+         "Stretch σ₁ is the largest principal stretch of a triangle: σ₁ − 1 is 0 for an unstretched triangle "
+         "and 1 for one that is twice as long.</p>")
 
 PAPER = [fig_map, fig_promise, fig_promise_strip, fig_1, fig_structure, fig_5, fig_where, fig_6, fig_7]
 FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
@@ -36,6 +57,14 @@ def main(results, out, only="everything"):
     """Writes the page of these figures into `out` from the runs below `results`; returns its sections.
 
     Of the first figure alone no page is made."""
+    sections = draw(results, out, only)
+    if only != "first":
+        lay_out(out)
+    return sections
+
+
+def draw(results, out, only="everything"):
+    """Draws the figures, and keeps what the page is made of."""
     out.mkdir(parents=True, exist_ok=True)
     with ProcessPoolExecutor() as pool:
         last_first = [pool.submit(_drawn, figure.__name__, results, out)  # the scenes take longest
@@ -47,8 +76,7 @@ def main(results, out, only="everything"):
     write_objects(out / "summary.json", [claim.as_json() for claim in claims])
     write_objects(out / "maps.json", [each.as_json() for section in sections for each in section.maps])
     write_reference(results, out / "reference.csv")
-    text = document("bendlab: the paper, repeated", body(sections, claims))
-    (out / "index.html").write_text(text, encoding="utf-8")
+    keep(out, sections)
     return sections
 
 
@@ -57,39 +85,57 @@ def _drawn(figure, results, out):
     return importlib.import_module(figure).main(results, out)
 
 
-def body(sections, claims):
-    """The page below its head."""
-    parts = ["<h1>The paper, repeated</h1>", "<p class='lead'>Jong-Hyun Kim, <em>Bending Spring Model for "
-             "Stable Strain-Based Dynamics in Triangular Meshes</em>: each figure repeated, and the measured "
-             "numbers beside each claim. The sheets are chaotic, so numbers are medians over the last "
-             "simulated second and over seeds. The rule under each claim turns its numbers into a "
-             "verdict.</p>", "<p>Unless a figure says otherwise, a sheet of 1 m × 1 m in N × N cells is "
-             "pinned at its upper right corner. It starts horizontal and falls for 4 s. Stretch σ₁ is the "
-             "largest principal stretch of a triangle: σ₁ − 1 is 0 for an unstretched triangle and 1 for one "
-             "that is twice as long.</p>",
-             overview([each for section in sections for each in section.maps], claims)]
-    parts += [paper_section(section) for section in sections]
-    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: the claims. <a "
-                 "href='maps.json'>maps.json</a>: every cell of the maps. <a "
-                 "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>")
-    return "\n".join(parts)
+def lay_out(out):
+    """Writes index.html of what is kept."""
+    sections = kept(out)
+    claims = [claim for section in sections for claim in section.claims]
+    maps = [each for section in sections for each in section.maps]
+    names = {id(each): f"map-{i + 1}" for i, each in enumerate(maps)}
+    parts = [paper_section(section, names) for section in sections]
+    parts += [Part("rules", "How it is measured", RULES, "Rules"),
+              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: the claims. <a "
+                   "href='maps.json'>maps.json</a>: every cell of the maps. <a "
+                   "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>",
+                   "Data")]
+    cells = [cell for each in maps for cell in map_cells(each, names[id(each)])]
+    top = first_picture(sections) + overview(maps, claims)
+    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells})
+    write(out, "paper", content, made_of(sections, COMMAND))
+
+
+def first_picture(sections):
+    """The picture on top, "" without its runs."""
+    found = [picture for section in sections for picture in section.pictures if picture[0] == FIRST_PICTURE]
+    return picture_html(*found[0]) if found else ""
+
+
+def answer(maps, claims):
+    """The page's answer: how many of the claims hold where."""
+    judged = [each.holds for each in maps] + [claim.holds for claim in claims if not claim.setting]
+    everywhere, nowhere = sum(each is True for each in judged), sum(each is False for each in judged)
+    unknown = sum(each is None for each in judged)
+    if not judged:
+        return "There are no runs yet."
+    return (f"Of {len(judged)} claims, the paper's and ours, <b>{everywhere}</b> hold at every setting that "
+            f"was measured, <b>{len(judged) - everywhere - nowhere - unknown}</b> at some, "
+            f"<b>{nowhere}</b> at none"
+            + (f"; {unknown} are open, because runs are missing" if unknown else "") + ".")
 
 
 def overview(maps, claims):
     """One row per claim: first those with a map, then the others that are judged at all settings."""
-    row = lambda figure, text, kind, verdict, sentence="": (
-        f"<tr><td class='t'>Fig. {escape(figure)}</td><td class='t'>{escape(text)}"
-        f"{f'<br><small>{escape(sentence)}</small>' if sentence else ''}</td><td class='t'><span "
-        f"class='verdict {kind}'>{verdict}</span></td></tr>")
-    rows = [row(each.figure, each.english, *map_mark(each), each.sentence) for each in maps]
-    rows += [row(claim.figure, claim.claim, *mark(claim)) for claim in claims if not claim.setting]
-    return f"<div class='scroll'><table class='overview'>{''.join(rows)}</table></div>"
+    rows = [(f"Fig. {escape(each.figure)}",
+             f"{escape(each.english)}<br><small>{escape(each.sentence)}</small>", map_mark(each))
+            for each in maps]
+    rows += [(f"Fig. {escape(claim.figure)}", escape(claim.claim), mark(claim)) for claim in claims
+             if not claim.setting]
+    return cards_html(rows)
 
 
-def paper_section(section):
-    label = f"<span>Fig. {escape(section.figure)}</span> " if section.figure and section.claims else ""
-    return section_html(section, "./bendlab reproduce      # everything, and this page", label,
-                        [*map(map_html, section.maps), *map(claim_html, section.claims)])
+def paper_section(section, names):
+    label = f"Fig. {section.figure}: " if section.figure and section.claims else ""
+    verdicts = [*(map_html(each, names[id(each)]) for each in section.maps), *map(claim_html, section.claims)]
+    return section_part(section, EVERYTHING, verdicts, label, link=LINKS.get(section.title, section.title))
 
 
 def write_reference(results, path):
@@ -126,6 +172,12 @@ if __name__ == "__main__":
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the page")
     parser.add_argument("--only", choices=FIGURES, default="everything", help="which figures")
+    parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
     arguments = parser.parse_args()
-    main(arguments.results, arguments.out, arguments.only)
+    if arguments.again:
+        lay_out(arguments.out)
+    else:
+        main(arguments.results, arguments.out, arguments.only)
+    if arguments.only != "first":
+        renew_start(arguments.out)
     print(arguments.out / ("fig_1.png" if arguments.only == "first" else "index.html"), flush=True)

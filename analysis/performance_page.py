@@ -16,11 +16,16 @@ import fig_performance_set_up
 import fig_performance_threads
 import style
 from fig_performance import COLUMNS, PRECISION, columns, iterations, part, per_vertex
-from html_parts import document, escape, section_html, table_html
+import charts_performance
+from charts_html import chart_html, placed
+from html_parts import Made, Part, escape, folded, section_part, table_html
+from project_pages import KEPT, Content, keep, kept, renew_start, write
 from report import Table, rounded, write_objects
 
 FIGURES = [fig_performance_overview, fig_performance, fig_performance_kinds, fig_performance_limits,
            fig_performance_effects, fig_performance_set_up, fig_performance_order, fig_performance_threads]
+LINKS = {"overview": "A step", "size": "Size", "kinds": "Kinds", "limits": "Limits", "effects": "Effects",
+         "set_up": "Set-up", "order": "Order", "threads": "Threads"}
 FILE = "results/performance/bench.json"
 MEASURE = f"./bendlab bench --json > {FILE}"
 EVERYTHING = f"{MEASURE}      # everything\npython3 analysis/performance_page.py {FILE}      # this page"
@@ -31,9 +36,18 @@ def main(bench, out):
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(bench, out) for figure in FIGURES]
     write_objects(out / "summary.json", [as_json(row) for row in bench["rows"]])
-    (out / "index.html").write_text(document("bendlab: what does the solver cost?", body(bench, sections)),
-                                    encoding="utf-8")
+    keep(out, sections)
+    lay_out(bench, out)
     return sections
+
+
+def lay_out(bench, out):
+    """Writes index.html of what is kept and of the rows."""
+    context = bench["context"]
+    made = Made(context["git_commit"][:12] + (" with changes" if context["git_dirty"] else ""),
+                context["date"].replace("T", " ").rstrip("Z") + " UTC",
+                f"{context['processor']}, {context['host']}", MEASURE)
+    write(out, "performance", content(bench, kept(out)), made)
 
 
 def as_json(row):
@@ -42,22 +56,22 @@ def as_json(row):
     return rounded({**row, "ns_per_vertex": per_vertex(row) if timed else None})
 
 
-def body(bench, sections):
-    """The page below its head: the answer, the evidence, how it was measured, every row."""
-    answer, *evidence = sections
-    picture = "".join(f"<figure><img src='{name}' alt='{escape(text)}'><figcaption>{escape(text)}"
-                      "</figcaption></figure>" for name, text in answer.pictures)
-    parts = ["<h1>What does the solver cost?</h1>",
-             f"<p><b>{escape(answer.text)}</b></p>" if answer.text else "", missing_html(answer), picture,
-             f"<p class='lead'>{escape(origin(bench['context']))}</p>"]
-    parts += [section_html(replace(section, missing=[]), EVERYTHING, verdicts=[missing_html(section)])
-              for section in evidence]
-    parts += ["<h2>How was it measured?</h2>", method_html(bench), machine_html(bench["context"]),
-              "<h2>Every timed row</h2>", rows_html(bench["rows"]),
-              "<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every row, with the time per "
-              "vertex. <a href='bench.json'>bench.json</a>: as the program wrote it.</p>",
-              f"<pre>{escape(EVERYTHING)}</pre>"]
-    return "\n".join(parts)
+def content(bench, sections):
+    """What the page says: the answer, the evidence, how it was measured, every row."""
+    overview = sections[0]
+    charts = charts_performance.charts(bench["rows"], MEASURE)
+    parts = [section_part(replace(section, missing=[]), EVERYTHING, [missing_html(section)],
+                          link=LINKS[section.figure], **placed(charts, section)) for section in sections]
+    method = method_html(bench) + machine_html(bench["context"])
+    parts += [Part("method", "How was it measured?", method, "Method"),
+              Part("rows", "Every timed row", rows_html(bench["rows"]), "Rows"),
+              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every row, with the time "
+                   "per vertex. <a href='bench.json'>bench.json</a>: as the program wrote it.</p>"
+                   f"<pre>{escape(EVERYTHING)}</pre>", "Data")]
+    top = "".join(chart_html(chart) for chart in charts if not chart["section"])
+    lead = f"<p class='lead'>{escape(origin(bench['context']))}</p>"
+    return Content("What does the solver cost?", escape(overview.text) or "There is no row of a whole step.",
+                   top + lead, parts, {"charts": charts})
 
 
 def missing_html(section):
@@ -114,7 +128,7 @@ def machine_html(context):
             rows[f"peak in {PRECISION[peak[1]]} precision"] = f"{style.number(value)} Gflop/s"
     cells = "".join(f"<tr><td class='t'>{escape(name)}</td><td class='t'>{escape(value)}</td></tr>"
                     for name, value in rows.items())
-    return f"<div class='scroll'><table>{cells}</table></div>"
+    return f"<div class='scroll'><table class='cards'><tbody>{cells}</tbody></table></div>"
 
 
 def rows_html(rows):
@@ -124,8 +138,7 @@ def rows_html(rows):
               part(row["roofline_fraction"])] for row in timed]
     table = Table("ns per constraint and iteration (set_up: per spring; effects: per vertex and step)",
                   ["row", "threads", *COLUMNS, "times as fast as the oracle", "share of the roofline"], lines)
-    return (f"<details><summary>All {len(timed)} timed rows</summary>{table_html(table)}</details>" if timed
-            else "<p>There is none.</p>")
+    return folded(f"All {len(timed)} timed rows", table_html(table)) if timed else "<p>There is none.</p>"
 
 
 if __name__ == "__main__":
@@ -133,10 +146,12 @@ if __name__ == "__main__":
     parser.add_argument("bench", nargs="?", type=Path, default=Path(FILE),
                         help="what `bendlab bench --json` printed (default: %(default)s)")
     parser.add_argument("--out", type=Path, default=Path("results/performance"), help="folder for the page")
+    parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
     arguments = parser.parse_args()
     try:
         measured = json.loads(arguments.bench.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         sys.exit(f"{arguments.bench}: {error}; make it with: ./bendlab bench --json > {arguments.bench}")
-    main(measured, arguments.out)
+    (lay_out if arguments.again else main)(measured, arguments.out)
+    renew_start(arguments.out)
     print(arguments.out / "index.html")

@@ -1,74 +1,114 @@
 """Writes the page of the plain matrix: index.html, and summary.json with one object per run."""
-import argparse
 import os
-from pathlib import Path
 
 # With 3 × 2 matrices OpenBLAS threads wait for each other: 100 times as slow on a busy machine.
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import fig_plain
+import numpy as np
 import plain_cases
+import project_pages
 import style
-from html_parts import document, escape, section_html, table_html
+from html_parts import Part, escape, section_part, table_html
 from load import group
 from plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
-from report import Table, rounded, write_objects
+from project_pages import Content, command_line, keep, kept, made_of, write
+from report import Table, known, rounded, write_objects
+from verdicts_html import verdict_html
 
-EVERYTHING = "./bendlab reproduce plain      # everything, and this page"
+COMMAND = "./bendlab reproduce plain"
+EVERYTHING = f"{COMMAND}      # everything, and this page"
 VERDICTS = (SILENT, TOLD, ALARM, SOUND)
 KIND = {SILENT: "no", TOLD: "open", ALARM: "open", SOUND: "yes"}
-MANY = 20  # rows in a table; the rest is counted only
+STATUS = {SILENT: "fails", TOLD: "amber", ALARM: "amber", SOUND: "holds"}  # class of a run's status
+TITLES = {SILENT: "Wrong without a warning, one by one", TOLD: "Wrong with a warning",
+          ALARM: "Reported as implausible, but no bound is broken"}
+MANY = 20  # rows in a table of pairs
+SCENES = ("<p>No scene here is meant to be hard. They combine every mesh, every kind of pins, every model "
+          "and every kind of stiffness, mixed so that any three settings occur together in at least one run. "
+          "Bounds that any correct cloth keeps judge each run; they do not use the program's verdict.</p>")
 
 
 def main(results, out):
     """Writes the page into `out` from the runs below `results`; returns its section."""
-    out.mkdir(parents=True, exist_ok=True)
-    section = fig_plain.main(results, out)
-    write_objects(out / "summary.json", [rounded(one.as_json()) for one in section.judged])
-    (out / "index.html").write_text(document("bendlab: does any run go wrong without a warning?",
-                                             body(section)), encoding="utf-8")
+    section = draw(results, out)
+    lay_out(out)
     return section
 
 
-def body(section):
-    """The page below its head."""
-    judged = section.judged
-    parts = ["<h1>Does any run go wrong without a warning?</h1>", "<p class='lead'>No scene here is meant to "
-             "be hard. They combine every mesh, every kind of pins, every model and every kind of stiffness, "
-             "mixed so that any three settings occur together in at least one run. Bounds that any correct "
-             "cloth keeps judge each run; they do not use the program's verdict.</p>", overview(judged),
-             answer(judged), rules(), coverage_html(section), twins_html(section.twins),
-             section_html(section, EVERYTHING), pairs_html(judged)]
-    for verdict, title in ((SILENT, "Wrong without a warning, one by one"), (TOLD, "Wrong with a warning"),
-                           (ALARM, "Reported as implausible, but no bound is broken")):
-        some = [one for one in judged if one.verdict == verdict]
+def draw(results, out):
+    """Draws the figures, and keeps what the page is made of."""
+    out.mkdir(parents=True, exist_ok=True)
+    section = fig_plain.main(results, out)
+    section.tables = []  # the runs that are not sound stand one by one
+    section.text = " ".join(filter(None, [coverage_text(section), twins_text(section.twins)]))
+    write_objects(out / "summary.json", [rounded(one.as_json()) for one in section.judged])
+    keep(out, [section])
+    return section
+
+
+def lay_out(out):
+    """Writes index.html of what is kept."""
+    (section,), judged = kept(out), project_pages.summary(out)
+    for number, one in enumerate(judged):
+        one["id"] = f"{one['config']}-{number}"
+    covered, section.text = section.text, ""
+    parts = [section_part(section, EVERYTHING, [pairs_html(judged)], link="What fails")]
+    for verdict, title in TITLES.items():
+        some = [one for one in judged if one["verdict"] == verdict]
         if some:
-            parts.append(failures_html(title, some))
-    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every run.</p>")
-    return "\n".join(parts)
+            parts.append(Part(f"runs-{verdict}", title, failures_html(some), title.split(",")[0]))
+    told = f"{SCENES}{rules()}<p>{escape(covered)}</p>"
+    parts += [Part("rules", "Which runs, and by which rules", told, "Rules"),
+              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
+    data = {"runs": [about(one) for one in judged if one["verdict"] != SOUND]}
+    content = Content("Does any run go wrong without a warning?", answer(judged), overview(judged), parts,
+                      data)
+    write(out, "plain", content, made_of([section], COMMAND))
 
 
 def overview(judged):
     if not judged:
         return ""
-    rows = "".join(f"<tr><td class='t'>{escape(fig_plain.NAMES[verdict])}</td><td><span class='verdict "
-                   f"{KIND[verdict]}'>{fig_plain.count(judged, verdict)}</span></td></tr>"
-                   for verdict in VERDICTS)
-    head = f"<tr><th class='t'>runs that are</th><th>of {len(judged)}</th></tr>"
-    return f"<div class='scroll'><table class='overview'>{head}{rows}</table></div>"
+    rows = "".join(f"<li>{verdict_html(KIND[verdict], str(count(judged, verdict)))} "
+                   f"{escape(fig_plain.NAMES[verdict])}</li>" for verdict in VERDICTS)
+    return f"<ul class='tally'>{rows}</ul>"
+
+
+def count(judged, verdict):
+    return sum(one["verdict"] == verdict for one in judged)
 
 
 def answer(judged):
     """The page's answer in one sentence."""
-    silent = [one for one in judged if one.verdict == SILENT]
+    silent = [one for one in judged if one["verdict"] == SILENT]
     if not judged:
-        return ""
+        return "There are no runs yet."
     if not silent:
-        return "<p><b>No.</b> Every run that broke a bound got a warning.</p>"
-    worst = max(silent, key=lambda one: one.worst.excess)
-    return (f"<p><b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: "
-            f"{escape(bound_text(worst.worst))} (at most {escape(style.number(worst.worst.limit))}), with "
-            f"{escape(settings_text(worst))}.</p>")
+        return (f"<b>No.</b> Of {len(judged)} runs {count(judged, TOLD)} broke a bound, and every one of "
+                "them got a warning.")
+    worst = max(silent, key=excess)
+    return (f"<b>Yes, {len(silent)} of {len(judged)} runs do.</b> The worst: {escape(bound_text(worst))}, "
+            f"with {escape(settings_text(worst))}.")
+
+
+def excess(one):
+    """How far beyond its limit the worst number of a run is."""
+    worst = known(one["worst"])
+    return worst["value"] / worst["limit"] if np.isfinite(worst["value"]) else np.inf
+
+
+def about(one):
+    """What the page's data say of a run."""
+    worst = known(one["worst"])
+    finite = np.isfinite(worst["value"])
+    return {"id": one["id"], "title": settings_text(one), "status": STATUS[one["verdict"]],
+            "told": f"{fig_plain.NAMES[one['verdict']]}{': ' + one['told'] if one['told'] else ''}",
+            "worst": {"label": worst["what"], "value": worst["value"] if finite else None,
+                      **({} if finite else {"text": "not finite"}), "limit": worst["limit"],
+                      "unit": worst["unit"], "held": not one["broken"],
+                      "note": f"broken: {', '.join(one['broken'])}" if one["broken"] else ""},
+            "command": one["command"]}
 
 
 def rules():
@@ -86,7 +126,7 @@ def rules():
             "run is <b>wrong without a warning</b> if it breaks a bound and the program reports nothing.</p>")
 
 
-def coverage_html(section):
+def coverage_text(section):
     """The combinations of values in the covering arrays, counted again here."""
     lines = []
     for name, runs, strength, held, wanted, absent in section.covered:
@@ -99,8 +139,8 @@ def coverage_html(section):
         if unknown:
             line += f"; {len(unknown)} are missing, first " + ", ".join(f"{pointer} {value}"
                                                                         for pointer, value in unknown[0])
-        lines.append(escape(line) + ".")
-    return "<p>" + "<br>".join(lines) + "</p>" if lines else ""
+        lines.append(f"{line}.")
+    return " ".join(lines)
 
 
 def refused(combination):
@@ -113,16 +153,16 @@ def refused(combination):
                 and values.get("/bending/model") in springs))
 
 
-def twins_html(twins):
+def twins_text(twins):
     if not twins.pairs:
         return ""
-    text = f"<p>{twins.pairs} scenes were computed in two units of length, 1 : 1024: "
+    text = f"{twins.pairs} scenes were computed in two units of length, 1 : 1024: "
     if not twins.apart:
-        return text + "after scaling they are equal to the last bit.</p>"
+        return text + "after scaling they are equal to the last bit."
     apart, _, large = max(twins.apart, key=lambda entry: entry[0])
     settings = ", ".join(f"{name} {value}" for name, value in plain_cases.settings_of(large.config).items())
     return (text + f"{len(twins.apart)} of them differ after scaling, by up to {style.number(apart)} sizes "
-            f"({escape(settings)}).</p>")
+            f"({settings}).")
 
 
 def pairs_html(judged):
@@ -138,42 +178,30 @@ def pairs_html(judged):
 
 
 def settings_text(one):
-    return ", ".join(f"{name} {value}" for name, value in one.settings.items())
+    return ", ".join(f"{name} {value}" for name, value in one["settings"].items())
 
 
-def bound_text(bound):
-    return f"{bound.name} {style.number(bound.value)}" + ("" if bound.unit == "1" else f" {bound.unit}")
+def bound_text(one):
+    worst = known(one["worst"])
+    unit = "" if worst["unit"] == "1" else f" {worst['unit']}"
+    return (f"{worst['what']} {style.number(worst['value'])}{unit} (at most "
+            f"{style.number(worst['limit'])})")
 
 
-def failures_html(title, some):
-    """Tables of runs, one for each worst bound, worst first, and the command of each run."""
-    parts = [f"<h2>{escape(title)}</h2>"]
-    for name, runs in sorted(group(some, lambda one: one.worst.name).items(),
-                             key=lambda entry: -len(entry[1])):
-        runs = sorted(runs, key=lambda one: -one.worst.excess)
-        rows = [[one.settings["mesh"], one.settings["cells"], one.settings["height / width"],
-                 f"{one.settings['pins']}, {one.settings['rings pinned']}", one.settings["model"],
-                 one.settings["bending"],
-                 f"{one.settings['strain form']}, {one.settings['strain stiffness']}", one.settings["start"],
-                 f"{one.settings['substeps × iterations']}, {one.settings['order']}, "
-                 f"{one.settings['sweep']}, {one.settings['precision']}, {one.settings['units']}",
-                 style.number(one.worst.value), one.told or "none"] for one in runs]
-        columns = ["mesh", "cells", "h / w", "pins, rings", "model", "bending", "strain", "start",
-                   "solver, units", name, "warning"]
-        parts.append(
-            table_html(Table(f"{len(runs)} runs: {name}, at most {style.number(runs[0].worst.limit)}",
-                             columns, rows[:MANY])))
-        if len(rows) > MANY:
-            parts.append(f"<p>and {len(rows) - MANY} more, in summary.json</p>")
-        commands = "\n".join(escape(one.command) for one in runs[:MANY])
-        parts.append(f"<details><summary>Repeat them</summary><pre>{commands}</pre></details>")
-    return "\n".join(parts)
+def failures_html(some):
+    """A table of runs, those farthest beyond a bound first; each opens."""
+    names = list(some[0]["settings"])
+    chosen = {"mesh", "pins", "model", "bending", "precision", "start"}
+    head = "<th class='t'>worst number, its limit</th>" + "".join(
+        f"<th class='t{' choose' if name in chosen else ''}'>{escape(name)}</th>" for name in names)
+    rows = "".join(
+        f"<tr><td class='t' data-run='{escape(one['id'])}' data-v='{min(excess(one), 1e9):.6g}'><button "
+        f"type='button' class='opens'>{escape(bound_text(one))}</button></td>"
+        + "".join(f"<td class='t'>{escape(str(one['settings'][name]))}</td>" for name in names) + "</tr>\n"
+        for one in sorted(some, key=excess, reverse=True))
+    return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Runs'><table class='sortable' "
+            f"data-rows='runs'><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table></div>")
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
-    parser.add_argument("--out", type=Path, default=Path("results/plain"), help="folder for the page")
-    arguments = parser.parse_args()
-    main(arguments.results, arguments.out)
-    print(arguments.out / "index.html")
+    command_line("plain", __doc__, draw, lay_out)

@@ -1,8 +1,14 @@
 """What a figure gives to its page: pictures, tables, checks, and claims with a rule."""
 import argparse
 import json
-from dataclasses import dataclass, field
+import math
+from dataclasses import dataclass, field, fields, is_dataclass
+from datetime import date
 from pathlib import Path
+
+from claim_map import ClaimMap
+
+EXACT = 9  # significant digits of what a page is made of again
 
 
 @dataclass
@@ -78,27 +84,69 @@ class Section:
     commands: list = field(default_factory=list)
     missing: list = field(default_factory=list)
     text: str = ""
+    origins: list = field(default_factory=list)  # of runs that were seen: commit, machine, date
 
     def uses(self, experiment):
         """Adds the experiment's command and its missing points to the section; returns its runs."""
         self.commands.append(experiment.command)
+        self.origins += [origin_of(run) for run in experiment.runs[-1:]]
         if experiment.missing_text:
             self.missing.append(f"configs/{experiment.config}.json: {experiment.missing_text}")
         return experiment.runs
 
 
-def rounded(value):
-    """The same value with numbers rounded to four significant digits, NaN as None; also inside lists."""
+    def as_json(self):
+        """What its page is made of again, without its runs."""
+        return rounded(exactly({entry.name: getattr(self, entry.name) for entry in fields(self)
+                                if entry.name != "maps"}), EXACT) | {
+                                    "maps": [each.kept() for each in self.maps]}
+
+    @classmethod
+    def of_json(cls, kept):
+        """The section that as_json() told of."""
+        lists = {"pictures": tuple, "tables": lambda each: Table(**each),
+                 "claims": lambda each: Claim(**each | {"numbers": known(each["numbers"])}),
+                 "checks": lambda each: Check(**known(each)), "maps": ClaimMap.of_kept}
+        return cls(**kept | {name: [make(each) for each in kept[name]] for name, make in lists.items()})
+
+
+def exactly(value):
+    """Data classes as dictionaries, tuples as lists."""
+    if is_dataclass(value):
+        return {entry.name: exactly(getattr(value, entry.name)) for entry in fields(value)}
     if isinstance(value, dict):
-        return {str(key): rounded(entry) for key, entry in value.items()}
+        return {key: exactly(entry) for key, entry in value.items()}
+    return [exactly(entry) for entry in value] if isinstance(value, (list, tuple)) else value
+
+
+def known(numbers):
+    """Numbers of JSON: null is NaN, "inf" infinite."""
+    return {name: math.nan if value is None else float(value) if value in ("inf", "-inf") else value
+            for name, value in numbers.items()}
+
+
+def origin_of(run):
+    """{commit, machine, date} of a run, as far as its file tells."""
+    told = run.provenance
+    written = run.file.stat().st_mtime if run.file and run.file.exists() else None
+    changed = " with changes" if told.get("git_dirty") == "yes" else ""
+    return {"commit": told["git_commit"][:12] + changed if told.get("git_commit") else "",
+            "machine": told.get("processor", ""), "host": told.get("host", ""),
+            "date": date.fromtimestamp(written).isoformat() if written else ""}
+
+
+def rounded(value, digits=4):
+    """The same value with numbers rounded to so many significant digits, NaN as None; also inside lists."""
+    if isinstance(value, dict):
+        return {str(key): rounded(entry, digits) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [rounded(entry) for entry in value]
+        return [rounded(entry, digits) for entry in value]
     if isinstance(value, bool) or value is None or isinstance(value, (str, int)):
         return value
     value = float(value)
     if value != value:
         return None
-    return float(f"{value:.4g}") if abs(value) != float("inf") else str(value)
+    return float(f"{value:.{digits}g}") if abs(value) != float("inf") else str(value)
 
 
 def write_objects(path, objects):

@@ -115,6 +115,11 @@ class Settings:
         own = self._flat.get(run.id)
         if own is None:
             return None
-        found = {pointer: [value] for pointer, value in own.items()
-                 if pointer not in self.base or json.dumps(self.base[pointer]) != json.dumps(value)}
-        return found | {pointer: None for pointer in self.base if pointer not in own}
+        return differing(self.base, own)
+
+
+def differing(base, own):
+    """Pointer → [value] where a config is another than a base, → None where it has no such setting."""
+    found = {pointer: [value] for pointer, value in own.items()
+             if pointer not in base or json.dumps(base[pointer]) != json.dumps(value)}
+    return found | {pointer: None for pointer in base if pointer not in own}

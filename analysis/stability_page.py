@@ -1,53 +1,86 @@
 """Writes the page of the hard cases: index.html with the matrix, and summary.json with one object per run."""
-import argparse
 import string
-from pathlib import Path
+from collections import Counter
 
 import fig_stability
 import fig_stability_pin
+import numpy as np
+import stability_matrix
 import style
-from html_parts import document, escape, section_html, table_html
-from load import group, models
-from report import Table, rounded, write_objects
-from stability_cases import (AMBER, APART, CASES, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED,
-                             SECTIONS, STRAIN_CEILING, STRAIN_FLOOR)
+from html_parts import Part, address, escape, folded, number_text, picture_html, section_part, table_html
+from load import group
+from project_pages import Content, command_line, keep, kept, made_of, summary, write
+from report import Table, known, rounded, write_objects
+from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,
+                             STRAIN_CEILING, STRAIN_FLOOR)
 
-EVERYTHING = "./bendlab reproduce stability      # everything, and this page"
+COMMAND = "./bendlab reproduce stability"
+EVERYTHING = f"{COMMAND}      # everything, and this page"
 UNKNOWN = "not known"
-VERDICTS = (RED, AMBER, GREEN)
 PLAIN = "meshes: grid"  # the undisturbed run of all flaws and meshes; also a case
-KIND = {GREEN: "yes", AMBER: "open", RED: "no"}
+LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads": "Pins",
+         "Flawed meshes": "Flaws", "Meshes and units": "Meshes", "Moving freely": "Free"}
 
 
 def main(results, out):
     """Writes the page into `out` from the runs below `results`; returns its section."""
+    section = draw(results, out)
+    lay_out(out)
+    return section
+
+
+def draw(results, out):
+    """Draws the figures, and keeps what the page is made of."""
     out.mkdir(parents=True, exist_ok=True)
     section = fig_stability.main(results, out)
     write_objects(out / "summary.json", [as_json(cell) for cell in section.cells.values()])
-    pin = fig_stability_pin.main(results, out)
-    (out / "index.html").write_text(document("bendlab: what is stable?", body(section, pin)),
-                                    encoding="utf-8")
+    keep(out, [section, fig_stability_pin.main(results, out)])
     return section
 
 
 def as_json(cell):
+    seen = lambda name: cell.run.summary.get(f"stability_{name}", np.nan)
     return {"case": cell.case.name, "title": cell.case.title, "model": cell.model,
             "precision": cell.precision, "verdict": cell.verdict, "worst": rounded(cell.worst.as_json()),
-            "seconds": rounded(cell.run.cpu_s), "why": cell.why}
+            "seconds": rounded(cell.run.cpu_s), "recovered_s": rounded(seen("recovered_at")),
+            "energy_rises": rounded(seen("energy_rises")), "why": cell.why}
 
 
-def body(section, pin):
-    """The page below its head."""
-    cells = section.cells
-    parts = ["<h1>What is stable?</h1>", "<p class='lead'>Starts, loads, time steps and meshes on which "
-             "cloth solvers fail, each with every bending model in both precisions. Each is compared with "
-             "the same scene undisturbed.</p>", overview(cells), rules(), section_html(section, EVERYTHING),
-             folded_html(cells)]
-    for title, cases in SECTIONS.items():
-        parts.append(section_of(title, cases, section))
-    parts.append(section_html(pin, EVERYTHING))
-    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every run.</p>")
-    return "\n".join(parts)
+def lay_out(out):
+    """Writes index.html of what is kept."""
+    (section, pin), runs = kept(out), summary(out)
+    matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
+    print_version = "".join(folded("The matrix as a picture, for print", picture_html(*picture))
+                            for picture in section.pictures)
+    section.pictures, section.title = [], "The cases that tell models apart"
+    evidence = section_part(section, EVERYTHING, [
+        "<p>A row per case; the cases whose verdicts differ most among models come first. Each cell has two "
+        "halves: single precision left, double precision right. A cell opens its run: the worst number with "
+        f"its limit, why, config and command. {plain_grid(runs)}</p>", matrix, alike, print_version],
+        link="Cases")
+    parts = [evidence, *(part for title, cases in SECTIONS.items()
+                         if (part := section_of(title, cases, runs, out))),
+             section_part(pin, EVERYTHING, link="One pin"), Part("rules", "The rules", rules(), "Rules"),
+             Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
+    top = stability_matrix.groups_html(runs) if runs else ""
+    content = Content("What is stable?", answer(runs), top, parts, stability_matrix.data(runs))
+    write(out, "stability", content, made_of([section, pin], COMMAND))
+
+
+def answer(runs):
+    """The page's answer: which models fail in the fewest hard cases, and which in the most."""
+    if not runs:
+        return "There are no runs yet."
+    models = stability_matrix.models_of(runs)
+    share = lambda model: 100 * np.mean([run["verdict"] == RED for run in runs if run["model"] == model])
+    shares = {model: share(model) for model in models}
+    few = [model for model in models if shares[model] < shares[models[0]] + 0.5]
+    many = [model for model in models if shares[model] > shares[models[-1]] - 0.5]
+    listed = lambda some: ", ".join(f"<b>{escape(model)}</b>" for model in some)
+    counts = Counter(run["verdict"] for run in runs)
+    return (f"{listed(few)} fail in the fewest hard cases, {number_text(shares[few[0]], 2)} % of them; "
+            f"{listed(many)} in the most, {number_text(shares[many[-1]], 2)} %. Of {len(runs)} runs "
+            f"{counts[RED]} fail, {counts[AMBER]} are stable but do not recover, {counts[GREEN]} pass.")
 
 
 def rules():
@@ -69,86 +102,54 @@ def rules():
             "second.</p>")
 
 
-def overview(cells):
-    """Shares of verdicts per model, of its own runs: some cases are made for some models only."""
-    head = "<tr><th class='t'>model</th><th>red</th><th>amber</th><th>green</th><th>runs</th></tr>"
-    rows = []
-    for model in models():
-        numbers = [fig_stability.count(cells, verdict, model) for verdict in VERDICTS]
-        if sum(numbers):
-            rows.append(f"<tr><td class='t'>{escape(style.model_name(model))}</td>" + "".join(
-                f"<td><span class='verdict {KIND[verdict]}'>{100 * number / sum(numbers):.0f} %</span></td>"
-                for verdict, number in zip(VERDICTS, numbers)) + f"<td>{sum(numbers)}</td></tr>")
-    table = f"<table class='overview'>{head}{''.join(rows)}</table>"
-    return f"<div class='scroll'>{table}</div>{plain_grid(cells)}"
-
-
-def plain_grid(cells):
+def plain_grid(runs):
     """A note on the undisturbed grid, which all flaws and meshes are compared with, if it is amber itself."""
-    seen = group([cell for (name, _, _), cell in cells.items() if name == PLAIN], lambda cell: cell.model)
-    amber = sum(any(cell.verdict == AMBER for cell in some) for some in seen.values())
+    seen = group([run for run in runs if run["case"] == PLAIN], lambda run: run["model"])
+    amber = sum(any(run["verdict"] == AMBER for run in some) for some in seen.values())
     if not amber:
         return ""
-    return ("<p>Red means unstable, and compares models. Amber only means not recovered. The undisturbed "
-            f"run itself, the plain grid, stretched by half and released, is amber for {amber} of "
-            f"{len(seen)} models, in one precision or both. So amber for the flaws and meshes compared with "
-            "it shows nothing about them.</p>")
+    return ("Red means unstable, and compares models. Amber only means not recovered: the undisturbed run "
+            f"itself, the plain grid, stretched by half and released, is amber for {amber} of {len(seen)} "
+            "models, in one precision or both. So amber for the flaws and meshes compared with it shows "
+            "nothing about them.")
 
 
-def folded_html(cells):
-    """The cases that the picture folds away because all their runs have one colour, by name."""
-    alike = fig_stability.folded(cells, CASES)[1]
-    if not alike:
-        return ""
-    rows = "".join(f"<li><span class='verdict {KIND[verdict]}'>all {verdict}</span>: "
-                   f"{escape('; '.join(_full_title(case) for case in alike[verdict]))}</li>"
-                   for verdict in VERDICTS if verdict in alike)
-    return (f"<details><summary>The {sum(map(len, alike.values()))} cases in which all runs have one "
-            f"colour</summary><ul>{rows}</ul></details>")
-
-
-def _full_title(case):
-    """A case's section and title: 'start poses: mirrored'."""
-    section = next(title for title, cases in SECTIONS.items() if case in cases)
-    return f"{section.lower()}: {case.title}"
-
-
-def section_of(title, cases, section):
-    """One group of cases as HTML: their rules, failed runs with reasons, and pictures."""
-    cells = section.cells
-    here = [case for case in cases if any(key[0] == case.name for key in cells)]
+def section_of(title, cases, runs, out):
+    """One group of cases: their rules, runs that are not green with reasons, and pictures. None without
+    runs."""
+    here = {case.name: case for case in cases if any(run["case"] == case.name for run in runs)}
     if not here:
-        return ""
-    rows = [[case.title, case.config + ".json",
-             *(sum(cell.verdict == verdict for key, cell in cells.items() if key[0] == case.name)
-               for verdict in (GREEN, AMBER, RED)), case.rule] for case in here]
-    parts = [f"<h2>{escape(title)}</h2>",
-             table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))]
-    failed = [cell for case in here for key, cell in cells.items() if key[0] == case.name
-              and cell.verdict != GREEN]
+        return None
+    own = [run for run in runs if run["case"] in here]
+    of = lambda case, verdict: sum(run["case"] == case.name and run["verdict"] == verdict for run in own)
+    rows = [[case.title, case.config + ".json", *(of(case, verdict) for verdict in (GREEN, AMBER, RED)),
+             case.rule] for case in here.values()]
+    parts = []
+    picture = f"fig_stability_{address(title).replace('-', '_')}.png"
+    if (out / picture).exists():
+        parts.append(picture_html(picture, "Last good frame of the worst run of each way in which a case "
+                                  "turns red, and of the worst amber run of a case without red runs; "
+                                  "coloured by stretch. Each picture shows the whole cloth; the text below "
+                                  "states its extent (one size at rest)."))
+    failed = [run for run in own if run["verdict"] != GREEN]
     if failed:
         parts.append(failed_html(failed))
-    if title in section.stills:
-        parts.append(f"<figure><img src='{section.stills[title]}' alt='The last frames of the runs that "
-                     "fail'><figcaption>Last good frame of the worst run of each way in which a case "
-                     "turns red, and of the worst amber run of a case without red runs; coloured by "
-                     "stretch. Each picture shows the whole cloth; the text below states its extent (one "
-                     "size at rest).</figcaption></figure>")
-    return "\n".join(parts)
+    rules_table = table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))
+    parts.append(folded(f"The {len(here)} cases and their rules", rules_table))
+    return Part(address(title), title, "\n".join(parts), LINKS.get(title, title))
 
 
 def failed_html(failed):
     """Table of runs that are not green, one row per case, verdict and reason; reasons are below by letter."""
-    reasons = list(dict.fromkeys(cell.why or UNKNOWN for cell in failed))
+    reasons = list(dict.fromkeys(run["why"] or UNKNOWN for run in failed))
     letter = dict(zip(reasons, string.ascii_lowercase))
     rows = []
-    for (title, verdict, why), some in group(failed,
-                                             lambda cell: (cell.case.title, cell.verdict,
-                                                           cell.why or UNKNOWN)).items():
-        numbers = group([cell.worst for cell in some], lambda worst: (worst.name, worst.unit))
+    for (title, verdict, why), some in group(failed, lambda run: (run["title"], run["verdict"],
+                                                                  run["why"] or UNKNOWN)).items():
+        numbers = group([known(run["worst"]) for run in some], lambda worst: (worst["what"], worst["unit"]))
         rows.append([title, verdict, models_text(some),
                      "; ".join(range_text(found) for found in numbers.values()),
-                     "; ".join(_range([one.limit for one in found]) for found in numbers.values()),
+                     "; ".join(_range([one["limit"] for one in found]) for found in numbers.values()),
                      letter[why]])
     table = table_html(Table("What is not green",
                              ["case", "verdict", "models", "worst number", "its limit", "why"], rows))
@@ -156,21 +157,19 @@ def failed_html(failed):
     return f"{table}<ol type='a'>{legend}</ol>"
 
 
-def models_text(cells):
-    """Models of some cells as text, with the precision if it is only one."""
-    precisions = group(cells, lambda cell: cell.model)
-    name = lambda model: style.model_name(model)
-    if set(precisions) == set(models()) and all(len(some) == 2 for some in precisions.values()):
+def models_text(runs):
+    """Models of some runs as text, with the precision if it is only one."""
+    precisions = group(runs, lambda run: run["model"])
+    if len(precisions) == len(style.MODEL_COLOURS) and all(len(some) == 2 for some in precisions.values()):
         return "all"
-    return ", ".join(name(model) + ("" if len(precisions[model]) == 2
-                                    else f" ({precisions[model][0].precision})") for model in models()
-                     if model in precisions)
+    return ", ".join(model + ("" if len(some) == 2 else f" ({some[0]['precision']})")
+                     for model, some in precisions.items())
 
 
-def range_text(criteria):
-    """Range of criteria with one name, as in 'mean strain 0.2 to 0.9'."""
-    unit = "" if criteria[0].unit == "1" else " " + criteria[0].unit
-    return f"{criteria[0].name} {_range([one.value for one in criteria])}{unit}"
+def range_text(worst):
+    """Range of numbers with one name, as in 'mean strain 0.2 to 0.9'."""
+    unit = "" if worst[0]["unit"] == "1" else " " + worst[0]["unit"]
+    return f"{worst[0]['what']} {_range([one['value'] for one in worst])}{unit}"
 
 
 def _range(values):
@@ -179,9 +178,4 @@ def _range(values):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
-    parser.add_argument("--out", type=Path, default=Path("results/stability"), help="folder for the page")
-    arguments = parser.parse_args()
-    main(arguments.results, arguments.out)
-    print(arguments.out / "index.html")
+    command_line("stability", __doc__, draw, lay_out)

@@ -93,10 +93,10 @@ LOADS = [
            ROUNDS + "<strain|pins: one|dihedral> → 0.065 (dihedral), <strain|pins: one|adaptive> → 0.018 "
            "(adaptive)", f"pins {HUNDRED}"),
     Reason(("pins: two",), (), _strained,
-           ROUNDS + "<strain||dihedral> → 0.064 (dihedral), <strain||none> → 0.059 (no bending)",
+           ROUNDS + "<strain||dihedral> → 0.064 (dihedral), <strain||none> → 0.059 (none)",
            f"pins {HUNDRED}"),
     Reason(("pins: side",), (), _strained,
-           ROUNDS + "<strain||dihedral> → 0.061 (dihedral), <strain||none> → 0.057 (no bending)",
+           ROUNDS + "<strain||dihedral> → 0.061 (dihedral), <strain||none> → 0.057 (none)",
            f"pins {HUNDRED}"),
     Reason(("published",), (), _drawn_out,
            "The projection of the published shear throws triangles that ten iterations leave stretched. "
@@ -107,18 +107,18 @@ LOADS = [
            ROUNDS + "<strain|published: two|dihedral> → 0.064 (dihedral, two corners), "
            "<strain|published: one|dihedral> → 0.063 (dihedral, one corner)", f"published_slow {HUNDRED}"),
     Reason(("pulled",), (), _strained,
-           ROUNDS + "<strain||dihedral> → 0.070 (dihedral), <strain||none> → 0.074 (no bending)",
+           ROUNDS + "<strain||dihedral> → 0.070 (dihedral), <strain||none> → 0.074 (none)",
            f"pulled {HUNDRED}"),
     Reason(("gust: ",), (), _strained,
-           ROUNDS + "<strain||dihedral> → 0.081 (dihedral), <strain||none> → 0.18 (no bending), "
+           ROUNDS + "<strain||dihedral> → 0.081 (dihedral), <strain||none> → 0.18 (none), "
            "<strain||adaptive> → 0.027 (adaptive)", f"gust {HUNDRED}"),
     Reason(("stiff",), (), _strained,
-           ROUNDS + "<strain||dihedral> → 0.067 (dihedral), <strain||none> → 0.059 (no bending)",
+           ROUNDS + "<strain||dihedral> → 0.067 (dihedral), <strain||none> → 0.059 (none)",
            f"stiff {HUNDRED}"),
     Reason(("falling: spinning",), (), _strained,
-           ROUNDS + "<strain||choi_ko> → 0.0012 (Choi-Ko)", f"falling {HUNDRED}"),
+           ROUNDS + "<strain||choi_ko> → 0.0012 (choi_ko)", f"falling {HUNDRED}"),
     Reason(("falling: tumbling",), (), _strained,
-           ROUNDS + "<strain||choi_ko> → 0.006 (Choi-Ko)", f"falling {HUNDRED}"),
+           ROUNDS + "<strain||choi_ko> → 0.006 (choi_ko)", f"falling {HUNDRED}"),
     Reason(("mass_hanging",), (), _strained,
            "A projection moves only the light end of an edge, and the heavy half falls freely, 56 sizes in "
            "4 s. The ratio of masses matters, not the number of iterations. Mean strain at ratios of 1, 10, "
@@ -150,7 +150,7 @@ STEPS = [
            "0.56 (adaptive)", f"time_step {HUNDRED}"),
     Reason(("time_step: 1 s",), (), _strained,
            "In a step the sheet falls 10 m, and ten iterations do not pull it back. Mean strain with 10 → "
-           "1000 iterations: <strain||none> → 20 (no bending), <strain||adaptive> → 2.2 (adaptive)",
+           "1000 iterations: <strain||none> → 20 (none), <strain||adaptive> → 2.2 (adaptive)",
            "time_step --set /solver/iterations=1000"),
 ]
 
@@ -184,7 +184,7 @@ STARTS = [
     Reason(("start: stretched",), (), _drawn_out,
            "Ten iterations per step do not spread corrections through the whole sheet. With twenty it is "
            "back after 3.6 s. Mean strain with 10 → 20 iterations: <strain|start: stretched|dihedral> → "
-           "0.015 (dihedral), <strain|start: stretched|none> → 0.015 (no bending)",
+           "0.015 (dihedral), <strain|start: stretched|none> → 0.015 (none)",
            "start --set /solver/iterations=20"),
     Reason(("start: stretched",), (), _slow,
            "The sheet is on its way back: mean strain <strain|start: stretched|adaptive> after 6 s, 0.0012 "
@@ -214,7 +214,7 @@ STARTS = [
     Reason(("start",), HINGES, _away,
            "The folds open, but the sheet comes to rest crumpled. After 6 s it is <away> from rest, after "
            "60 s 0.10 to 0.19, and it moves at most 0.02 in 10 s. A creased sheet stays at 0.141 (moves "
-           "3·10⁻⁵, Bridson)", f"start {MINUTE}"),
+           "3·10⁻⁵, bridson)", f"start {MINUTE}"),
 ]
 
 SHEETS = [

@@ -1,7 +1,7 @@
 """Writes the page of stiffness: index.html, and summary.json with one object per check."""
-import argparse
-from pathlib import Path
-
+from html_parts import Part, escape, number_text, section_part
+from verdicts_html import cards_html, checks_html, tally
+import charts_stiffness
 import fig_stiffness_buckling
 import fig_stiffness_calibrated
 import fig_stiffness_convergence
@@ -10,85 +10,85 @@ import fig_stiffness_hinges
 import fig_stiffness_resolution
 import fig_stiffness_springs
 import fig_stiffness_textile
-import style
-from html_parts import document, escape, mark, section_html, table_html
-from load import group
-from report import Table, write_objects
+from charts_html import chart_html, placed
+from project_pages import Content, command_line, keep, kept, made_of, write
+from report import write_objects
 
 FIGURES = [fig_stiffness_hinges, fig_stiffness_springs, fig_stiffness_convergence, fig_stiffness_effective,
            fig_stiffness_resolution, fig_stiffness_calibrated, fig_stiffness_buckling, fig_stiffness_textile]
-EVERYTHING = "./bendlab reproduce stiffness      # everything, and this page"
+COMMAND = "./bendlab reproduce stiffness"
+EVERYTHING = f"{COMMAND}      # everything, and this page"
+LINKS = ["Hinges", "Springs", "Solver", "Effective", "Paper's rule", "Calibrated", "Buckling", "Textile"]
+LAWS = ("<p>Every bending model is measured on strips with a known theoretical answer, and with the tests of "
+        "textile laboratories. Each number has an expected number beside it, with source and tolerance, both "
+        "fixed before the measurement.</p><p>Models follow one of two laws. Hinges resist in proportion to "
+        "curvature: m = B κ (B in N m, the flexural rigidity). Springs between vertices resist small bending "
+        "hardly at all: m = C κ³ (C in N m³). m is the moment per width, κ the curvature. H/W is how far the "
+        "free end of a clamped strip hangs down over how far it reaches out.</p>")
 
 
 def main(results, out):
     """Writes the page into `out` from the runs below `results`; returns its sections."""
+    sections = draw(results, out)
+    lay_out(out)
+    return sections
+
+
+def draw(results, out):
+    """Draws the figures, and keeps what the page is made of."""
     out.mkdir(parents=True, exist_ok=True)
     sections = [figure.main(results, out) for figure in FIGURES]
     checks = [check for section in sections for check in section.checks]
     write_objects(out / "summary.json", [check.as_json() for check in checks])
-    (out / "index.html").write_text(document("bendlab: how stiff is it really?", body(sections)),
-                                    encoding="utf-8")
+    keep(out, sections)
     return sections
 
 
-def body(sections):
-    """The page below its head."""
-    parts = ["<h1>How stiff is it really?</h1>",
-             "<p class='lead'>Every bending model is measured on strips with a known theoretical answer, and "
-             "with the tests of textile laboratories. Each number has an expected number beside it, with "
-             "source and tolerance, both fixed before the measurement.</p>",
-             "<p>Models follow one of two laws. Hinges resist in proportion to curvature: m = B κ (B in N m, "
-             "the flexural rigidity). Springs between vertices resist small bending hardly at all: m = C κ³ "
-             "(C in N m³). m is the moment per width, κ the curvature. H/W is how far the free end of a "
-             "clamped strip hangs down over how far it reaches out.</p>", overview(sections)]
-    parts += [section_html(section, EVERYTHING, verdicts=[checks_html(section.checks)])
-              for section in sections]
-    parts.append("<h2>As data</h2><p><a href='summary.json'>summary.json</a>: every check.</p>")
-    return "\n".join(parts)
+def lay_out(out):
+    """Writes index.html of what is kept."""
+    sections = kept(out)
+    checks = [check for section in sections for check in section.checks]
+    charts = charts_stiffness.charts(checks, COMMAND)
+    parts = [section_part(section, EVERYTHING, [checks_html(section.checks)], link=link,
+                          **placed(charts, section))
+             for section, link in zip(sections, LINKS)]
+    parts += [Part("rules", "Two laws, and how it is judged", LAWS, "Rules"),
+              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every check.</p>", "Data")]
+    top = "".join(chart_html(chart) for chart in charts if not chart["section"])
+    content = Content("How stiff is it really?", answer(checks), top + overview(sections, parts), parts,
+                      {"charts": charts})
+    write(out, "stiffness", content, made_of(sections, COMMAND))
 
 
-def overview(sections):
-    """How many checks hold in each section, as an HTML table."""
-    rows = []
-    for section in sections:
-        known = [check for check in section.checks if check.holds is not None]
-        held = sum(check.holds for check in known)
-        kind = "open" if not known else "yes" if held == len(known) else "no"
-        text = f"{held} of {len(known)} checks hold" if known else "no runs"
-        open_checks = len(section.checks) - len(known)
-        text += f", {open_checks} without a number" if known and open_checks else ""
-        rows.append(f"<tr><td class='t'>{escape(section.title)}</td><td class='t'><span class='verdict "
-                    f"{kind}'>{text}</span></td></tr>")
-    return f"<div class='scroll'><table class='overview'>{''.join(rows)}</table></div>"
+def answer(checks):
+    """The page's answer: how much stiffness depends on the resolution, as stated and by the paper's rule."""
+    calibrated = charts_stiffness.ratios(checks, charts_stiffness.CALIBRATED)
+    ruled = charts_stiffness.ratios(checks, charts_stiffness.RULED)
+    if not calibrated:
+        return "There are no runs yet."
+    worst = {model: max(by_mesh.values()) for model, by_mesh in calibrated.items()}
+    best = min(worst, key=worst.get)
+    most = max(worst, key=worst.get)
+    text = (f"A model that is told a flexural rigidity keeps it on finer meshes: the stiffness of "
+            f"<b>{escape(best)}</b> changes by {percent(worst[best])} at most, that of <b>{escape(most)}</b> "
+            f"by {percent(worst[most])}")
+    if ruled:
+        low, high = (choose(choose(by_mesh.values()) for by_mesh in ruled.values()) for choose in (min, max))
+        text += (f". By the paper's rule the springs' stiffness changes by a factor of {number_text(low, 2)} "
+                 f"to {number_text(high, 2)}")
+    return text + "."
 
 
-def checks_html(checks):
-    """Checks as HTML: those that do not hold are visible, all of them are folded."""
-    if not checks:
-        return ""
-    failed = [check for check in checks if check.holds is False]
-    parts = [table_html(_table("What does not hold", failed))] if failed else []
-    parts.append(f"<details><summary>All {len(checks)} "
-                 f"checks</summary>{table_html(_table('Checks', checks))}</details>")
-    return "".join(parts)
+def percent(ratio):
+    return f"{number_text(100 * (ratio - 1), 2)} %"
 
 
-def _table(caption, checks):
-    noted = any(check.note for check in checks)
-    rows = []
-    for (check, model), some in group(checks, lambda check: (check.check, check.model)).items():
-        for i, one in enumerate(some):
-            rows.append([check if i == 0 else "", model if i == 0 else "", one.mesh,
-                         style.number(one.expected), style.number(one.measured), one.bound, mark(one)[1],
-                         one.source] + ([one.note] if noted else []))
-    return Table(caption, ["check", "model", "mesh", "expected", "measured", "tolerance", "verdict",
-                           "source"] + (["note"] if noted else []), rows)
+def overview(sections, parts):
+    """How many checks hold in each section."""
+    rows = [(f"<a href='#{part.name}'>{escape(section.title)}</a>", "", tally(section.checks))
+            for section, part in zip(sections, parts)]
+    return cards_html(rows)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
-    parser.add_argument("--out", type=Path, default=Path("results/stiffness"), help="folder for the page")
-    arguments = parser.parse_args()
-    main(arguments.results, arguments.out)
-    print(arguments.out / "index.html")
+    command_line("stiffness", __doc__, draw, lay_out)

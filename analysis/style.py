@@ -15,7 +15,6 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from PIL import Image
 
 import render
-from load import MODEL_LABELS
 
 class Colours(dict):
     """Black for a model without a colour of its own."""
@@ -65,8 +64,8 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
 
 
 def model_name(model, k=None):
-    """The label of a bending model; of springs to rings 1 … `k` with k."""
-    return MODEL_LABELS[model] + (f", k = {k}" if model == "k_ring" and k else "")
+    """A bending model as the program writes it; of springs to rings 1 … `k` with k."""
+    return model + (f", k = {k}" if model == "k_ring" and k else "")
 
 
 def marker(model):

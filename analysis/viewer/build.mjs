@@ -1,4 +1,4 @@
-// Makes dist/ of src/: one script, one style sheet, and the licences of what is in them. With --check it
+// Makes dist/ of src/: a script, a shorter one for pages without a player, one style sheet, and the licences of what is in them. With --check it
 // writes nothing and fails if dist/ differs.
 import { createHash } from "node:crypto";
 import { existsSync, readdirSync, readFileSync, mkdirSync, writeFileSync } from "node:fs";
@@ -36,8 +36,8 @@ function licences(inputs) {
 }
 
 const result = await build({
-  entryPoints: [join(home, "src/main.js")], bundle: true, minify: true, write: false, metafile: true,
-  outdir: join(home, "dist"), entryNames: "viewer", format: "iife", target: ["es2022"], charset: "ascii",
+  entryPoints: [{ in: join(home, "src/main.js"), out: "viewer" }, { in: join(home, "src/page.js"), out: "page" }],
+  bundle: true, minify: true, write: false, metafile: true, outdir: join(home, "dist"), format: "iife", target: ["es2022"], charset: "ascii",
   legalComments: "none", logLevel: "warning", absWorkingDir: home });
 
 const head = `/* bendlab viewer, sources ${sourcesHash()}; licences in LICENSES.txt */\n`;

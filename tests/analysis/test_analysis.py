@@ -38,6 +38,7 @@ import plain_cases  # noqa: E402
 import plain_page  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
+import stability_matrix  # noqa: E402
 import stability_page  # noqa: E402
 import stability_reasons  # noqa: E402
 import stiffness_page  # noqa: E402
@@ -83,6 +84,14 @@ def setUpModule():
     """As if run files had been read: every model with its label."""
     load.MODEL_LABELS.update({name: name.replace("_", " ") for name in style.MODEL_COLOURS},
                              none="no bending")
+
+
+def hard_run(case, model, precision, verdict, worst=None, why=""):
+    """A run of a hard case as summary.json has it."""
+    worst = worst or {"what": "mean strain", "value": 2, "limit": 1, "unit": "1"}
+    title = next(one.title for one in stability_cases.CASES if one.name == case)
+    return {"case": case, "title": title, "model": model, "precision": precision, "verdict": verdict,
+            "worst": worst, "seconds": 0.1, "recovered_s": None, "energy_rises": 0.5, "why": why}
 
 
 def every_point(sweep):
@@ -180,8 +189,7 @@ class LoadTest(unittest.TestCase):
         experiment = sweeps.load_experiment(self.folder, "paper/fig1")
         self.assertEqual([run.point for run in experiment.runs], points[:2])
         self.assertEqual(experiment.missing, ["/mesh/cells 32", "/mesh/cells 64", "/mesh/cells 128"])
-        self.assertEqual(style.model_name("crossover"), "Crossover")
-        self.assertEqual(style.model_name("one of mine"), "one of mine")
+        self.assertEqual(style.model_name("discrete_shells"), "discrete_shells")
 
     def test_runs_of_a_config_that_was_changed_since_are_not_shown(self):
         self.assertEqual(sweeps.load_experiment(self.folder, "paper/fig1").missing_text,
@@ -489,7 +497,7 @@ class FigureTest(unittest.TestCase):
                 ("lod", 1): [run("lod", 0.5)]}
         title = fig_models.sheet_title([1], ["none", "adaptive", "lod"], runs)
         self.assertEqual(title, "One substep: 1 of 3 models keep the mean strain below 10 %; it exceeds 100 "
-                         "% with no bending")
+                         "% with none")
 
     def test_a_page_without_runs_says_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -714,26 +722,48 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual(telling, [cases[1]])
         self.assertEqual(alike, {"green": [cases[0]], "red": [cases[2]]})  # the last one has no runs
         self.assertEqual(fig_stability.alike_text(alike), "not shown: 1 all green, 1 all red")
-        text = stability_page.folded_html(cells)
-        self.assertIn("The 2 cases in which all runs have one colour", text)
-        self.assertIn(f"all red</span>: start poses: {cases[2].title}<", text)
-        self.assertNotIn(cases[1].title, text)
-        self.assertEqual(stability_page.folded_html({}), "")
+        runs = [hard_run(*place, cell.verdict) for place, cell in cells.items()]
+        matrix, others = stability_matrix.cases_html(runs)
+        self.assertIn("The 2 cases in which all runs have one colour", others)
+        self.assertIn(f"all red</span>: start poses: {cases[2].title}<", others)
+        self.assertNotIn(cases[1].title, others)
+        self.assertIn(cases[1].title, matrix)
+        self.assertIn("aria-label='none, double: red'>×<", matrix)
+
+    def test_cases_that_tell_most_come_first(self):
+        of = lambda *verdicts: [hard_run("start: point", str(i), "single", verdict)
+                                for i, verdict in enumerate(verdicts)]
+        ordered = sorted([of("red", "green"), of("amber", "green"), of("red", "red"),
+                          of("red", *["green"] * 9)], key=stability_matrix.discrimination, reverse=True)
+        self.assertEqual([len(some) for some in ordered], [2, 10, 2, 2])
+        self.assertEqual(stability_matrix.discrimination(ordered[-1]), 0)  # all red
+
+    def test_a_cell_opens_its_run_with_limit_config_and_command(self):
+        runs = [hard_run("start: creased", "adaptive", "single", "red", why="it folds"),
+                hard_run("gust: gale", "adaptive", "double", "green")]
+        told = stability_matrix.data(runs)
+        one, other = told["runs"]
+        self.assertEqual(one["command"], "./bendlab run configs/stability/start.json --set "
+                         "'/initial={\"creases\": 31}' --set '/solver/precision=single'")
+        self.assertEqual(told["texts"][one["why"]], "it folds")
+        self.assertEqual((one["worst"]["value"], one["worst"]["limit"], one["worst"]["held"]), (2, 1, False))
+        settings = told["settings"][one["base"]] | {pointer: value[0]
+                                                    for pointer, value in one["changes"].items() if value}
+        self.assertEqual(settings["/initial/creases"], 31)
+        self.assertEqual(settings["/solver/precision"], "single")
+        self.assertIn("/effects/0/type", told["settings"][other["base"]])
+        self.assertEqual(other["status"], "green")
 
     def test_models_that_share_a_reason_share_a_row(self):
-        case = SimpleNamespace(title="a case")
         worst = lambda value: stability_cases.Criterion("mean strain", value, 0.2, "1", "amber")
-        cells = [stability_cases.Cell(case,
-                                      SimpleNamespace(model=model,
-                                                      get=lambda _, precision=precision: precision), "amber",
-                                      worst(value), why)
+        cells = [hard_run("start: point", model, precision, "amber", worst(value).as_json(), why)
                  for model, precision, value, why in [("none", "single", 0.5, "it slips"),
                                                       ("none", "double", 0.25, "it slips"),
                                                       ("adaptive", "double", 0.75, "it slips"),
                                                       ("dihedral", "double", 3.0, "")]]
         text = stability_page.failed_html(cells)
         self.assertEqual(text.count("<tr>"), 3)  # the head and two rows
-        self.assertIn("no bending, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
+        self.assertIn("none, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
         self.assertEqual(text.count("it slips"), 1)
         self.assertIn(f"<li>{stability_page.UNKNOWN}</li>", text)
 
@@ -807,12 +837,13 @@ class StabilityTest(unittest.TestCase):
                                                          ("flaws: hole", "none", "single", "red"),
                                                          ("flaws: hole", "none", "double", "green"),
                                                          ("meshes: grid", "dihedral", "single", "green")]}
-        text = stability_page.overview(cells)
-        # Red and amber, green; dihedral
-        self.assertEqual([text.count(f">{share} %<") for share in (25, 50, 100)], [2, 1, 1])
-        self.assertLess(text.index("red"), text.index("green"))
-        self.assertIn("amber for 1 of 2 models", text)
-        self.assertEqual(stability_page.plain_grid({}), "")
+        runs = [hard_run(*place, cell.verdict) for place, cell in cells.items()]
+        text = stability_matrix.groups_html(runs)
+        self.assertEqual(stability_matrix.models_of(runs), ["dihedral", "none"])  # 0 of 1, 1 of 4
+        self.assertIn(">25 %<", text)
+        self.assertIn("aria-label='1 red, 1 amber, 2 green'", text)
+        self.assertIn("amber for 1 of 2 models", stability_page.plain_grid(runs))
+        self.assertEqual(stability_page.plain_grid([]), "")
 
     def test_a_page_without_runs_says_what_is_missing(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -905,12 +936,13 @@ class PlainTest(unittest.TestCase):
 
     def test_pairs_that_fail_together_are_found_and_single_values_are_not(self):
         values = [(a, b, c) for a in range(4) for b in range(4) for c in range(4)]
-        together = [self.judged(0.2 if a == b == 1 else 0, a=a, b=b, c=c) for a, b, c in values]
+        seen = lambda value, **settings: self.judged(value, **settings).as_json()
+        together = [seen(0.2 if a == b == 1 else 0, a=a, b=b, c=c) for a, b, c in values]
         self.assertEqual([(pair, wrong, runs) for pair, wrong, runs, _ in fig_plain.pairs(together)],
                          [((("a", 1), ("b", 1)), 4, 4)])
-        self.assertEqual(fig_plain.pairs([self.judged(0.2 if a == 1 else 0, a=a, b=b, c=c)
+        self.assertEqual(fig_plain.pairs([seen(0.2 if a == 1 else 0, a=a, b=b, c=c)
                                           for a, b, c in values]), [])
-        self.assertEqual(fig_plain.pairs([self.judged(0.0, a=1, b=2)]), [])
+        self.assertEqual(fig_plain.pairs([seen(0.0, a=1, b=2)]), [])
 
     def test_a_run_that_stops_at_once_breaks_a_bound(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,5 +1,6 @@
 """The verdict maps: the sentence that cells give, the place of a run, and the table of a page."""
 import random
+import re
 import sys
 import unittest
 from pathlib import Path
@@ -10,7 +11,7 @@ sys.path.insert(0, str(ROOT / "analysis"))
 
 import claim_map  # noqa: E402
 from claim_map import Cell, ClaimMap, Place  # noqa: E402
-from html_parts import map_html, map_mark  # noqa: E402
+from verdicts_html import map_cells, map_html, map_mark  # noqa: E402
 
 
 def grid(holds):
@@ -111,29 +112,33 @@ class PlaceOfARun(unittest.TestCase):
 
 class Table(unittest.TestCase):
     def test_every_cell_has_its_number_its_colour_and_its_command(self):
-        page = map_html(grid(lambda place: place.cells == 16))
+        claim = grid(lambda place: place.cells == 16)
+        page = map_html(claim, "map-1")
         self.assertEqual(page.count("class='holds"), 24)
         self.assertEqual(page.count("class='fails"), 48)
-        self.assertEqual(page.count("title='run 16'"), 24)
+        commands = {cell["id"]: cell["command"] for cell in map_cells(claim, "map-1")}
+        self.assertEqual(list(commands.values()).count("run 16"), 24)
+        self.assertEqual(set(re.findall("data-run='([^']+)'", page)), set(commands))
         self.assertIn("“Cloth &lt;is&gt; sound.”", page)
         self.assertIn("lang='ko'", page)
 
-    def test_below_it_stand_seeds_and_all_commands(self):
+    def test_a_cell_opens_with_its_seeds_and_all_commands(self):
         claim = ClaimMap("5", "", "Ours is sound.", "it is", "stretch − 1")
         claim.cells[Place("", "no damping", "1 × 10", "a patch of 5 cm", 16)] = Cell(
             "0.5", True, "run a\nrun b", (1, 2))
-        page = map_html(claim)
-        self.assertIn("seeds 1, 2\n  run a\n  run b", page)
-        self.assertNotIn("“", page)  # it quotes nobody
+        cell, = map_cells(claim, "map-1")
+        self.assertEqual((cell["told"], cell["command"], cell["status"]),
+                         ("seeds 1, 2", "run a\nrun b", "holds"))
+        self.assertNotIn("“", map_html(claim, "map-1"))  # it quotes nobody
 
     def test_a_cell_without_a_verdict_is_grey_and_says_why(self):
-        page = map_html(grid(lambda place: None if place.cells == 16 else True))
-        self.assertEqual(page.count("<td class='none first' title='run 16'>0.5</td>"), 24)
+        page = map_html(grid(lambda place: None if place.cells == 16 else True), "map-1")
+        self.assertEqual(page.count("<td class='none first'"), 24)
 
     def test_a_missing_cell_is_a_dash(self):
         claim = grid(lambda _: True)
         claim.cells.pop(Place("rounded", "no damping", "1 × 10", "the corner alone", 16))
-        self.assertEqual(map_html(claim).count(">–</td>"), 1)
+        self.assertEqual(map_html(claim, "map-1").count(">–</td>"), 1)
 
 
 if __name__ == "__main__":

@@ -287,10 +287,6 @@ class Page(unittest.TestCase):
             if not address.startswith("#run-"):
                 self.assertIn(address[1:], names)
 
-    def test_a_page_of_the_projects_own_runs_nothing(self):
-        parsed = Parsed(html_parts.document("Title", "<h1>Text</h1>"))
-        self.assertEqual([tag for tag, _, _ in parsed.scripts], ["style"])
-
     def test_configs_are_told_by_what_differs(self):
         runs = [run_at({CELLS: cells, "/x": [1, {"y": cells}]}, id=str(cells)) for cells in (8, 16, 16)]
         runs[2].id, runs[2].config = "other", {"mesh": {"cells": 99}}

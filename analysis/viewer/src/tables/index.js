@@ -3,13 +3,16 @@ import { makeFilterable } from "./filter.js";
 import { startRuns } from "./run_dialog.js";
 import { makeSortable } from "./sort.js";
 
+const MANY = 3; // rows, above which a table has a filter
+
 /** @param {Document} root */
 export function startTables(root = document) {
   for (const table of root.querySelectorAll("table.sortable")) {
     labelCells(table);
-    if (table.tBodies[0].rows.length > 3) makeFilterable(table);
+    if (table.tBodies[0].rows.length > MANY) makeFilterable(table);
     makeSortable(table);
   }
+  for (const table of root.querySelectorAll("table.cards")) if (table.tHead) labelCells(table);
   startRuns();
 }
 

@@ -4,6 +4,8 @@ import { pageData } from "../page/data.js";
 import { number, value, withUnit } from "../page/numbers.js";
 import { configText, differences } from "./settings.js";
 
+const NOTES = { diverged: "diverged", amber: "open", green: "yes" };
+
 let dialog = null,
   list = [],
   back = null,
@@ -31,9 +33,9 @@ function fromAddress() {
 function neighbours(cell) {
   const shown = [...(cell.closest("tbody")?.querySelectorAll("[data-run]") ?? [cell])]
     .filter((other) => other.getClientRects().length)
-    .map((other) => other.dataset.run);
+    .flatMap((other) => other.dataset.run.split(" "));
   const all = [...new Set(shown)];
-  return { list: all, at: all.indexOf(cell.dataset.run) };
+  return { list: all, at: all.indexOf(cell.dataset.run.split(" ")[0]) };
 }
 
 function open(ids, from, at = 0) {
@@ -106,11 +108,10 @@ function about(run) {
       run.told && html("span", { class: "grey" }, ` · ${run.told}`),
     ),
   ];
-  if (run.why)
-    parts.push(
-      html("div", { class: `note ${run.status === "diverged" ? "diverged" : "no"}` }, html("p", {}, run.why)),
-    );
+  const why = typeof run.why === "number" ? pageData().texts[run.why] : run.why;
   parts.push(worst(run));
+  if (why)
+    parts.push(html("div", { class: `note ${NOTES[run.status] ?? "no"}` }, html("p", {}, why)));
   if (run.frames) {
     playing = html("div", { class: "player", "data-runs": run.id });
     parts.push(playing);
@@ -122,9 +123,16 @@ function about(run) {
       html("div", { class: "note open" }, html("p", {}, html("b", {}, warning.code), `: ${warning.message}`)),
     );
   }
-  parts.push(html("h3", {}, "Repeat it"), command(run.command));
+  if (run.stills) parts.push(stills(run.stills));
+  if (run.command) parts.push(html("h3", {}, "Repeat it"), command(run.command));
   parts.push(...numbers(run), ...config(run));
   return parts;
+}
+
+// The pictures of runs like this one, in the page.
+function stills(address) {
+  const link = html("a", { href: address, onclick: () => dialog.close() }, "Stills of this group of cases");
+  return html("p", { class: "small" }, link);
 }
 
 function command(text) {
@@ -143,7 +151,7 @@ function worst(run) {
     "p",
     { class: "worst" },
     `${found.label} `,
-    html("b", {}, withUnit(value(found.value), found.unit)),
+    html("b", {}, found.text ?? withUnit(value(found.value), found.unit)),
     html("span", { class: "grey" }, limit, found.note ? ` (${found.note})` : ""),
   );
 }
@@ -186,7 +194,7 @@ function config(run) {
     list.length > 1
       ? [list[at - 1], list[at + 1]].filter(Boolean).map((id) => pageData().byId.get(id))
       : pageData()
-          .runs.filter((other) => other !== run && other.base !== undefined)
+          .runs.filter((other) => other !== run && other.base === run.base)
           .slice(0, 2);
   const rows = differences([run, ...beside]);
   const table = rows.length

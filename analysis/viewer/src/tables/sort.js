@@ -33,7 +33,18 @@ function keyOf(cell) {
     const number = written === "∞" ? Infinity : Number(written);
     return written === "" ? null : Number.isNaN(number) ? written : number;
   }
-  return cell?.textContent.trim() || null;
+  const text = cell?.textContent.trim();
+  return text ? (numberOf(text) ?? text) : null;
+}
+
+// The number that a text begins with, as numbers are written in pages: 1,824 or −0.5 or 1.2·10⁻⁵ or ± 5 %.
+function numberOf(text) {
+  const found = /^(?:± ?)?([-−]?\d[\d,\u202f]*(?:\.\d+)?)(?:·10([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)|e([-+]?\d+))?(?![\w²])/.exec(text);
+  if (text === "∞") return Infinity;
+  if (!found) return null;
+  const plain = Number(found[1].replace("−", "-").replace(/[,\u202f]/g, ""));
+  const power = found[3] ?? found[2]?.replace(/./g, (c) => (c === "⁻" ? "-" : "⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(c))) ?? 0;
+  return plain * 10 ** Number(power);
 }
 
 // What is not there comes last, in both directions; numbers before texts.

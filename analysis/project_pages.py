@@ -1,0 +1,94 @@
+"""The project's own pages: their order and links, what is kept of them, and their command line.
+
+A page has two steps. Drawing reads run files and gives sections, which are kept beside the page as page.json.
+Laying out makes index.html of what is kept, so that another layout needs no runs: `SCRIPT --again`.
+"""
+import argparse
+import json
+from collections import Counter
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from html_parts import Made, escape, page
+from report import Section, write_objects
+
+PAGES = {"paper": "The paper", "stiffness": "Stiffness", "accuracy": "Accuracy", "stability": "Stability",
+         "performance": "Performance", "plain": "Plain scenes"}  # folder below results/ → its name
+KEPT = "page.json"
+
+
+@dataclass
+class Content:
+    """What a page says."""
+
+    title: str
+    answer: str  # HTML, one sentence
+    top: str  # HTML below the answer: its picture
+    parts: list  # Part
+    data: dict = field(default_factory=dict)  # what scripts read: charts, runs
+
+
+def links_html(here):
+    """The links to all pages, for the top of one of them; `here` is its folder, "" the start page's."""
+    to = lambda name: f"{name}/index.html" if not here else f"../{name}/index.html"
+    current = lambda name: " aria-current='page'" if name == here else ""
+    links = "".join(f"<a href='{to(name)}'{current(name)}>{escape(text)}</a>" for name, text in PAGES.items())
+    home = f"<a class='home' href='{'' if not here else '../'}index.html'{current('')}>bendlab</a>"
+    return f"<div class='site'><div>{home}<nav aria-label='Pages'>{links}</nav></div></div>\n"
+
+
+def write(out, name, content, made):
+    """Writes a page's index.html into the folder `out`."""
+    top = f"<h1>{escape(content.title)}</h1><p class='answer'>{content.answer}</p>{content.top}"
+    data = {"runs": [], "charts": []} | content.data
+    text = page(f"bendlab: {content.title}", top, content.parts, made, data, places=links_html(name),
+                player=False)
+    (out / "index.html").write_text(text, encoding="utf-8")
+
+
+def made_of(sections, command):
+    """The Made of a page whose sections saw these runs."""
+    seen = [origin for section in sections for origin in section.origins]
+    most = lambda name: ", ".join(
+        text for text, _ in Counter(one[name] for one in seen if one.get(name)).most_common(3))
+    dates = sorted({one["date"] for one in seen if one.get("date")})
+    span = " to ".join(dict.fromkeys([*dates[:1], *dates[-1:]]))
+    machine = ", ".join(filter(None, [most("machine"), most("host")]))
+    return Made(most("commit"), span, machine, command)
+
+
+def keep(out, sections):
+    """Writes what the page is made of."""
+    write_objects(out / KEPT, [section.as_json() for section in sections])
+
+
+def kept(out):
+    """The sections that keep() wrote."""
+    return [Section.of_json(entry) for entry in json.loads((out / KEPT).read_text(encoding="utf-8"))]
+
+
+def summary(out):
+    """The objects of the page's summary.json."""
+    return json.loads((out / "summary.json").read_text(encoding="utf-8"))
+
+
+def command_line(name, about, draw, lay_out):
+    """The command line of a page's script: draw(results, out) keeps it, lay_out(out) writes index.html."""
+    parser = argparse.ArgumentParser(description=about)
+    parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
+    parser.add_argument("--out", type=Path, default=Path("results") / name, help="folder for the page")
+    parser.add_argument("--again", action="store_true",
+                        help=f"write index.html again, of the {KEPT} and summary.json that are there")
+    arguments = parser.parse_args()
+    if not arguments.again:
+        draw(arguments.results, arguments.out)
+    lay_out(arguments.out)
+    renew_start(arguments.out)
+    print(arguments.out / "index.html")
+
+
+def renew_start(out):
+    """Writes the start page beside the folder of a page again, for it has the page's answer."""
+    if out.name in PAGES:
+        import start_page  # which reads what pages kept
+        start_page.write(out.parent)

@@ -1,0 +1,215 @@
+"""The matrices of the hard cases as HTML, and what the page's data say of each run. A run is its object in
+summary.json."""
+from collections import Counter
+from functools import lru_cache
+
+import repeat
+from collected import flattened
+from html_parts import address, escape
+from load import group
+from report import known
+from run_facts import differing
+from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS
+from sweeps import planned_points, point_key, read_config, settings_at
+
+VERDICTS = (RED, AMBER, GREEN)
+SIGNS = {RED: "×", AMBER: "–", GREEN: "✓"}
+PRECISIONS = ("single", "double")
+CASE = {case.name: case for case in CASES}
+GROUP = {case.name: title for title, cases in SECTIONS.items() for case in cases}
+NUMBERS = {"recovered_s": ("recovered at", "s", "when the cloth was last away from its rest shape"),
+           "energy_rises": ("steps in which energy rose", "1", "share of all steps"),
+           "seconds": ("processor time", "s", "of the whole run")}
+
+
+def id_of(run):
+    """Its address in the page: start-creased.adaptive.single."""
+    return f"{address(run['case'])}.{run['model']}.{run['precision']}"
+
+
+def models_of(runs):
+    """The models, those that fail in the smallest share of their runs first."""
+    shares = {model: _share(some, RED) for model, some in group(runs, lambda run: run["model"]).items()}
+    return sorted(shares, key=shares.get)
+
+
+def _share(runs, verdict):
+    return sum(run["verdict"] == verdict for run in runs) / len(runs) if runs else 0.0
+
+
+# --- models × groups of cases ------------------------------------------------------------------------------
+
+def groups_html(runs):
+    """The models × the groups of cases: how many of the runs are red, as a table that is cards on a phone."""
+    titles = [title for title in SECTIONS if any(GROUP[run["case"]] == title for run in runs)]
+    by_place = group(runs, lambda run: (run["model"], GROUP[run["case"]]))
+    head = "".join(f"<th class='t'>{escape(title)}</th>" for title in ["all cases", *titles])
+    rows = ""
+    for model in models_of(runs):
+        own = [run for run in runs if run["model"] == model]
+        cells = "".join(_share_cell(some) for some in [own, *(by_place.get((model, title), [])
+                                                              for title in titles)])
+        rows += f"<tr><td class='t'><b>{escape(model)}</b></td>{cells}</tr>"
+    return ("<div class='scroll' tabindex='0' role='region' aria-label='Models and groups of cases'><table "
+            f"class='shares cards'><thead><tr><th class='t'>model</th>{head}</tr></thead><tbody>{rows}"
+            f"</tbody></table></div>{key_html()}")
+
+
+def _share_cell(runs):
+    if not runs:
+        return "<td class='t'></td>"
+    counts = Counter(run["verdict"] for run in runs)
+    at, bars = 0.0, ""
+    for verdict in VERDICTS:
+        width = 100 * counts[verdict] / len(runs)
+        bars += f"<rect class='fill-{verdict}' x='{at:.1f}' width='{width:.1f}' height='8'/>" if width else ""
+        at += width
+    told = ", ".join(f"{counts[verdict]} {verdict}" for verdict in VERDICTS)
+    text = f"{100 * _share(runs, RED):.0f} %"
+    bar = f"<svg viewBox='0 0 100 8' preserveAspectRatio='none' aria-hidden='true'>{bars}</svg>"
+    opened = [run for run in runs if run["verdict"] == RED] or [run for run in runs
+                                                                if run["verdict"] == AMBER]
+    if not opened:
+        return f"<td class='t' title='{told}'><div class='share'>{text}{bar}</div></td>"
+    ids = " ".join(map(id_of, opened))
+    return (f"<td class='t' data-run='{escape(ids)}'><button type='button' class='opens share' aria-label='"
+            f"{told}'>{text}{bar}</button></td>")
+
+
+def key_html():
+    """What the signs mean."""
+    names = {RED: "red: unstable", AMBER: "amber: stable, not recovered", GREEN: "green: passes"}
+    return "<p class='key'>" + "".join(
+        f"<span><span class='v {verdict}' aria-hidden='true'>{SIGNS[verdict]}</span>{name}</span>"
+        for verdict, name in names.items()) + "</p>"
+
+
+# --- cases × models ----------------------------------------------------------------------------------------
+
+def cases_html(runs):
+    """(the cases that tell runs apart, those that tell most first; the other cases, by their colour)."""
+    by_case = group(runs, lambda run: run["case"])
+    telling = [name for name in by_case if len({run["verdict"] for run in by_case[name]}) > 1]
+    telling.sort(key=lambda name: -discrimination(by_case[name]))
+    alike = {}
+    for name in by_case:
+        if name not in telling:
+            alike.setdefault(by_case[name][0]["verdict"], []).append(name)
+    return _matrix(telling, by_case, models_of(runs)), _alike_html(alike)
+
+
+def discrimination(runs):
+    """How much a case tells models apart: the share of pairs of its runs whose verdicts differ, where red
+    against another colour counts most."""
+    counts = Counter(run["verdict"] for run in runs)
+    red, amber, green = (counts[verdict] / len(runs) for verdict in VERDICTS)
+    return 3 * red * (1 - red) + amber * green
+
+
+def _matrix(names, by_case, models):
+    head = "".join(f"<th scope='col'>{escape(model)}</th>" for model in models)
+    rows = ""
+    for name in names:
+        own = {(run["model"], run["precision"]): run for run in by_case[name]}
+        cells = "".join(f"<td>{''.join(_button(own.get((model, precision))) for precision in PRECISIONS)}"
+                        "</td>" for model in models)
+        case = CASE[name]
+        rows += (f"<tr><th scope='row' class='t'><a href='#{address(GROUP[name])}'>"
+                 f"{escape(GROUP[name])}</a>: {escape(case.title)}</th>{cells}</tr>\n")
+    return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Cases and models'><table "
+            f"class='cases'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
+            "</table></div>")
+
+
+def _button(run):
+    if run is None:
+        return "<button type='button' class='v' disabled aria-label='no run'></button>"
+    name = f"{run['model']}, {run['precision']}: {run['verdict']}"
+    return (f"<button type='button' class='v {run['verdict']}' data-run='{escape(id_of(run))}' "
+            f"aria-label='{escape(name)}'>{SIGNS[run['verdict']]}</button>")
+
+
+def _full_title(name):
+    """A case with its group: 'start poses: mirrored'."""
+    return f"{GROUP[name].lower()}: {CASE[name].title}"
+
+
+def _alike_html(alike):
+    """The cases all of whose runs have one colour, by name."""
+    if not alike:
+        return ""
+    rows = "".join(f"<li><span class='status {verdict}'>all {verdict}</span>: "
+                   f"{escape('; '.join(map(_full_title, alike[verdict])))}</li>"
+                   for verdict in VERDICTS if verdict in alike)
+    return (f"<details><summary>The {sum(map(len, alike.values()))} cases in which all runs have one "
+            f"colour</summary><ul>{rows}</ul></details>")
+
+
+# --- data --------------------------------------------------------------------------------------------------
+
+def data(runs):
+    """What the page's scripts read: runs, the configs that they begin with, texts, numbers."""
+    texts = list(dict.fromkeys(run["why"] for run in runs if run["why"]))
+    configs = list(dict.fromkeys(CASE[run["case"]].config for run in runs))
+    models = tuple(dict.fromkeys(run["model"] for run in runs))
+    bases = [_base(config, models) for config in configs]
+    about = [_about(run, texts, configs, bases, models) for run in runs]
+    numbers = {name: dict(zip(("label", "unit", "meaning"), told)) for name, told in NUMBERS.items()}
+    return {"runs": about, "settings": bases, "texts": texts, "summary": numbers}
+
+
+def _about(run, texts, configs, bases, models):
+    case, worst = CASE[run["case"]], known(run["worst"])
+    place = configs.index(case.config)
+    point, flat = _place(case, run["model"], run["precision"], models)
+    told = {"id": id_of(run), "title": f"{case.title}: {run['model']}, {run['precision']}",
+            "status": run["verdict"], "worst": {
+                "label": worst["what"], "value": worst["value"], "limit": worst["limit"],
+                "unit": worst["unit"], "held": run["verdict"] == GREEN},
+            "command": repeat.command(f"configs/{FOLDER}/{case.config}.json", point,
+                                      _axes(case.config, models)),
+            "summary": {name: run[name] for name in NUMBERS if run.get(name) is not None},
+            "base": place, "changes": differing(bases[place], flat)}
+    if worst["value"] != worst["value"] or abs(worst["value"]) == float("inf"):
+        told["worst"] |= {"value": None, "text": "not a number" if worst["value"] != worst["value"] else "∞"}
+    if run["why"]:
+        told["why"] = texts.index(run["why"])
+    if run["verdict"] != GREEN:
+        told["stills"] = f"#{address(GROUP[run['case']])}"
+    return told
+
+
+@lru_cache(maxsize=None)
+def _axes(config, models):
+    """The sweep of a config with its values; "all" written out."""
+    choices = {"/bending/model": list(models), "/solver/precision": list(PRECISIONS)}
+    sweep = read_config(f"{FOLDER}/{config}")["sweep"]
+    return {pointer: choices.get(pointer, []) if values == "all" else values
+            for pointer, values in sweep.items()}
+
+
+@lru_cache(maxsize=None)
+def _base(config, models):
+    """Pointer → value of a config at the first place of its sweep."""
+    settings = read_config(f"{FOLDER}/{config}")
+    points = planned_points(settings, _axes(config, models))
+    return _stated(settings, points[0])
+
+
+def _stated(settings, point):
+    whole = settings_at(settings, point)
+    return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
+
+
+def _place(case, model, precision, models):
+    """(place on the sweep, pointer → value of the config there) of a run."""
+    settings, axes = read_config(f"{FOLDER}/{case.config}"), _axes(case.config, models)
+    wanted = {pointer: axes[pointer][value] if pointer == "/effects" else value
+              for pointer, value in case.where.items()}
+    for point in planned_points(settings, axes):
+        own = point.get("/bending/model") or point.get("/bending", settings["bending"]).get("model")
+        if (own == model and point.get("/solver/precision", precision) == precision
+                and all(point_key({key: point[key]}) == point_key({key: value})
+                        for key, value in wanted.items())):
+            return point, _stated(settings, point)
+    raise ValueError(f"no run of configs/{FOLDER}/{case.config}.json is {case.name}, {model}, {precision}")

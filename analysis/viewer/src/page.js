@@ -1,0 +1,4 @@
+/** The script of pages without a player. */
+import { startArticle, whenRead } from "./article.js";
+
+whenRead(startArticle);
