@@ -15,12 +15,13 @@ MEASURES = [number("error_physical_rms", "error from the stated cloth", "%",
                    "root mean square distance to the equilibrium of the model's own energies on its mesh")]
 WAYS = {"one iteration, many substeps": lambda solver: solver["iterations"] == 1,
         "one substep, many iterations": lambda solver: solver["substeps"] == 1}
-SOLVED = "The same work, spent differently"
+SOLVED, BEAT = "The same work, spent differently", "Nearer than the paper, for less"
 
 
 def charts(runs, command):
     """The charts whose runs are there."""
-    made = [_fronts(runs, command), _ways(runs, command)]
+    made = [_fronts(runs, command), _beat(runs, command), _ways(runs, command), _precision(runs, command),
+            _motion(runs, command)]
     return [chart for chart in made if chart["series"]]
 
 
@@ -76,6 +77,51 @@ def _ways(runs, command):
     return lines("ways", SOLVED, "Substeps or iterations, at equal work", work, shown, some, command,
                  held=[{"name": "model", "label": "model", "values": models,
                         "at": models.index("dihedral") if "dihedral" in models else 0}] if models else [])
+
+
+def _beat(runs, command):
+    """Fronts over all cells of models that are told the cloth, and the paper's setting on 8 to 64 cells."""
+    own = [run for run in runs if run["experiment"] == "accuracy_beat"]
+    some = [_points(model, model_look(model), front(these), "error_physical_rms")
+            for model, these in group(own, lambda run: run["model"]).items()]
+    paper = sorted([run for run in runs if run["model"] == "adaptive" and run["experiment"] in (
+        "accuracy_paper_64", "accuracy_paper_cells_slow")], key=lambda run: run["cells"])
+    if own and paper:
+        some.append(_points("the paper's setting, 8 to 64 cells", of_place(6), paper, "error_physical_rms"))
+    return lines("beat", BEAT, "The paper's setting, and models that are told the cloth", _time(), MEASURES[:1],
+                 some, command, dodge=False, note="Of each model the front over 8 to 32 cells.")
+
+
+def _precision(runs, command):
+    own = [run for run in runs if run["experiment"] == "accuracy_precision_slow"]
+    models, some = sorted({run["model"] for run in own}), []
+    for (model, precision), these in group(own, lambda run: (run["model"],
+                                                             run["settings"]["precision"])).items():
+        these = sorted(these, key=lambda run: run["settings"]["substeps"])
+        some.append(_points(f"{precision} precision", of_place(int(precision == "double")), these,
+                            "error_solver_rms", lambda run: run["settings"]["substeps"])
+                    | {"held": [models.index(model)]})
+    substeps = {"name": "substeps", "label": "substeps", "unit": "", "scale": "log2",
+                "ticks": sorted({x for one in some for x in one["x"]})}
+    return lines("precision", SOLVED, "Substeps in single and in double precision", substeps, MEASURES[1:],
+                 some, command, held=[{"name": "model", "label": "model", "values": models, "at": 0}]
+                 if models else [])
+
+
+def _motion(runs, command):
+    own = [run for run in runs if run["experiment"] == "accuracy_swing_slow"]
+    some = [_points(model, model_look(model), front(these, "error_solver_rms"), "error_solver_rms")
+            for model, these in group(own, lambda run: run["model"]).items()]
+    distance = number("error_solver_rms", "distance from its motion in 4096 substeps", "%",
+                      "root mean square over cloth and frames, in % of the diagonal at rest")
+    return lines("motion", "Larger meshes, and motion", "Motion: error against time", _time(), [distance],
+                 some, command, dodge=False)
+
+
+def _points(label, look, runs, name, x=lambda run: run["ms_per_frame"]):
+    """A series of runs whose points open them."""
+    return series(label, look, [x(run) for run in runs], {name: [_nan(in_percent(run, name)) for run in runs]},
+                  runs=[[run["id"]] for run in runs])
 
 
 def _work(run):

@@ -48,7 +48,7 @@ def lay_out(out):
     """Writes index.html of what is kept."""
     sections = kept(out)
     checks = [check for section in sections for check in section.checks]
-    charts = charts_stiffness.charts(checks, COMMAND)
+    charts = charts_stiffness.charts(sections, COMMAND)
     parts = [section_part(section, EVERYTHING, [checks_html(section.checks)], link=link,
                           **placed(charts, section))
              for section, link in zip(sections, LINKS)]

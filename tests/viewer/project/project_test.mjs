@@ -1,0 +1,305 @@
+// Uses the committed pages as a reader does: project_test.mjs RESULTS FOLDER [SCREENSHOTS]
+import assert from "node:assert/strict";
+import { readFileSync, writeFileSync } from "node:fs";
+import { opened, usable } from "../player/browser.mjs";
+import { found } from "../../../analysis/viewer/src/chooser/found.js";
+
+if (!usable()) process.exit(77);
+const [results, folder, shots] = process.argv.slice(2);
+const only = process.env.BENDLAB_VIEWER_TEST; // a part of a name
+const PAGES = ["", "paper/", "stiffness/", "accuracy/", "stability/", "performance/", "plain/"];
+const runs = JSON.parse(readFileSync(`${results}/accuracy/summary.json`, "utf8"));
+
+async function withPage(name, how, use, address = "") {
+  const all = await opened(`file://${results}/${name}index.html${address}`, { calm: true, ...how });
+  try {
+    await all.page.waitForFunction(() => document.readyState === "complete");
+    await use(all.page);
+    assert.deepEqual(all.errors, [], name);
+    assert.deepEqual(
+      all.requests.filter((url) => !url.startsWith(`file://${results}/`)),
+      [],
+    );
+  } finally {
+    await all.browser.close();
+  }
+}
+
+const everywhere = async (how, use) => {
+  for (const name of PAGES) await withPage(name, how, (page) => use(page, name));
+};
+
+// Texts whose contrast to their ground is below AA, computed in the page.
+function faint() {
+  const parsed = (text) => (text.match(/[\d.]+/g) ?? []).map(Number);
+  const light = (c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4);
+  const luminance = ([r, g, b]) => 0.2126 * light(r) + 0.7152 * light(g) + 0.0722 * light(b);
+  const ground = (element) => {
+    for (let at = element; at; at = at.parentElement) {
+      const colour = parsed(getComputedStyle(at).backgroundColor);
+      if (colour.length === 3 || colour[3] > 0.99) return colour;
+    }
+    return [255, 255, 255];
+  };
+  const found = [];
+  for (const element of document.querySelectorAll("body *")) {
+    const own = [...element.childNodes].some((node) => node.nodeType === 3 && node.data.trim());
+    if (!own || !element.getClientRects().length || element.closest("script, option, :disabled")) continue;
+    const style = getComputedStyle(element);
+    if (Number(style.opacity) < 0.5 || element.classList.contains("anchor")) continue; // shown on focus
+    const text = parsed(element.closest("svg") ? style.fill : style.color);
+    const [low, high] = [luminance(text), luminance(ground(element))].sort((a, b) => a - b);
+    const large = parseFloat(style.fontSize) >= 24 || (parseFloat(style.fontSize) >= 18.7 && style.fontWeight >= 700);
+    const ratio = (high + 0.05) / (low + 0.05);
+    if (ratio < (large ? 3 : 4.5))
+      found.push(`${element.tagName}.${element.className.baseVal ?? element.className} ${ratio.toFixed(2)}`);
+  }
+  return [...new Set(found)];
+}
+
+const tests = {
+  async "every page opens without an error, and text is AA in light and dark"() {
+    for (const dark of [false, true])
+      await everywhere({ dark }, async (page, name) => {
+        assert.deepEqual(await page.evaluate(faint), [], `${name} dark: ${dark}`);
+        if (shots) await page.screenshot({ path: `${shots}/${name.replace("/", "") || "start"}${dark ? "-dark" : ""}.png` });
+      });
+  },
+
+  async "begins with its answer, and links every page and section"() {
+    await everywhere({}, async (page, name) => {
+      assert.equal(await page.$$eval(".site a", (links) => links.length), PAGES.length);
+      const current = await page.getAttribute(".site [aria-current=page]", "href");
+      assert.ok(current.endsWith(name ? `${name}index.html` : "index.html"), current);
+      if (name) {
+        const [answer, first] = await page.evaluate(() => [
+          document.querySelector(".answer").getBoundingClientRect().top,
+          document.querySelector("h2").getBoundingClientRect().top,
+        ]);
+        assert.ok(answer < 300 && answer < first, name);
+      }
+      const dead = await page.$$eval("a[href^='#']", (links) =>
+        links.map((link) => link.hash.slice(1)).filter((id) => id && !id.startsWith("run-") && !document.getElementById(id)),
+      );
+      assert.deepEqual(dead, [], name);
+      assert.match(await page.textContent(".foot"), name ? /Commit.*Date.*Machine/s : /start_page/);
+    });
+  },
+
+  async "nothing that is put into a page runs"() {
+    for (const name of PAGES) {
+      const all = await opened(`file://${results}/${name}index.html`, { calm: true });
+      const title = await all.page.title();
+      await all.page.evaluate(() => {
+        const script = document.createElement("script");
+        script.textContent = "document.title = 'injected'";
+        document.body.append(script);
+      });
+      // Later, for what a debugger itself evaluates is not bound by the policy.
+      const evaluated = await all.page.evaluate(
+        () =>
+          new Promise((done) =>
+            setTimeout(() => {
+              try {
+                done(new Function("return true")());
+              } catch {
+                done(false);
+              }
+            }),
+          ),
+      );
+      assert.equal(await all.page.title(), title);
+      assert.equal(evaluated, false, name);
+      assert.ok(all.errors.some((text) => /Content Security Policy/.test(text)));
+      await all.browser.close();
+    }
+  },
+
+  async "on a phone nothing is off the screen, and verdicts are cards"() {
+    await everywhere({ width: 420, height: 900, touch: true }, async (page, name) => {
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 420, name);
+      const right = await page.$$eval(".cards .verdict, .cards .share", (cells) =>
+        Math.max(0, ...cells.filter((cell) => cell.getClientRects().length).map((cell) => cell.getBoundingClientRect().right)),
+      );
+      assert.ok(right <= 420, `${name}: ${right}`);
+      if (shots) await page.screenshot({ path: `${shots}/${name.replace("/", "") || "start"}-420.png` });
+    });
+  },
+
+  async "print has no controls, dark text and a white ground"() {
+    await everywhere({ dark: true }, async (page, name) => {
+      await page.emulateMedia({ media: "print", colorScheme: "dark" });
+      const shown = await page.$$eval(".bar, .button, .filters, .site nav", (all) =>
+        all.filter((element) => element.getClientRects().length).map((element) => element.className),
+      );
+      assert.deepEqual(shown, [], name);
+      const [ground, text] = await page.evaluate(() => {
+        const style = getComputedStyle(document.body);
+        return [style.backgroundColor, style.color];
+      });
+      assert.deepEqual([ground, text], ["rgb(255, 255, 255)", "rgb(0, 0, 0)"], name);
+      if (shots) await page.pdf({ path: `${shots}/${name.replace("/", "") || "start"}.pdf` });
+    });
+  },
+
+  async "keys alone reach what a click opens, and the focus is seen"() {
+    await everywhere({}, async (page, name) => {
+      const unreachable = await page.$$eval("[data-run]", (cells) =>
+        cells.filter((cell) => !cell.matches("button") && !cell.querySelector("button")).length,
+      );
+      assert.equal(unreachable, 0, name);
+      const stuck = await page.$$eval("a, button, select, input, summary", (all) =>
+        all.filter((element) => element.tabIndex < 0).length,
+      );
+      assert.equal(stuck, 0, name);
+      const visited = new Set();
+      for (let i = 0; i < 40; ++i) {
+        await page.keyboard.press("Tab");
+        const now = await page.evaluate(() => {
+          const element = document.activeElement;
+          const style = getComputedStyle(element);
+          const all = [...document.querySelectorAll("*")];
+          return { at: all.indexOf(element), seen: style.outlineStyle !== "none" && parseFloat(style.outlineWidth) > 0 };
+        });
+        assert.ok(now.seen, `${name}: no focus ring after ${i + 1} steps`);
+        visited.add(now.at);
+      }
+      assert.ok(visited.size >= 20, `${name}: ${visited.size}`);
+    });
+  },
+
+  async "a cell opens its run by Enter: worst number, limit, config and command"() {
+    await withPage("stability/", {}, async (page) => {
+      const cell = page.locator("button.v.red").first();
+      const name = await cell.getAttribute("aria-label");
+      await cell.focus();
+      await page.keyboard.press("Enter");
+      const dialog = page.locator("dialog.run[open]");
+      const [model, precision] = name.split(/[,:] ?/);
+      assert.match(await dialog.locator("h2").textContent(), new RegExp(`${model}, ${precision}$`));
+      assert.match(await dialog.locator(".worst").textContent(), /limit .*broken/);
+      assert.match(await dialog.locator("code").first().textContent(), /^\.\/bendlab run configs\/stability\//);
+      await dialog.locator("summary").last().click();
+      const config = JSON.parse(await dialog.locator("pre").last().textContent());
+      assert.equal(config.bending.model, model);
+      assert.equal(config.solver.precision, precision);
+      assert.match(await page.evaluate(() => location.hash), /^#run-/);
+      await page.keyboard.press("Escape");
+      assert.equal(await page.locator("dialog.run[open]").count(), 0);
+      assert.equal(await cell.evaluate((element) => element === document.activeElement), true);
+    });
+  },
+
+  async "a share of the matrix opens its red runs, one after the other"() {
+    await withPage("stability/", {}, async (page) => {
+      const share = page.locator("td:has(> button.share)").nth(0);
+      const count = (await share.getAttribute("data-run")).split(" ").length;
+      await share.locator("button").click();
+      assert.match(await page.textContent("dialog.run header"), new RegExp(`1 of \\d+`));
+      assert.ok(count > 1);
+      await page.keyboard.press("Escape");
+    });
+  },
+
+  async "tables sort by number and filter by words"() {
+    await withPage("accuracy/", {}, async (page) => {
+      const table = page.locator("table.sortable[data-rows=runs]");
+      await table.getByRole("button", { name: /ms per frame/ }).click();
+      const column = await table.evaluate((element) =>
+        [...element.tBodies[0].rows].map((row) => row.cells[8].textContent.trim()).filter(Boolean),
+      );
+      const numbers = column.map((text) => {
+        const [first, power] = text.split("·10");
+        return parseFloat(first) * 10 ** (power ? -Number("⁰¹²³⁴⁵⁶⁷⁸⁹".indexOf(power.at(-1))) : 0);
+      });
+      assert.ok(numbers.length > 500);
+      numbers.forEach((x, i) => assert.ok(i === 0 || x >= numbers[i - 1], `${column[i - 1]} before ${column[i]}`));
+      const section = page.locator("section[aria-labelledby=runs]");
+      await section.locator("input[type=search]").fill("isometric beat");
+      const expected = runs.filter((run) => run.model === "isometric" && run.experiment === "accuracy_beat").length;
+      assert.match(await section.locator("output").textContent(), new RegExp(`^${expected} of ${runs.length} runs$`));
+    });
+  },
+
+  async "the chooser's answer is the cheapest measured run, and its evidence says the same"() {
+    const scene = (run) => /^accuracy_(front_cantilever|paper_cantilever)/.test(run.experiment);
+    const fits = runs.filter((run) => scene(run) && run.status === "complete" && run.error_physical_rms <= 0.02);
+    const best = fits.reduce((a, b) => (b.ms_per_frame < a.ms_per_frame ? b : a));
+    let href;
+    await withPage("", {}, async (page) => {
+      await page.getByLabel("My cloth").selectOption({ index: 1 });
+      await page.getByLabel("Cells", { exact: true }).fill("12");
+      await page.getByLabel("At most", { exact: true }).fill("2");
+      const answer = await page.textContent(".chosen .answer");
+      assert.ok(answer.startsWith(`${best.model} on 12 cells, ${best.settings.substeps} × ${best.settings.iterations}`), answer);
+      const read = parseFloat(answer.match(/: ([\d.]+) %/)[1]);
+      assert.ok(Math.abs(read - 100 * best.error_physical_rms) < 0.01, answer);
+      href = await page.locator(".chosen a").first().getAttribute("href");
+      await page.locator(".chosen summary").click();
+      const config = await page.textContent(".chosen pre");
+      assert.equal(JSON.parse(config).solver.substeps, best.settings.substeps);
+      writeFileSync(`${folder}/chosen.json`, config);
+      assert.equal(await page.locator(".chosen .note").count(), 0);
+      await page.getByLabel("Its mesh is").selectOption({ index: 2 });
+      assert.match(await page.textContent(".chosen"), /Accuracy was not measured on irregular/);
+      await page.getByLabel("Cells", { exact: true }).fill("100");
+      assert.match(await page.textContent(".chosen"), /Nothing was measured on 100 cells/);
+      await page.getByLabel("At most", { exact: true }).fill("0.000001");
+      assert.match(await page.textContent(".chosen .answer"), /No measured run comes within/);
+    });
+    const [path, hash] = href.split("#");
+    await withPage(path.replace("index.html", ""), {}, async (page) => {
+      const shown = parseFloat(await page.textContent("dialog.run .worst b"));
+      assert.ok(Math.abs(shown - 100 * best.error_physical_rms) < 0.01);
+    }, `#${hash}`);
+  },
+
+  async "what matters decides: stability before cost, time or error"() {
+    const run = (model, error, ms, more) => ({ id: model, model, error, ms, cells: 8, scene: 0, family: "grid", motion: false, ...more });
+    const data = {
+      runs: [run("a", 1, 5), run("a", 3, 1), run("b", 0.5, 9), run("c", 2, 2, { motion: true })],
+      families: { grid: "grid", ball: "ball" },
+      stability: { "": { a: [4, 10], b: [1, 10] } },
+    };
+    const asked = { scene: 0, family: "grid", cells: 8, matters: "rest", goal: "error", most: 1 };
+    const of = (changes) => found(data, { ...asked, ...changes });
+    assert.equal(of({}).best.ms, 5);
+    assert.equal(of({ most: 3 }).best.ms, 1);
+    assert.equal(of({ matters: "stability" }).best.model, "b");
+    assert.equal(of({ goal: "budget", most: 5 }).best.error, 1);
+    assert.deepEqual([of({ most: 0.1 }).fits, of({ most: 0.1 }).best.model], [false, "b"]);
+    assert.equal(of({ matters: "motion" }).best.model, "c");
+    assert.match(of({ family: "ball" }).notes[0], /not measured on ball/);
+    assert.match(of({ cells: 16 }).notes[0], /Nothing was measured on 16 cells/);
+    assert.deepEqual(of({}).others.map((other) => other.model), ["b"]);
+  },
+
+  async "charts tell values, and their data are a file"() {
+    await withPage("stiffness/", {}, async (page) => {
+      const figure = page.locator("figure.chart").first();
+      await figure.scrollIntoViewIfNeeded();
+      await page.waitForSelector("figure.chart svg.picture");
+      await figure.locator(".plot").focus();
+      await page.keyboard.press("ArrowDown");
+      const [, shown] = await figure.locator(".tip dd").allTextContents();
+      assert.ok(shown);
+      const [download] = await Promise.all([page.waitForEvent("download"), figure.getByText("CSV").click()]);
+      const lines = readFileSync(await download.path(), "utf8").trim().split("\n");
+      assert.match(lines[0], /^series,model,ratio/);
+      assert.ok(lines.length > 10);
+    });
+  },
+};
+
+let failed = 0;
+for (const [name, test] of Object.entries(tests)) {
+  if (only && !name.includes(only)) continue;
+  try {
+    await test();
+    console.log(`ok      ${name}`);
+  } catch (error) {
+    ++failed;
+    console.log(`FAILED  ${name}\n${error.stack}`);
+  }
+}
+process.exit(failed ? 1 : 0);
