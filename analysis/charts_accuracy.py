@@ -88,8 +88,8 @@ def _beat(runs, command):
         "accuracy_paper_64", "accuracy_paper_cells_slow")], key=lambda run: run["cells"])
     if own and paper:
         some.append(_points("the paper's setting, 8 to 64 cells", of_place(6), paper, "error_physical_rms"))
-    return lines("beat", BEAT, "The paper's setting, and models that are told the cloth", _time(), MEASURES[:1],
-                 some, command, dodge=False, note="Of each model the front over 8 to 32 cells.")
+    return lines("beat", BEAT, "The paper's setting, and models that are told the cloth", _time(),
+                 MEASURES[:1], some, command, dodge=False, note="Of each model the front over 8 to 32 cells.")
 
 
 def _precision(runs, command):
@@ -120,8 +120,8 @@ def _motion(runs, command):
 
 def _points(label, look, runs, name, x=lambda run: run["ms_per_frame"]):
     """A series of runs whose points open them."""
-    return series(label, look, [x(run) for run in runs], {name: [_nan(in_percent(run, name)) for run in runs]},
-                  runs=[[run["id"]] for run in runs])
+    errors = [_nan(in_percent(run, name)) for run in runs]
+    return series(label, look, [x(run) for run in runs], {name: errors}, runs=[[run["id"]] for run in runs])
 
 
 def _work(run):

@@ -89,7 +89,8 @@ def _hinges(sections, command):
     return lines("hinges", HINGES, "The flexural rigidity that hinges have, over the stated one",
                  _x("load", "Γ = ρ g L³ / B", "log"),
                  [number("droop", "B from H/W over B", meaning="from how far the free end hangs down"),
-                  number("moment", "B from m(κ) over B", meaning="from moment and curvature along the strip")],
+                  number("moment", "B from m(κ) over B",
+                         meaning="from moment and curvature along the strip")],
                  some, command, held=[held], limits=STATED, printed=["fig_stiffness_hinges.png"])
 
 

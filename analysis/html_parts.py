@@ -55,7 +55,7 @@ def page(title, top, parts, made, data, frames="", places="", player=True):
 
     `data` is what its scripts read (viewer/README.md), `frames` HTML of the scripts that hold frames,
     `places` links to other pages. Nothing in the page runs but the viewer: its policy names the hashes of the
-    one script and the one style sheet. Without `player` the script is a twelfth as long.
+    one script and the one style sheet. Without `player` the script is an eighth as long.
     """
     script = _viewer("viewer.js" if player else "page.js")
     links = "".join(f"<a href='#{part.name}'>{escape(part.link or part.title)}</a>" for part in parts)

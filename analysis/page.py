@@ -23,7 +23,7 @@ import fig_where
 from html_parts import Part, escape, picture_html, section_part
 from load import at, group, statuses, summary_spread
 from project_pages import KEPT, Content, keep, kept, made_of, renew_start, write
-from report import rounded, write_objects
+from report import print_option, rounded, write_objects
 from sweeps import CONFIGS, load_experiment
 from verdicts_html import cards_html, claim_html, map_cells, map_html, map_mark, mark
 
@@ -173,6 +173,7 @@ if __name__ == "__main__":
     parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the page")
     parser.add_argument("--only", choices=FIGURES, default="everything", help="which figures")
     parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
+    print_option(parser)
     arguments = parser.parse_args()
     if arguments.again:
         lay_out(arguments.out)

@@ -20,7 +20,7 @@ import charts_performance
 from charts_html import chart_html, placed
 from html_parts import Made, Part, escape, folded, section_part, table_html
 from project_pages import KEPT, Content, keep, kept, renew_start, write
-from report import Table, rounded, write_objects
+from report import Table, print_option, rounded, write_objects
 
 FIGURES = [fig_performance_overview, fig_performance, fig_performance_kinds, fig_performance_limits,
            fig_performance_effects, fig_performance_set_up, fig_performance_order, fig_performance_threads]
@@ -147,6 +147,7 @@ if __name__ == "__main__":
                         help="what `bendlab bench --json` printed (default: %(default)s)")
     parser.add_argument("--out", type=Path, default=Path("results/performance"), help="folder for the page")
     parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
+    print_option(parser)
     arguments = parser.parse_args()
     try:
         measured = json.loads(arguments.bench.read_text(encoding="utf-8"))

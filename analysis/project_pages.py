@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 from html_parts import Made, escape, page
-from report import Section, write_objects
+from report import Section, print_option, write_objects
 
 PAGES = {"paper": "The paper", "stiffness": "Stiffness", "accuracy": "Accuracy", "stability": "Stability",
          "performance": "Performance", "plain": "Plain scenes"}  # folder below results/ → its name
@@ -79,6 +79,7 @@ def command_line(name, about, draw, lay_out):
     parser.add_argument("--out", type=Path, default=Path("results") / name, help="folder for the page")
     parser.add_argument("--again", action="store_true",
                         help=f"write index.html again, of the {KEPT} and summary.json that are there")
+    print_option(parser)
     arguments = parser.parse_args()
     if not arguments.again:
         draw(arguments.results, arguments.out)

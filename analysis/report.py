@@ -155,11 +155,17 @@ def write_objects(path, objects):
     path.write_text(f"[\n{lines}\n]\n", encoding="utf-8")
 
 
+def print_option(parser):
+    """The option of style.PRINT, which style.save() looks for."""
+    parser.add_argument("--pdf", action="store_true", help="write every figure as PDF, too")
+
+
 def figure_main(main):
     """Command line of one figure: draws the figure and prints its claims as JSON."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the pictures")
+    print_option(parser)
     arguments = parser.parse_args()
     section = main(arguments.results, arguments.out)
     print(json.dumps([claim.as_json() for claim in section.claims], indent=2, ensure_ascii=False))

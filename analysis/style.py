@@ -3,6 +3,7 @@
 A family of bending models has a kind of mark: springs are filled circles, hinges are open polygons, springs
 that push a filled plus, no bending a cross. Within a family the colours differ for the colour-blind too.
 """
+import sys
 from pathlib import Path
 
 import matplotlib
@@ -42,6 +43,7 @@ MODEL_DASHES = {"none": ":", "prestressed": "-.", "bridson": (0, (4, 8)), "discr
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b6b6b"]
 
+PRINT = "--pdf"  # an option of every script that draws, so that processes it starts know it, too
 LARGE = 290_000  # bytes; a larger picture gets a palette
 SHADES = 3  # of 255; invisible steps that make a file a third smaller
 STRETCH = LinearSegmentedColormap.from_list("stretch",
@@ -60,7 +62,8 @@ plt.rcParams.update({"font.family": "DejaVu Sans", "font.size": 9, "axes.titlesi
                      "axes.titlecolor": INK, "axes.spines.top": False, "axes.spines.right": False,
                      "axes.grid": True, "grid.color": GRID, "grid.linewidth": 0.7, "axes.axisbelow": True,
                      "legend.frameon": False, "lines.linewidth": 1.6, "lines.markersize": 5.5,
-                     "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",})
+                     "figure.dpi": 150, "savefig.dpi": 150, "axes.titlelocation": "left",
+                     "pdf.fonttype": 42})  # texts of a PDF stay texts
 
 
 def model_name(model, k=None):
@@ -328,15 +331,19 @@ def number(value, digits=3):
 
 
 def save(figure, folder, name, palette=True, dpi=None, tight=True):
-    """Writes folder/name.png and returns its name. `tight` cuts the picture to what is drawn.
+    """Writes folder/name.png, with PRINT also name.pdf, and returns the picture's name. `tight` cuts it to
+    what is drawn.
 
     A picture of more than LARGE bytes gets 256 colours. Smooth shading would show them as steps: with
     `palette` false its shades are rounded to multiples of SHADES instead.
     """
     path = Path(folder) / f"{name}.png"
     path.parent.mkdir(parents=True, exist_ok=True)
-    figure.savefig(path, bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white",
-                   dpi=dpi or "figure", pil_kwargs={"optimize": True})
+    how = dict(bbox_inches="tight" if tight else None, pad_inches=0.08, facecolor="white",
+               dpi=dpi or "figure")
+    figure.savefig(path, **how, pil_kwargs={"optimize": True})
+    if PRINT in sys.argv:
+        figure.savefig(path.with_suffix(".pdf"), **how, metadata={"CreationDate": None})
     plt.close(figure)
     if path.stat().st_size <= LARGE:
         return path.name
