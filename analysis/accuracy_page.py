@@ -120,4 +120,4 @@ def measures_html():
 
 
 if __name__ == "__main__":
-    command_line("accuracy", __doc__, draw, lay_out)
+    command_line("accuracy", __doc__, main, lay_out)

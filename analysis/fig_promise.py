@@ -23,6 +23,7 @@ GOALS = [("pin_max_stretch", 1, 0.3, "stretch − 1 at the pin, at rest"),
          ("mean_strain", 0, 0.02, "mean strain, at rest")]
 EVER = ("worst_stretch", 1, "stretch − 1 anywhere, at any time")  # of the triangles of each frame
 SAME_DROP = 0.02
+MOVING = 32  # N of the cloths that move in the page
 MOST_CONSTRAINTS = 4  # of bending, per vertex, at N = 128
 
 
@@ -54,6 +55,16 @@ def main(results, out):
                        _numbers_table(paper, PAPER)]
     section.claims += [_sound_claim(ours, corner), _cost_claim(ours, floor)]
     return section
+
+
+def moving(results):
+    """Name of a row → its run on MOVING cells, those that are there."""
+    ours = load_experiment(results, "recommended").runs
+    paper = [run for run in load_experiment(results, "paper/promise").runs
+             if run.get("/bending/adaptive/m_rounding") == "floor"]
+    rows = {CROSSOVER: load_experiment(results, "paper/fig5_rest").runs, PAPER: _in_scene(paper, "one corner"),
+            OURS: _in_scene(ours, "one corner")}
+    return {name: run for name, runs in rows.items() for n, run in _by_cells(runs).items() if n == MOVING}
 
 
 def _in_scene(runs, scene):

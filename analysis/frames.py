@@ -62,7 +62,12 @@ def playback(runs, limit=LIMIT, labels=None, most=None):
 
 def player_html(runs):
     """A player of these runs; the page needs their data and scripts too."""
-    names = html.escape(" ".join(run.id for run in runs), quote=True)
+    return place_html(run.id for run in runs)
+
+
+def place_html(ids):
+    """The place of a player of the runs with these ids."""
+    names = html.escape(" ".join(ids), quote=True)
     return (f"<div class='player' data-runs='{names}'><p class='player-fallback'>The cloth moves here in a "
             "browser with JavaScript and WebGL 2.</p></div>")
 

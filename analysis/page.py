@@ -20,7 +20,9 @@ import fig_promise_strip
 import fig_scenes
 import fig_structure
 import fig_where
-from html_parts import Part, escape, picture_html, section_part
+import page_frames
+from frames import place_html
+from html_parts import Part, address, escape, picture_html, section_part
 from load import at, group, statuses, summary_spread
 from project_pages import KEPT, Content, keep, kept, made_of, renew_start, write
 from report import print_option, rounded, write_objects
@@ -29,6 +31,7 @@ from verdicts_html import cards_html, claim_html, map_cells, map_html, map_mark,
 
 COMMAND = "./bendlab reproduce"
 EVERYTHING = f"{COMMAND}      # everything, and this page"
+MOST_FRAMES = 61  # of each cloth that moves
 FIRST_PICTURE = "fig_5_promise.png"
 LINKS = {"Where each claim holds": "Maps",
          "The promise: Fig. 5 a third time, with our settings": "The promise",
@@ -59,7 +62,8 @@ def main(results, out, only="everything"):
     Of the first figure alone no page is made."""
     sections = draw(results, out, only)
     if only != "first":
-        lay_out(out)
+        lay_out(out, page_frames.of_runs({address(name): run for name, run in
+                                          fig_promise.moving(results).items()}, MOST_FRAMES))
     return sections
 
 
@@ -85,8 +89,9 @@ def _drawn(figure, results, out):
     return importlib.import_module(figure).main(results, out)
 
 
-def lay_out(out):
-    """Writes index.html of what is kept."""
+def lay_out(out, shown=None):
+    """Writes index.html of what is kept. `shown`: frames; None: those that the page there has."""
+    shown = shown or page_frames.taken_from(out / "index.html")
     sections = kept(out)
     claims = [claim for section in sections for claim in section.claims]
     maps = [each for section in sections for each in section.maps]
@@ -98,9 +103,22 @@ def lay_out(out):
                    "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>",
                    "Data")]
     cells = [cell for each in maps for cell in map_cells(each, names[id(each)])]
+    parts[:0] = motion(shown)
     top = first_picture(sections) + overview(maps, claims)
-    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells})
+    played = [{"id": name, "label": label, "name": label, "status": "complete", "title": label}
+              for label in fig_promise.ROWS if (name := address(label)) in shown.heads]
+    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells + played}, shown)
     write(out, "paper", content, made_of(sections, COMMAND))
+
+
+def motion(shown):
+    """The section in which the rows of the first picture move; none without their frames."""
+    if not shown.heads:
+        return []
+    told = (f"The rows of the picture above on {fig_promise.MOVING} cells: crossover springs, the paper's "
+            "adaptive springs with the ring around the pin, and the recommended settings.")
+    return [Part("motion", "The promise, in motion", f"<p>{escape(told)}</p>{place_html(shown.heads)}",
+                 "Motion")]
 
 
 def first_picture(sections):

@@ -204,4 +204,4 @@ def failures_html(some):
 
 
 if __name__ == "__main__":
-    command_line("plain", __doc__, draw, lay_out)
+    command_line("plain", __doc__, main, lay_out)

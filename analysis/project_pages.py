@@ -5,11 +5,14 @@ Laying out makes index.html of what is kept, so that another layout needs no run
 """
 import argparse
 import json
+import re
+import struct
 from collections import Counter
 from dataclasses import dataclass, field
 from pathlib import Path
 
 from html_parts import Made, escape, page
+from page_frames import PageFrames
 from report import Section, print_option, write_objects
 
 PAGES = {"paper": "The paper", "stiffness": "Stiffness", "accuracy": "Accuracy", "stability": "Stability",
@@ -26,6 +29,7 @@ class Content:
     top: str  # HTML below the answer: its picture
     parts: list  # Part
     data: dict = field(default_factory=dict)  # what scripts read: charts, runs
+    frames: PageFrames = field(default_factory=PageFrames)
 
 
 def links_html(here):
@@ -40,10 +44,24 @@ def links_html(here):
 def write(out, name, content, made):
     """Writes a page's index.html into the folder `out`."""
     top = f"<h1>{escape(content.title)}</h1><p class='answer'>{content.answer}</p>{content.top}"
-    data = {"runs": [], "charts": []} | content.data
-    text = page(f"bendlab: {content.title}", top, content.parts, made, data, places=links_html(name),
-                player=False)
-    (out / "index.html").write_text(text, encoding="utf-8")
+    shown = content.frames
+    data = {"runs": [], "charts": []} | content.data | shown.data
+    data["runs"] = [run | {"frames": shown.heads[run["id"]]} if run["id"] in shown.heads else run
+                    for run in data["runs"]]
+    text = page(f"bendlab: {content.title}", top, content.parts, made, data, shown.html, links_html(name),
+                player=bool(shown.heads))
+    (out / "index.html").write_text(sized(text, out), encoding="utf-8")
+
+
+def sized(text, folder):
+    """A page whose PNG pictures state their size, so that nothing moves when they arrive."""
+    def with_size(match):
+        file = folder / match[1]
+        if not file.exists():
+            return match[0]
+        width, height = struct.unpack(">II", file.read_bytes()[16:24])
+        return f"{match[0]} width='{width}' height='{height}'"
+    return re.sub(r"<img src='([^']+\.png)'", with_size, text)
 
 
 def made_of(sections, command):
@@ -72,8 +90,8 @@ def summary(out):
     return json.loads((out / "summary.json").read_text(encoding="utf-8"))
 
 
-def command_line(name, about, draw, lay_out):
-    """The command line of a page's script: draw(results, out) keeps it, lay_out(out) writes index.html."""
+def command_line(name, about, main, lay_out):
+    """The command line of a page's script: main(results, out), or lay_out(out) of what is kept."""
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results") / name, help="folder for the page")
@@ -81,9 +99,10 @@ def command_line(name, about, draw, lay_out):
                         help=f"write index.html again, of the {KEPT} and summary.json that are there")
     print_option(parser)
     arguments = parser.parse_args()
-    if not arguments.again:
-        draw(arguments.results, arguments.out)
-    lay_out(arguments.out)
+    if arguments.again:
+        lay_out(arguments.out)
+    else:
+        main(arguments.results, arguments.out)
     renew_start(arguments.out)
     print(arguments.out / "index.html")
 

@@ -5,6 +5,7 @@ from collections import Counter
 import fig_stability
 import fig_stability_pin
 import numpy as np
+import page_frames
 import stability_matrix
 import style
 from html_parts import Part, address, escape, folded, number_text, picture_html, section_part, table_html
@@ -25,7 +26,7 @@ LINKS = {"Start poses": "Starts", "Curved rest shape": "Curved", "Pins and loads
 def main(results, out):
     """Writes the page into `out` from the runs below `results`; returns its section."""
     section = draw(results, out)
-    lay_out(out)
+    lay_out(out, stills(section.cells))
     return section
 
 
@@ -46,8 +47,20 @@ def as_json(cell):
             "energy_rises": rounded(seen("energy_rises")), "why": cell.why}
 
 
-def lay_out(out):
-    """Writes index.html of what is kept."""
+def stills(cells):
+    """The first and the last frame of the worst red run of every case and model."""
+    worst = {}
+    for cell in cells.values():
+        place = cell.case.name, cell.model
+        if cell.verdict == RED and cell.run.frames and not worst.get(place, cell).worst.excess > \
+                cell.worst.excess:
+            worst[place] = cell
+    return page_frames.of_runs({stability_matrix.id_of(as_json(cell)): cell.run for cell in worst.values()}, 2)
+
+
+def lay_out(out, shown=None):
+    """Writes index.html of what is kept. `shown`: frames; None: those that the page there has."""
+    shown = shown or page_frames.taken_from(out / "index.html")
     (section, pin), runs = kept(out), summary(out)
     matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
     print_version = "".join(folded("The matrix as a picture, for print", picture_html(*picture))
@@ -63,7 +76,7 @@ def lay_out(out):
              section_part(pin, EVERYTHING, link="One pin"), Part("rules", "The rules", rules(), "Rules"),
              Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
     top = stability_matrix.groups_html(runs) if runs else ""
-    content = Content("What is stable?", answer(runs), top, parts, stability_matrix.data(runs))
+    content = Content("What is stable?", answer(runs), top, parts, stability_matrix.data(runs), shown)
     write(out, "stability", content, made_of([section, pin], COMMAND))
 
 
@@ -178,4 +191,4 @@ def _range(values):
 
 
 if __name__ == "__main__":
-    command_line("stability", __doc__, draw, lay_out)
+    command_line("stability", __doc__, main, lay_out)

@@ -13,7 +13,7 @@ import stability_matrix
 from charts_accuracy import front
 from html_parts import Made, Part, escape, number_text, page, table_html
 from load import group
-from project_pages import KEPT, PAGES, links_html, made_of
+from project_pages import KEPT, PAGES, links_html, made_of, sized
 from report import Section, Table
 from stability_cases import RED
 
@@ -60,7 +60,7 @@ def write(results):
     made = Made("", "", "", "python3 analysis/start_page.py")
     text = page("bendlab: which model for my mesh?", top, parts, made, data, places=links_html(""),
                 player=False)
-    (results / "index.html").write_text(text, encoding="utf-8")
+    (results / "index.html").write_text(sized(text, results), encoding="utf-8")
 
 
 def _objects(results, name):

@@ -91,4 +91,4 @@ def overview(sections, parts):
 
 
 if __name__ == "__main__":
-    command_line("stiffness", __doc__, draw, lay_out)
+    command_line("stiffness", __doc__, main, lay_out)

@@ -124,7 +124,7 @@ def _map_table(claim_map, name):
     for block in blocks:
         head = "".join(f"<th class='group first' colspan={len(cells)}>{escape(pins)}</th>"
                        for pins in columns)
-        sizes = "".join(f"<th{_first(i)}>{n}</th>" for _ in columns for i, n in enumerate(cells))
+        sizes = "".join(f"<th{_first(i)}>{escape(n)}</th>" for _ in columns for i, n in enumerate(cells))
         body = ""
         for damping in rows:
             for i, solver in enumerate(solvers):

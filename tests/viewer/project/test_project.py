@@ -35,6 +35,7 @@ LAYOUTS = {"paper": paper_page.lay_out, "stiffness": stiffness_page.lay_out,
            "accuracy": accuracy_page.lay_out, "stability": stability_page.lay_out,
            "plain": plain_page.lay_out}
 MOST = 25e6  # bytes of results/, as it is committed
+MARKUP = "<injected>'\"</script><script>document.title='injected'</script><!--<img src=x onerror=alert(2)>"
 OTHER_NAMES = ["discrete shells", "Discrete shells", "k-ring,", "Choi-Ko", "no bending", "sparse LOD",
                "edge springs"]
 
@@ -129,6 +130,34 @@ class Kept(unittest.TestCase):
         self.assertEqual(again.maps[0].cells, claim_map.cells)
         self.assertEqual(again.claims[0].numbers["n"], float("inf"))
         self.assertEqual([check.holds for check in again.checks], [None, True])
+
+    def test_no_text_of_a_section_or_run_becomes_markup(self):
+        place = Place("", MARKUP, MARKUP, MARKUP, MARKUP)
+        section = Section(MARKUP, MARKUP, [(MARKUP, MARKUP)],
+                          [Table(MARKUP, [MARKUP] * 2, [[MARKUP, 1.0]] * 20)],
+                          [Claim(MARKUP, MARKUP, MARKUP, {MARKUP: MARKUP}, True, MARKUP, MARKUP)],
+                          [Check(MARKUP, MARKUP, MARKUP, 1.0, 2.0, 0.1, MARKUP, note=MARKUP)],
+                          [ClaimMap(MARKUP, MARKUP, MARKUP, MARKUP, MARKUP,
+                                    {place: Cell(MARKUP, True, MARKUP, (1,))}, MARKUP)],
+                          [MARKUP], [MARKUP], MARKUP * 9)
+        with tempfile.TemporaryDirectory() as name:
+            out = Path(name)
+            for lay_out in (paper_page.lay_out, stiffness_page.lay_out):
+                project_pages.keep(out, [section])
+                lay_out(out)
+                self.only_ours((out / "index.html").read_text(encoding="utf-8"))
+            run = {"config": MARKUP, "settings": {MARKUP: MARKUP, "b": MARKUP}, "verdict": "told",
+                   "status": MARKUP, "worst": {"what": MARKUP, "value": 2.0, "limit": 1.0, "unit": MARKUP},
+                   "broken": [MARKUP], "told": MARKUP, "seconds": 1.0, "command": MARKUP}
+            (out / "summary.json").write_text(json.dumps([run] * 3), encoding="utf-8")
+            plain_page.lay_out(out)
+            self.only_ours((out / "index.html").read_text(encoding="utf-8"))
+
+    def only_ours(self, text):
+        tags = Links(text).tags
+        self.assertEqual([attributes.get("type") for tag, attributes in tags if tag == "script"],
+                         ["application/json", None])
+        self.assertFalse([tag for tag, attributes in tags if "onerror" in attributes or tag == "injected"])
 
     def test_a_start_page_without_pages_says_so(self):
         with tempfile.TemporaryDirectory() as name:
