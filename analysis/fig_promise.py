@@ -62,8 +62,8 @@ def moving(results):
     ours = load_experiment(results, "recommended").runs
     paper = [run for run in load_experiment(results, "paper/promise").runs
              if run.get("/bending/adaptive/m_rounding") == "floor"]
-    rows = {CROSSOVER: load_experiment(results, "paper/fig5_rest").runs, PAPER: _in_scene(paper, "one corner"),
-            OURS: _in_scene(ours, "one corner")}
+    rows = {CROSSOVER: load_experiment(results, "paper/fig5_rest").runs,
+            PAPER: _in_scene(paper, "one corner"), OURS: _in_scene(ours, "one corner")}
     return {name: run for name, runs in rows.items() for n, run in _by_cells(runs).items() if n == MOVING}
 
 

@@ -144,7 +144,7 @@ QUANTITIES = [
      "meaning": "4√3 area / (a² + b² + c²): 1 equilateral, 0 without area"},
     {"key": "bending", "name": "Bending energy", "symbol": "½ κ²", "unit": "1/m²", "map": "sequence",
      "scale": "log", "range": None,
-     "meaning": "Energy of the hinges of discrete shells per area at rest, for a flexural rigidity of 1 N m"},
+     "meaning": "Energy of the hinges of discrete_shells per area at rest, for a flexural rigidity of 1 N m"},
     {"key": "distance", "name": "Distance", "symbol": "|Δx|", "unit": "m", "map": "sequence",
      "scale": "linear",
      "range": None, "meaning": "How far a vertex is from the same point of the other run's cloth"},

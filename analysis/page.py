@@ -107,7 +107,8 @@ def lay_out(out, shown=None):
     top = first_picture(sections) + overview(maps, claims)
     played = [{"id": name, "label": label, "name": label, "status": "complete", "title": label}
               for label in fig_promise.ROWS if (name := address(label)) in shown.heads]
-    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells + played}, shown)
+    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells + played},
+                      shown)
     write(out, "paper", content, made_of(sections, COMMAND))
 
 

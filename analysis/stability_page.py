@@ -55,7 +55,8 @@ def stills(cells):
         if cell.verdict == RED and cell.run.frames and not worst.get(place, cell).worst.excess > \
                 cell.worst.excess:
             worst[place] = cell
-    return page_frames.of_runs({stability_matrix.id_of(as_json(cell)): cell.run for cell in worst.values()}, 2)
+    runs = {stability_matrix.id_of(as_json(cell)): cell.run for cell in worst.values()}
+    return page_frames.of_runs(runs, 2)
 
 
 def lay_out(out, shown=None):

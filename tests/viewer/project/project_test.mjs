@@ -127,8 +127,9 @@ const tests = {
   },
 
   async "print has no controls, dark text and a white ground"() {
-    await everywhere({ dark: true }, async (page, name) => {
+    await everywhere({ dark: true, width: 800 }, async (page, name) => {
       await page.emulateMedia({ media: "print", colorScheme: "dark" });
+      assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= 800, `${name} is cut off`);
       const shown = await page.$$eval(".bar, .button, .filters, .site nav", (all) =>
         all.filter((element) => element.getClientRects().length).map((element) => element.className),
       );
