@@ -46,8 +46,8 @@ def write(out, name, content, made):
     top = f"<h1>{escape(content.title)}</h1><p class='answer'>{content.answer}</p>{content.top}"
     shown = content.frames
     data = {"runs": [], "charts": []} | content.data | shown.data
-    data["runs"] = [run | {"frames": shown.heads[run["id"]]} if run["id"] in shown.heads else run
-                    for run in data["runs"]]
+    data["runs"] = [{"label": run["title"]} | run | {"frames": shown.heads[run["id"]]}
+                    if run["id"] in shown.heads else run for run in data["runs"]]
     text = page(f"bendlab: {content.title}", top, content.parts, made, data, shown.html, links_html(name),
                 player=bool(shown.heads))
     (out / "index.html").write_text(sized(text, out), encoding="utf-8")

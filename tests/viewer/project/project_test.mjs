@@ -191,6 +191,20 @@ const tests = {
     });
   },
 
+  async "a red cell shows how its cloth ended"() {
+    await withPage("stability/", {}, async (page) => {
+      const id = await page.evaluate(() => {
+        const data = JSON.parse(document.getElementById("bendlab-data").textContent);
+        return data.runs.find((run) => run.frames).id;
+      });
+      await page.locator(`button.v.red[data-run="${id}"]`).click();
+      await page.waitForSelector("dialog.run .player[data-decoded] canvas");
+      const { time, end } = await page.$eval("dialog.run .player", ({ player }) => ({ time: player.time, end: player.last }));
+      assert.ok(time >= end && end > 0);
+      await page.keyboard.press("Escape");
+    });
+  },
+
   async "a share of the matrix opens its red runs, one after the other"() {
     await withPage("stability/", {}, async (page) => {
       const share = page.locator("td:has(> button.share)").nth(0);
