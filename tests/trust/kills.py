@@ -11,9 +11,7 @@ import tempfile
 import time
 from pathlib import Path
 
-import h5py
-
-from program import differences, fresh, run, run_files, start, write_config
+from program import differences, fresh, run, run_files, start, times_gone_on, write_config
 
 CHECKPOINT = 0.005  # s
 OUTS = ("whole", "killed")
@@ -76,9 +74,7 @@ def compared(folder):
     went_on = 0
     for name in sorted(names[0] & names[1]):
         found += [f"{name}: {what}" for what in differences(*(folder / out / name for out in OUTS))]
-        with h5py.File(folder / "killed" / name, "r") as file:
-            times = file["provenance"].attrs.get("went_on_at", "")
-            went_on += len(times.split(",")) if times else 0
+        went_on += times_gone_on(folder / "killed" / name)
     return went_on, found
 
 

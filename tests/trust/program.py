@@ -36,6 +36,13 @@ def run_files(out):
     return sorted(Path(out).glob("**/run.vtkhdf"))
 
 
+def times_gone_on(file):
+    """How often the run of a file went on from a checkpoint."""
+    with h5py.File(file, "r") as run_file:
+        times = run_file["provenance"].attrs.get("went_on_at", "")
+    return len(times.split(",")) if times else 0
+
+
 def differences(one, other):
     """Names of what differs between two run files, but for times: datasets to the bit, summary, status."""
     found = []

@@ -1,7 +1,8 @@
 """Computes a sweep with a real Slurm on this machine, while workers are killed, tasks are requeued, the node
 goes down and time limits strike: every run must be computed once, with the bits that `bendlab run` gives.
 
-    slurm.py PROGRAM [--time-limit]     with --time-limit also one that strikes inside a run: minutes more
+    slurm.py PROGRAM [--time-limit]     with --time-limit also limits that strike inside a run, which goes on
+                                        from its checkpoint: some minutes more
 
 Needs Debian's slurm-wlm and munge, and root. Starts munged, slurmctld and slurmd of its own, on the loopback
 device, with every file in a temporary folder; ends them by their process numbers. Exit code 77 where
@@ -20,7 +21,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from program import differences, run, run_files, write_config
+from program import differences, run, run_files, times_gone_on, write_config
 
 NEEDED = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol")
 SKIPPED = 77
@@ -28,7 +29,9 @@ CPUS = 4
 RUNS = 48
 SWEEP = {"mesh": {"cells": 24}, "duration": 2.0,
          "sweep": {"/bending/flexural_rigidity": [1e-6 * (i + 1) for i in range(RUNS)]}}
-LONG = {"mesh": {"cells": 64}, "duration": 60.0, "solver": {"substeps": 10}}
+LONG = {"mesh": {"cells": 64}, "duration": 60.0, "solver": {"substeps": 10},
+        "output": {"frames_per_second": 1}}
+LONG_S = 100  # of CPU time: more than Slurm's least limit of a minute
 
 
 def free_port():
@@ -185,6 +188,13 @@ def computed_by_workers(plan):
     return count
 
 
+def long_run(program, folder):
+    """LONG, as long as takes LONG_S on this machine."""
+    write_config(folder, "probe", **LONG)
+    planned = json.loads(run(program, "plan", "probe.json", "--json", folder=folder).stdout)
+    return {**LONG, "duration": round(LONG["duration"] * LONG_S / planned["needs"]["cpu_s"], 1)}
+
+
 def sweep(program, folder, slurm, name, settings, disturbances, *options):
     """Submits a sweep and disturbs it. Returns what is wrong, and what was done to it."""
     write_config(folder, name, **settings)
@@ -215,9 +225,12 @@ def sweep(program, folder, slurm, name, settings, disturbances, *options):
     for file in run_files(folder / "alone" / name):
         other = folder / "cluster" / file.relative_to(folder / "alone")
         wrong += [f"{name}: {file.parent.name}: {what}" for what in differences(file, other)]
+    went_on = sum(map(times_gone_on, run_files(folder / "cluster" / name)))
+    if "--time" in options and not went_on:
+        wrong.append(f"{name}: no time limit struck inside a run, so that none went on")
     requeues = sum(log.read_text().count("bendlab: stopped") for log in plan.parent.glob("**/*.log"))
     print(f"{name}: {found}, disturbed by {done}, submitted again {restarts} times, stopped by signals in "
-          f"{requeues} tasks, {len(wrong)} wrong", flush=True)
+          f"{requeues} tasks, went on {went_on} times, {len(wrong)} wrong", flush=True)
     return wrong
 
 
@@ -233,7 +246,7 @@ def main(program, *options):
         with Slurm(folder / "slurm") as slurm:
             wrong = sweep(program, folder, slurm, "short", SWEEP, ["kill", "requeue", "node", "kill", "kill"])
             if "--time-limit" in options:
-                wrong += sweep(program, folder, slurm, "long", LONG, [], "--time", "1",
+                wrong += sweep(program, folder, slurm, "long", long_run(program, folder), [], "--time", "1",
                                "--sbatch=--signal=B:TERM@20")
     print("\n".join(wrong) if wrong else "every run was computed once, with the same bits")
     return 1 if wrong else 0
