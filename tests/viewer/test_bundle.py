@@ -22,7 +22,7 @@ def sources_hash():
 def problems():
     """Sentences on what is wrong; [] if nothing is."""
     found, expected = [], sources_hash()
-    for name in ("viewer.js", "viewer.css"):
+    for name in ("viewer.js", "page.js", "viewer.css"):
         first = (VIEWER / "dist" / name).read_text(encoding="utf-8").split("\n", 1)[0]
         told = re.search(r"sources ([0-9a-f]{64})", first)
         if not told or told[1] != expected:
@@ -32,9 +32,10 @@ def problems():
     packages = json.loads((VIEWER / "package.json").read_text(encoding="utf-8"))["dependencies"]
     found += [f"dist/LICENSES.txt lacks the licence of {name} {version}"
               for name, version in packages.items() if f"{name} {version} (" not in licences]
-    script = (VIEWER / "dist/viewer.js").read_text(encoding="utf-8")
-    if "</script" in script.lower() or "<!--" in script:
-        found.append("dist/viewer.js holds a text that would end its script element")
+    for name in ("viewer.js", "page.js"):
+        script = (VIEWER / "dist" / name).read_text(encoding="utf-8")
+        if "</script" in script.lower() or "<!--" in script:
+            found.append(f"dist/{name} holds a text that would end its script element")
     return found
 
 

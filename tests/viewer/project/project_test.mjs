@@ -205,6 +205,18 @@ const tests = {
     });
   },
 
+  async "cloth moves, but not by itself where motion is not welcome"() {
+    for (const calm of [true, false])
+      await withPage("paper/", { calm }, async (page) => {
+        await page.locator("#motion").scrollIntoViewIfNeeded();
+        await page.waitForSelector("main .player[data-decoded]");
+        const time = () => page.$eval("main .player", ({ player }) => player.time);
+        const before = await time();
+        await page.waitForTimeout(1500);
+        assert.equal((await time()) > before, !calm);
+      });
+  },
+
   async "a share of the matrix opens its red runs, one after the other"() {
     await withPage("stability/", {}, async (page) => {
       const share = page.locator("td:has(> button.share)").nth(0);
