@@ -8,7 +8,7 @@ import numpy as np
 import style
 from load import group, models
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS, judge
-from report import Section, Table, figure_main
+from report import Section, figure_main
 from sweeps import load_experiment
 
 COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3"}
@@ -46,8 +46,6 @@ def main(results, out):
         section.pictures.append((_models_and_meshes(mixed, out), "Runs that broke a bound, of all runs with "
                                  "this model on this mesh; darker is a larger share. A ring marks runs that "
                                  "were wrong without a warning."))
-    if section.judged:
-        section.tables.append(_table(section.judged))
     return section
 
 
@@ -215,15 +213,6 @@ def pairs(judged):
         if number / runs_of[pair] >= TWICE * alone:
             found.append((pair, number, runs_of[pair], alone * runs_of[pair]))
     return sorted(found, key=lambda row: -row[1] / row[3])
-
-
-def _table(judged):
-    rows = [[*one.settings.values(), NAMES[one.verdict], one.run.status,
-             f"{one.worst.name} {style.number(one.worst.value)}", style.number(one.worst.limit), one.told,
-             f"{one.run.cpu_s:.2f}"] for one in judged if one.verdict != SOUND]
-    return Table("Every run that is not sound",
-                 [*AXES, "verdict", "status", "worst number", "its limit", "warning", "processor time (s)"],
-                 rows)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,6 @@ import plain_cases
 import project_pages
 import style
 from html_parts import Part, escape, section_part, table_html
-from load import group
 from plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
 from project_pages import Content, command_line, keep, kept, made_of, write
 from report import Table, known, rounded, write_objects
@@ -40,7 +39,6 @@ def draw(results, out):
     """Draws the figures, and keeps what the page is made of."""
     out.mkdir(parents=True, exist_ok=True)
     section = fig_plain.main(results, out)
-    section.tables = []  # the runs that are not sound stand one by one
     section.text = " ".join(filter(None, [coverage_text(section), twins_text(section.twins)]))
     write_objects(out / "summary.json", [rounded(one.as_json()) for one in section.judged])
     keep(out, [section])

@@ -9,7 +9,6 @@ from pathlib import Path
 
 import accuracy_runs
 import charts_stiffness
-import stability_matrix
 from charts_accuracy import front
 from html_parts import Made, Part, escape, number_text, page, table_html
 from load import group

@@ -26,6 +26,7 @@ export function found(data, asked) {
     asked.cells,
   );
   if (cells !== asked.cells) notes.push(otherSize(cells, asked.cells));
+  // What costs least may be a coarser mesh.
   if (cells !== asked.cells || asked.matters !== "cost") runs = runs.filter((run) => run.cells === cells);
   const best = [...groups(runs)].map((some) => bestOf(some, asked));
   best.sort((a, b) => compare(a, b, asked, data));
