@@ -136,3 +136,31 @@ TEST_CASE("run file: a full disk is an error that keeps the frames before it", "
     CHECK(wrong_frames(path) == 0);
   }
 }
+
+TEST_CASE("run file: a run goes on only where there is room for all of its earlier frames", "[io]") {
+  constexpr int frames = 20;
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  {
+    RunFileWriter writer(path, square_header());
+    for (int k = 0; k < frames; ++k) writer.write(square_frame(k));
+  }
+  REQUIRE(read_run(part).frames == frames);
+  // The disk filled meanwhile. A frame may take 80 KB with the indices of its five datasets, so that 20 may
+  // not fit into 1 MB, and one does. It is told before the first is copied.
+  const Child child = fork_child([&](int) {
+    const rlimit size{1 << 20, 1 << 20};
+    signal(SIGXFSZ, SIG_IGN);
+    if (setrlimit(RLIMIT_FSIZE, &size) != 0) _exit(3);
+    const std::string text = error_text<RunFileError>(
+        [&] { RunFileWriter(path, square_header(), path.string() + ".new.part", {part, frames}); });
+    if (text.find("can't begin the run file: File too large. Free some space") == std::string::npos) _exit(4);
+  });
+  read_all(child);
+  int status = 0;
+  REQUIRE(waitpid(child.pid, &status, 0) == child.pid);
+  CHECK(WIFEXITED(status));
+  CHECK(WEXITSTATUS(status) == 0);
+  CHECK(wrong_frames(part) == 0);
+  CHECK(goes_on_from(part, path, frames));
+}
