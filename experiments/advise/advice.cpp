@@ -37,6 +37,7 @@ struct Measured {
   double kinetic_energy = 0;  // at the end, J
   double stretch = 1;         // largest of a triangle, in the motion or at the end
   bool implausible = false;
+  std::string unconverged;  // what the run warns of, if it does
 };
 
 // What is not finite counts as stretched without bound.
@@ -104,6 +105,11 @@ std::string on_a_line(std::string text) {
   return text;
 }
 
+std::string unconverged_in(const RunOutcome& outcome) {
+  const auto found = std::ranges::find(outcome.warnings, "unconverged", &Warning::code);
+  return found == outcome.warnings.end() ? "" : found->message;
+}
+
 Measured measured_by(const CampaignRun& run) {
   if (!run.outcome) return {.why = on_a_line(run.error), .failed = true};
   const RunOutcome& outcome = *run.outcome;
@@ -114,7 +120,8 @@ Measured measured_by(const CampaignRun& run) {
                     .wall_s = outcome.reused ? 0 : outcome.wall_s,
                     .why = outcome.message,
                     .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
-                    .implausible = outcome.status == RunStatus::implausible};
+                    .implausible = outcome.status == RunStatus::implausible,
+                    .unconverged = unconverged_in(outcome)};
   if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
     measured.error.reset();
   measured.diverged = outcome.status == RunStatus::diverged;
@@ -426,6 +433,7 @@ class Advisor {
     const bool compared = found.error || unfit(0, stretched) == Unfit::no;
     search.add(setting, found.error, found.cpu_s, stretched);
     if (found.strain) advice_.strain[setting] = *found.strain;
+    if (!found.unconverged.empty()) advice_.unconverged[setting] = found.unconverged;
     if (!found.error && compared)
       without_error_[setting.model].push_back(fmt::format("{}: {}", setting_text(setting), found.why));
     const double cpu_s = found.cpu_s * frames_per_second * question_.scene().section("").number("duration");

@@ -5,11 +5,10 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 
 #include "bendlab/bending/model.hpp"
-#include "bendlab/io/run_file.hpp"
+#include "bendlab/io/disk.hpp"
 #include "experiments/advise/advice.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
@@ -78,8 +77,9 @@ std::string what_text(const Advice& advice, const Question& question) {
   throw std::logic_error("what_text: unknown kind of error");
 }
 
-const char* how(const Rated& point) {
-  return point.predicted ? "predicted" : "measured";
+std::string how(const Rated& point, const Advice& advice) {
+  if (point.predicted) return "predicted";
+  return advice.unconverged.contains(point.setting) ? "measured, unconverged" : "measured";
 }
 
 std::optional<double> strain_of(const Rated& point, const Advice& advice) {
@@ -96,7 +96,7 @@ std::string point_text(const Rated& point, const Advice& advice) {
   if (const auto strain = strain_of(point, advice); why != Unfit::no && strain)
     text += fmt::format(", strain {} (rms)", percent_text(*strain));
   if (why == Unfit::stretch) text += fmt::format(", a triangle {:.3g} times as long", point.strained.largest);
-  return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point));
+  return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point, advice));
 }
 
 // For a shell.
@@ -125,7 +125,7 @@ std::string front_text(const Advice& advice) {
                    point.setting.double_precision ? "double" : "single",
                    std::isfinite(point.error) ? percent_number(point.error) : "-",
                    strain ? percent_number(*strain) : "", fmt::format("{:.3g}", 1e3 * point.cpu_s),
-                   why == Unfit::no ? how(point) : fmt::format("{}, unfit: {}", how(point), name_of(why))});
+                   how(point, advice) + (why == Unfit::no ? "" : fmt::format(", unfit: {}", name_of(why)))});
   }
   return table.text();
 }
@@ -180,6 +180,8 @@ void print_advice(const Advice& advice, const Question& question, const AdviceOp
     constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
       print_text("\nThe reference's own error is more than a tenth of this error.\n");
+    if (const auto warned = advice.unconverged.find(point->setting); warned != advice.unconverged.end())
+      print_text("\nIts run is unconverged: {}.\n", warned->second);
     print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
     for (const std::string& change : question.changes(point->setting))
       print_text("  --set {}\n", quoted_change(change));
@@ -209,6 +211,7 @@ Json point_json(const std::optional<Rated>& point, const Advice& advice) {
           {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
           {"stretch_over_reference", number_or_null(point->strained.largest)},
           {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
+          {"unconverged", advice.unconverged.contains(point->setting)},
           {"cpu_s_per_frame", point->cpu_s},
           {"predicted", point->predicted}};
 }
@@ -259,21 +262,18 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
   };
   const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
   std::error_code ignored;
+  const std::filesystem::file_status there = std::filesystem::symlink_status(file, ignored);
   if (std::filesystem::equivalent(file, config, ignored))
     refuse("is the config itself, whose /accuracy and /expect would be lost; name another file");
-  if (std::filesystem::is_directory(file)) refuse("is a folder; name a file in it");
-  if (!std::filesystem::is_directory(folder))
+  if (std::filesystem::is_directory(file, ignored)) refuse("is a folder; name a file in it");
+  if (std::filesystem::is_symlink(there)) refuse("is a link, which is not followed; name a file");
+  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
+    refuse("is no file; name one");
+  if (!std::filesystem::is_directory(folder, ignored))
     refuse("its folder does not exist; create it, or name another one");
-  if (access(folder.c_str(), W_OK) != 0 || (std::filesystem::exists(file) && access(file.c_str(), W_OK) != 0))
+  if (access(folder.c_str(), W_OK) != 0 ||
+      (std::filesystem::exists(there) && access(file.c_str(), W_OK) != 0))
     refuse(fmt::format("cannot be written ({}); choose another place", std::strerror(errno)));
-}
-
-void write_config(const Json& config, const std::filesystem::path& file) {
-  std::ofstream stream(file);
-  stream << config.dump(2) << '\n';
-  stream.close();
-  if (!stream)
-    throw RunFileError(fmt::format("{}: the config cannot be written; choose another place", file.string()));
 }
 
 }  // namespace
@@ -306,7 +306,8 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
                anything_fit(advice) ? "meets the demand" : "is fit to be advised");
   if (!advice.best) return exit_failed;
   if (!arguments.write.empty())
-    write_config(question.written(advice.best->setting, arguments.write.parent_path()), arguments.write);
+    replace_file(arguments.write,
+                 question.written(advice.best->setting, arguments.write.parent_path()).dump(2) + '\n');
   return exit_ok;
 }
 

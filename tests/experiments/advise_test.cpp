@@ -543,6 +543,9 @@ TEST_CASE("advise: what cannot be advised on is refused with what to write", "[a
   refused("strip.json --error 5% --write strip.json", 2, "the config itself");
   refused("strip.json --error 5% --write nowhere/best.json", 2, "does not exist");
   refused("strip.json --error 5% --write .", 2, "is a folder");
+  std::filesystem::create_symlink("elsewhere.json", place.folder / "link.json");
+  refused("strip.json --error 5% --write link.json", 2, "is a link");
+  refused("strip.json --error 5% --write /dev/null", 2, "is no file");
   CHECK(place.run_files(".vtkhdf").empty());
 
   // Nothing is that accurate: said, with what comes nearest, and nothing is written.
@@ -584,6 +587,23 @@ TEST_CASE("advise: where nothing is fit nothing is recommended, whatever was ask
     CHECK(told.at("nearest").at("unfit") == "error");
     CHECK(told.at("why_none").at(0).get<std::string>().starts_with("Of "));
   }
+}
+
+TEST_CASE("advise: a setting that is fit but unconverged is advised with its run's warning", "[advise]") {
+  Workplace place;
+  place.write("curtain.json", curtain);
+  // A substep leaves a neck at each pin of this sheet, and its pose is hardly wrong.
+  const std::string fine = "curtain.json --models dihedral --set /mesh/cells=32 ";
+  REQUIRE(place.run("advise " + fine + "--error 20% --write best.json") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("(measured, unconverged)") &&
+                              ContainsSubstring("Its run is unconverged: the membrane should not stretch"));
+  CHECK(advice(place, fine + "--error 20%").at("advice").at("unconverged") == true);
+  CHECK(place.run("run best.json") == 0);
+  CHECK_THAT(place.out(), ContainsSubstring("warning unconverged"));
+  const json more = advice(place, fine + "--error 0.2%");  // what takes more substeps has none
+  CHECK(more.at("advice").at("unconverged") == false);
+  place.run("advise " + fine + "--error 0.2%");
+  CHECK_THAT(place.out(), !ContainsSubstring("Its run is unconverged"));
 }
 
 TEST_CASE("advise: a cloth that has not come to rest is noticed, and one that nothing holds has a motion",
