@@ -276,12 +276,13 @@ Json to_json(const BrokenBound& broken) {
 
 std::optional<BrokenBound> broken_bound_of(const Json& json) try {
   const auto name = std::ranges::find(bound_names, json.at("bound").get<std::string>());
-  if (name == bound_names.end()) return std::nullopt;
+  const Json& vertex = json.at("vertex");  // 1e300 would fit into no int
+  if (name == bound_names.end() || !vertex.is_number_integer()) return std::nullopt;
   return BrokenBound{.bound = static_cast<Bound>(name - bound_names.begin()),
                      .measured = number_in(json, "measured"),
                      .limit = number_in(json, "limit"),
                      .time = number_in(json, "time"),
-                     .vertex = json.at("vertex").get<int>(),
+                     .vertex = vertex.get<int>(),
                      .correction = {json.at("constraint").at("kind").get<std::string>(),
                                     number_in(json.at("constraint"), "correction")},
                      .advice = json.at("advice").get<std::string>()};

@@ -244,6 +244,9 @@ TEST_CASE("plausible: the first break is kept, and comes back from JSON", "[plau
   CHECK(text_of(*back) == text_of(*broken));
   CHECK_FALSE(broken_bound_of(Json::object()));
   CHECK_FALSE(broken_bound_of(Json()));
+  Json vast = to_json(*broken);
+  vast["vertex"] = 1e300;
+  CHECK_FALSE(broken_bound_of(vast));
 }
 
 TEST_CASE("plausible: symmetric sweeps are advised for many substeps that sweep forward", "[plausibility]") {
