@@ -6,7 +6,7 @@
     tests/fuzz/run.py mesh --input FILE      one input again: what a finding's line says
 
 Each begins with the seeds in tests/fuzz/corpus and with what earlier runs on this machine kept in
-build/fuzz/corpus. Exit code 1 if there is a finding.
+build/fuzz/corpus. The last line counts fuzzers: one fails if it has a finding. Exit code 1 if one failed.
 """
 import argparse
 import os
@@ -25,9 +25,12 @@ largest = {"config": 4096, "mesh": 8192, "run_file": 4096}  # bytes
 
 
 def build():
-    if not (root / "build/fuzz/build.ninja").exists():
-        subprocess.run(["cmake", "--preset", "fuzz"], cwd=root, check=True, stdout=subprocess.DEVNULL)
-    subprocess.run(["cmake", "--build", "--preset", "fuzz"], cwd=root, check=True, stdout=subprocess.DEVNULL)
+    configure = ["cmake", "--preset", "fuzz"]
+    compile_all = ["cmake", "--build", "--preset", "fuzz", "--parallel", str(os.cpu_count())]
+    for step in [compile_all] if (root / "build/fuzz/build.ninja").exists() else [configure, compile_all]:
+        done = subprocess.run(step, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
+        if done.returncode:
+            raise SystemExit(f"{done.stdout}failed: {' '.join(step)}")
 
 
 def environment():
@@ -98,9 +101,10 @@ def main():
     programs = (arguments.programs or root / "build/fuzz/bin").resolve()
     if arguments.input:
         return repeat(chosen[0], programs, arguments.input.resolve())
-    found = [finding for name in chosen
-             for finding in fuzz(name, programs, arguments.seconds, root / "build/fuzz/findings")]
-    return 1 if found else 0
+    findings = root / "build/fuzz/findings"
+    stopped = [name for name in chosen if fuzz(name, programs, arguments.seconds, findings)]
+    print(f"{len(chosen) - len(stopped)} passed, {len(stopped)} failed")
+    return 1 if stopped else 0
 
 
 if __name__ == "__main__":
