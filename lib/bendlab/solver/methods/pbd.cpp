@@ -39,11 +39,10 @@
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/oracle.hpp"
-#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
-#include "bendlab/solver/tiling.hpp"
+#include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -72,39 +71,6 @@ constexpr std::array parameters = {
 
 // For ranges with less work than this (about 10 µs of projections) a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 2048;
-// A tile's points take a quarter of a second-level cache of 1 MB.
-template <class Real>
-constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
-
-// A list's constraints with permuted vertices, sorted by the lowest of them, and the index of each in the
-// list.
-template <std::size_t arity>
-struct PermutedList {
-  std::vector<std::array<int, arity>> vertices;
-  std::vector<int> original;
-
-  PermutedList(const std::vector<std::array<int, arity>>& list, const std::vector<int>& permutation)
-      : original(list.size()) {
-    std::vector<std::array<int, arity>> permuted(list.size());
-    for (std::size_t c = 0; c < list.size(); ++c)
-      for (std::size_t i = 0; i < arity; ++i)
-        permuted[c][i] = permutation[static_cast<std::size_t>(list[c][i])];
-    const auto first = [&](int c) {
-      const auto& corners = permuted[static_cast<std::size_t>(c)];
-      return *std::min_element(corners.begin(), corners.end());
-    };
-    std::iota(original.begin(), original.end(), 0);
-    std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
-    for (const int c : original) vertices.push_back(permuted[static_cast<std::size_t>(c)]);
-  }
-
-  BatchOrder in_terms_of_the_list(BatchOrder order) const {
-    for (int& constraint : order.constraint_of_lane)
-      if (constraint >= 0) constraint = original[static_cast<std::size_t>(constraint)];
-    return order;
-  }
-};
-
 // Predicts positions from `x`, and the remainders that their last digits do not hold. The arrays hold x, y,
 // z, w of each point in a row.
 template <class Real>
@@ -164,7 +130,7 @@ class PbdStep final : public TimeStep<Real> {
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
-      Base::find_divergence, Base::for_vertices, Base::permutation_, Base::run, Base::settings_, Base::state_,
+      Base::find_divergence, Base::for_vertices, Base::run, Base::settings_, Base::state_,
       Base::workers_;
 
  public:
@@ -180,7 +146,7 @@ class PbdStep final : public TimeStep<Real> {
         if (state_.position[v].w == 0) pinned_.push_back(v);
       put_.resize(pinned_.size());
     }
-    fill_constraints(input);
+    constraints_ = ordered_constraints<Real>(input, this->rest_points(), &tiles_);
     compile_plan(std::move(effect_passes));
   }
 
@@ -194,11 +160,7 @@ class PbdStep final : public TimeStep<Real> {
   const BatchOrder& strain_order() const override { return constraints_.strain.order; }
   const BatchOrder& distance_order() const override { return constraints_.distance.order; }
   const BatchOrder& element_order(std::string_view kind) const override {
-    std::array<const BatchOrder*, std::tuple_size_v<ElementKinds>> orders{};
-    for_each_kind(constraints_.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
-      orders[kind_index<Kind>] = &batch.order;
-    });
-    return *orders[index_of_kind(kind)];
+    return element_order_of(constraints_, kind);
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -261,62 +223,6 @@ class PbdStep final : public TimeStep<Real> {
     return static_cast<std::uint64_t>(settings_.projections_per_substep()) * constraint_count();
   }
 
-  // A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
-  // one thread goes. Several threads go colour by colour.
-  template <class List, class Colour, class Make>
-  auto batch_of(const List& list, Colour colour, Make make, std::vector<StackRange>& tiles) const {
-    const auto ordered = [&](const auto& corners) {
-      BatchOrder order = colour(corners, state_.vertex_count);
-      if (settings_.threads == 1) tiles = tiled(order, corners, state_.vertex_count, tile_vertices<Real>);
-      return order;
-    };
-    const bool in_list_order = settings_.order != ConstraintOrder::colour;
-    if (permutation_.empty())
-      return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices),
-                  state_.vertex_count);
-    const PermutedList sorted(list.vertices, permutation_);
-    List permuted_list = list;
-    for (std::size_t c = 0; c < list.size(); ++c)
-      permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
-    return make(
-        permuted_list,
-        in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
-        state_.vertex_count);
-  }
-
-  void fill_constraints(const SimulationInput& input) {
-    const int projections = settings_.projections_per_substep();
-    StrainBatch<Real>& strain = constraints_.strain;
-    strain = batch_of(input.strain, colour_order<3>, make_strain_batch<Real>, strain_tiles_);
-    const StrainStiffness& s = input.strain_stiffness;
-    const auto fraction = [&](double k) {
-      return static_cast<Real>(k_of_projection(s.kind, k, projections));
-    };
-    strain.form = s.form, strain.kind = s.kind, strain.compliance = static_cast<Real>(s.compliance);
-    strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
-    strain.area = fraction(s.area);
-    if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
-
-    DistanceBatch<Real>& distance = constraints_.distance;
-    distance = batch_of(input.distance, star_order, make_distance_batch<Real>, distance_tiles_);
-    const BendingStiffness& d = input.bending_stiffness;
-    strain.rest_points = distance.rest_points = this->rest_points();
-    distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
-    distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
-    if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
-
-    for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-      auto& batch = std::get<ElementBatch<Real, Kind>>(constraints_.elements);
-      batch = batch_of(list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
-                       element_tiles_[kind_index<Kind>]);
-      batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
-      batch.rest_points = this->rest_points();
-      batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
-      if (d.kind == StiffnessKind::compliance)
-        batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
-    });
-  }
-
   std::size_t constraint_count() const {
     std::size_t count = 0;
     constraints_.for_each([&](const auto& batch) { count += batch.count; });
@@ -347,12 +253,12 @@ class PbdStep final : public TimeStep<Real> {
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
     add_on_positions(before_, {Stage::predicted});
     const bool strain_first = settings_.first == FirstConstraint::strain;
-    if (strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
-    add_projection(constraints_.distance, distance_tiles_, "bending");
+    if (strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
+    add_projection(constraints_.distance, tiles_.distance, "bending");
     for_each_kind(constraints_.elements, [&]<class Kind>(ElementBatch<Real, Kind>& batch) {
-      add_projection(batch, element_tiles_[kind_index<Kind>], "bending");
+      add_projection(batch, tiles_.elements[kind_index<Kind>], "bending");
     });
-    if (!strain_first) add_projection(constraints_.strain, strain_tiles_, "strain");
+    if (!strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     std::reverse(backward_.begin(), backward_.end());
     add_on_positions(forward_, {Stage::project, Stage::contact});
     for (std::size_t p = backward_.size(); p < forward_.size(); ++p) backward_.push_back(forward_[p]);
@@ -506,8 +412,7 @@ class PbdStep final : public TimeStep<Real> {
   // Single precision: whether projections change moves that are kept apart from positions (see Places), or
   // whole positions.
   bool on_moves_;
-  std::vector<StackRange> strain_tiles_, distance_tiles_;
-  std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> element_tiles_;
+  ConstraintTiles tiles_;
   typename Base::Passes forces_, before_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
   std::vector<std::size_t> pinned_;  // permuted vertices; single precision

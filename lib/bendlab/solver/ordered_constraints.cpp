@@ -1,0 +1,126 @@
+#include "bendlab/solver/ordered_constraints.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "bendlab/solver/colouring.hpp"
+
+namespace bendlab {
+namespace {
+
+// A tile's points take a quarter of a second-level cache of 1 MB.
+template <class Real>
+constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
+
+// A list's constraints with permuted vertices, sorted by the lowest of them, and the index of each in the
+// list.
+template <std::size_t arity>
+struct PermutedList {
+  std::vector<std::array<int, arity>> vertices;
+  std::vector<int> original;
+
+  PermutedList(const std::vector<std::array<int, arity>>& list, const std::vector<int>& permutation)
+      : original(list.size()) {
+    std::vector<std::array<int, arity>> permuted(list.size());
+    for (std::size_t c = 0; c < list.size(); ++c)
+      for (std::size_t i = 0; i < arity; ++i)
+        permuted[c][i] = permutation[static_cast<std::size_t>(list[c][i])];
+    const auto first = [&](int c) {
+      const auto& corners = permuted[static_cast<std::size_t>(c)];
+      return *std::min_element(corners.begin(), corners.end());
+    };
+    std::iota(original.begin(), original.end(), 0);
+    std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
+    for (const int c : original) vertices.push_back(permuted[static_cast<std::size_t>(c)]);
+  }
+
+  BatchOrder in_terms_of_the_list(BatchOrder order) const {
+    for (int& constraint : order.constraint_of_lane)
+      if (constraint >= 0) constraint = original[static_cast<std::size_t>(constraint)];
+    return order;
+  }
+};
+
+// A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
+// one thread goes. Several threads go colour by colour.
+template <class Real, class List, class Colour, class Make>
+auto batch_of(const SimulationInput& input, const List& list, Colour colour, Make make,
+              std::vector<StackRange>* tiles) {
+  const auto vertex_count = static_cast<int>(input.positions.rows());
+  const auto ordered = [&](const auto& corners) {
+    BatchOrder order = colour(corners, vertex_count);
+    if (tiles && input.settings.threads == 1)
+      *tiles = tiled(order, corners, vertex_count, tile_vertices<Real>);
+    return order;
+  };
+  const bool in_list_order = input.settings.order != ConstraintOrder::colour;
+  if (input.permutation.empty())
+    return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices), vertex_count);
+  const PermutedList sorted(list.vertices, input.permutation);
+  List permuted_list = list;
+  for (std::size_t c = 0; c < list.size(); ++c)
+    permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
+  return make(
+      permuted_list,
+      in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
+      vertex_count);
+}
+
+}  // namespace
+
+template <class Real>
+Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<Real>* rest_points,
+                                      ConstraintTiles* tiles) {
+  Constraints<Real> constraints;
+  const int projections = input.settings.projections_per_substep();
+  StrainBatch<Real>& strain = constraints.strain;
+  strain = batch_of<Real>(input, input.strain, colour_order<3>, make_strain_batch<Real>,
+                          tiles ? &tiles->strain : nullptr);
+  const StrainStiffness& s = input.strain_stiffness;
+  const auto fraction = [&](double k) {
+    return static_cast<Real>(k_of_projection(s.kind, k, projections));
+  };
+  strain.form = s.form, strain.kind = s.kind, strain.compliance = static_cast<Real>(s.compliance);
+  strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
+  strain.area = fraction(s.area);
+  if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
+
+  DistanceBatch<Real>& distance = constraints.distance;
+  distance = batch_of<Real>(input, input.distance, star_order, make_distance_batch<Real>,
+                            tiles ? &tiles->distance : nullptr);
+  const BendingStiffness& d = input.bending_stiffness;
+  strain.rest_points = distance.rest_points = rest_points;
+  distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
+  distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
+  if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
+
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    auto& batch = std::get<ElementBatch<Real, Kind>>(constraints.elements);
+    batch = batch_of<Real>(input, list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
+                           tiles ? &tiles->elements[kind_index<Kind>] : nullptr);
+    batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
+    batch.rest_points = rest_points;
+    batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
+    if (d.kind == StiffnessKind::compliance)
+      batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+  });
+  return constraints;
+}
+
+template <class Real>
+const BatchOrder& element_order_of(const Constraints<Real>& constraints, std::string_view kind) {
+  std::array<const BatchOrder*, std::tuple_size_v<ElementKinds>> orders{};
+  for_each_kind(constraints.elements, [&]<class Kind>(const ElementBatch<Real, Kind>& batch) {
+    orders[kind_index<Kind>] = &batch.order;
+  });
+  return *orders[index_of_kind(kind)];
+}
+
+template Constraints<float> ordered_constraints(const SimulationInput&, const Point<float>*,
+                                                ConstraintTiles*);
+template Constraints<double> ordered_constraints(const SimulationInput&, const Point<double>*,
+                                                 ConstraintTiles*);
+template const BatchOrder& element_order_of(const Constraints<float>&, std::string_view);
+template const BatchOrder& element_order_of(const Constraints<double>&, std::string_view);
+
+}  // namespace bendlab
