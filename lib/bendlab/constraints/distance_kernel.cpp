@@ -156,6 +156,41 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const DistanceBatc
     }
 }
 
+template <class Real>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const DistanceBatch<Real>& batch,
+                std::size_t first, std::size_t last) {
+  using P = Pack<Real>;
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  const P zero{}, one = broadcast<Real>(1);
+  for (std::size_t stack = first; stack < last; ++stack)
+    for (std::size_t part = 0; part < width; part += static_cast<std::size_t>(lanes<Real>)) {
+      const int* const centres = &batch.a[stack * width + part];
+      const PackPoints<Real> a = gather(points, centres);
+      PackPoints<Real> force = gather(forces, centres);
+      for (std::size_t lane = batch.order.stacks[stack] + part; lane < batch.order.stacks[stack + 1];
+           lane += width) {
+        const int* const ends = &batch.b[lane];
+        PackPoints<Real> other = gather(forces, ends);
+        const PackVector<Real> d = a.position - gather(points, ends).position;
+        const P rest = load(&batch.rest_length[lane]), squared = dot(d, d),
+                shortest = collapsed_ratio<Real> * rest;
+        const P alpha = batch.softness.empty() ? broadcast(batch.compliance)
+                                               : batch.compliance * load(&batch.softness[lane]);
+        const auto acts = (squared > shortest * shortest) & (alpha > zero);
+        const P per_length = inverse_square_root(acts ? squared : one);
+        const P pull = acts ? (one - rest * per_length) / (acts ? alpha : one) : zero;
+        force.position = force.position - scaled<Real>(pull, d);
+        other.position = other.position + scaled<Real>(pull, d);
+        scatter(forces, ends, other);
+      }
+      scatter(forces, centres, force);
+    }
+}
+
+template void add_forces(const Point<float>*, Point<float>*, const DistanceBatch<float>&, std::size_t,
+                         std::size_t);
+template void add_forces(const Point<double>*, Point<double>*, const DistanceBatch<double>&, std::size_t,
+                         std::size_t);
 template void project(const Places<float>&, DistanceBatch<float>&, std::size_t, std::size_t, float, bool);
 template void project(const Places<double>&, DistanceBatch<double>&, std::size_t, std::size_t, double, bool);
 template void damp(const Point<float>*, Point<float>*, const DistanceBatch<float>&, float);

@@ -12,6 +12,7 @@
 // The scalar code beside it: Kind::value() and project_by_oracle() in oracle.hpp.
 #pragma once
 
+#include <stdexcept>
 #include <type_traits>
 #include <utility>
 
@@ -252,6 +253,24 @@ void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const Elemen
   }
 }
 
+template <class Real, class Kind, typename Kind::Law law>
+void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces,
+                         const ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last) {
+  const Pack<Real> zero{}, one = broadcast<Real>(1);
+  for (std::size_t lane = first; lane < last; lane += static_cast<std::size_t>(lanes<Real>)) {
+    const auto p = gather_points<Real>(points, batch.corner, lane);
+    auto force = gather_points<Real>(forces, batch.corner, lane);
+    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
+        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    const Pack<Real> alpha = batch.compliance * load(&batch.softness[lane]);
+    const auto acts = c.defined & (alpha > zero);
+    const Pack<Real> multiplier = acts ? c.value / (acts ? alpha : one) : zero;
+    for (std::size_t i = 0; i < Kind::arity; ++i)
+      force[i].position = force[i].position - select(acts, scaled<Real>(multiplier, c.gradient[i]), PackVector<Real>{});
+    scatter_corners(forces, batch.corner, lane, force);
+  }
+}
+
 // Calls action(std::integral_constant<Law, law>) for the batch's law.
 template <class Law, auto... laws, class Action>
 void with_law(Law chosen, LawList<laws...>, const Action& action) {
@@ -282,11 +301,28 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch
   });
 }
 
+template <class Real, class Kind>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBatch<Real, Kind>& batch,
+                std::size_t first, std::size_t last) {
+  if constexpr (OneSided<Kind>) {
+    if (first < last) throw std::logic_error("add_forces: the force of a one-sided kind jumps");
+  } else {
+    detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
+      detail::add_forces_of_lanes<Real, Kind, law.value>(
+          points, forces, batch, batch.order.stacks[first], batch.order.stacks[last]);
+    });
+  }
+}
+
 #define BENDLAB_ELEMENT_KERNELS(Kind)                                                                      \
   template void project(const Places<float>&, ElementBatch<float, Kind>&, std::size_t, std::size_t, float, \
                         bool);                                                                             \
   template void project(const Places<double>&, ElementBatch<double, Kind>&, std::size_t, std::size_t,      \
                         double, bool);                                                                     \
+  template void add_forces(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&,           \
+                           std::size_t, std::size_t);                                                      \
+  template void add_forces(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&,        \
+                           std::size_t, std::size_t);                                                      \
   template void damp(const Point<float>*, Point<float>*, const ElementBatch<float, Kind>&, float);         \
   template void damp(const Point<double>*, Point<double>*, const ElementBatch<double, Kind>&, double)
 

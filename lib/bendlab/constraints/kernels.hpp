@@ -19,6 +19,20 @@ template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first_stack,
              std::size_t last_stack, Real substep, bool backwards = false);
 
+/// Adds the elastic force -ψ'(C) ∇C of each constraint to the points of `forces`, in N: ψ = C² / 2α with the
+/// batch's compliance, which has to be above 0. A constraint without a direction has no force. `points` are
+/// whole positions; forces of pinned points are added, too.
+template <class Real>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const DistanceBatch<Real>& batch,
+                std::size_t first_stack, std::size_t last_stack);
+template <class Real>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const StrainBatch<Real>& batch,
+                std::size_t first_stack, std::size_t last_stack);
+/// Throws std::logic_error for a OneSided kind.
+template <class Real, class Kind>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBatch<Real, Kind>& batch,
+                std::size_t first_stack, std::size_t last_stack);
+
 /// Removes the fraction `k` of the rate of change of each constraint from the velocities (SBD 2014, eq. 23,
 /// in the form that dissipates for any masses: Δv = -k Ċ / Σ w|∇C|² w ∇C), colour by colour. For a triangle
 /// it damps the normalised warp, weft and shear terms. The batch must be conflict-free (else use

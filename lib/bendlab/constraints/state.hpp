@@ -114,6 +114,9 @@ struct Pass {
   /// Of a pass that keeps something from one substep to the next: writes or reads it. One pass of an effect
   /// is enough.
   std::function<void(Archive&)> archive;
+  /// Of a pass that only slows vertices, m v' = -drag v: the drag in kg/s, #V, permuted. An implicit step
+  /// takes it into its equations and does not run the pass.
+  std::vector<double> drag;
 };
 
 }  // namespace bendlab

@@ -209,27 +209,82 @@ BENDLAB_INLINE void damp_term(const Corners<Real>& t, Corners<Real>& velocity, T
   term.gradient.add(velocity, acts ? -k * term.gradient.rate(velocity) / (acts ? sum : one) : zero, t);
 }
 
+// A mass of 1 in every lane, for what is added regardless of masses.
+template <class Real>
+struct UnitMasses {
+  struct {
+    Pack<Real> w = broadcast<Real>(1);
+  } a, b, c;
+};
+
+// Adds -ψ'(C) ∇C of one term.
+template <class Real, class Gradient>
+BENDLAB_INLINE void add_force(Corners<Real>& force, Term<Real, Gradient> term, const Pack<Real>& alpha) {
+  if (any(~term.defined)) [[unlikely]]
+    term.gradient = select(term.defined, term.gradient, Gradient{});
+  const Pack<Real> zero{}, one = broadcast<Real>(1);
+  const auto acts = term.defined & (alpha > zero);
+  const Pack<Real> multiplier = acts ? -term.ratio * term.scale * term.scale / (acts ? alpha : one) : zero;
+  term.gradient.add(force, multiplier, UnitMasses<Real>{});
+}
+
+template <class Real, StrainForm form>
+void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const StrainBatch<Real>& batch,
+                         std::size_t first, std::size_t last) {
+  for (std::size_t lane = first; lane < last; lane += static_cast<std::size_t>(lanes<Real>)) {
+    const Corners<Real> t{gather(points, &batch.a[lane]), gather(points, &batch.b[lane]),
+                          gather(points, &batch.c[lane])};
+    Corners<Real> force{gather(forces, &batch.a[lane]), gather(forces, &batch.b[lane]),
+                        gather(forces, &batch.c[lane])};
+    const RestInverse<Real> q(batch, lane);
+    const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10),
+                     alpha = 2 * batch.compliance * determinant,  // compliance / rest area
+                     stretch_alpha = static_cast<Real>(stretch_softness(form)) * alpha;
+    if (batch.warp != 0) add_force(force, stretch<Real, form, false>(t, q.q00, q.q10), stretch_alpha);
+    if (batch.weft != 0) add_force(force, stretch<Real, form, false>(t, q.q01, q.q11), stretch_alpha);
+    if (batch.shear != 0) add_force(force, shear<Real, form, false>(t, q), alpha);
+    if (batch.area != 0) add_force(force, area<Real>(t, determinant), alpha);
+    scatter(forces, &batch.a[lane], force.a);
+    scatter(forces, &batch.b[lane], force.b);
+    scatter(forces, &batch.c[lane], force.c);
+  }
+}
+
+// Calls action(std::integral_constant<StrainForm, form>) for the batch's form.
+template <class Action>
+void with_form(StrainForm chosen, const Action& action) {
+  switch (chosen) {
+    case StrainForm::normalised:
+      return action(std::integral_constant<StrainForm, StrainForm::normalised>{});
+    case StrainForm::green:
+      return action(std::integral_constant<StrainForm, StrainForm::green>{});
+    case StrainForm::angle:
+      return action(std::integral_constant<StrainForm, StrainForm::angle>{});
+  }
+}
+
 }  // namespace
 
 // No two triangles of a stack share a vertex, so the order within it does not matter.
 template <class Real>
 void project(const PlacesOf<Real>& places, StrainBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool) {
-  const auto of_form = [&]<StrainForm form>(std::integral_constant<StrainForm, form>) {
+  with_form(batch.form, [&]<StrainForm form>(std::integral_constant<StrainForm, form>) {
     with_split(places, [&]<bool split>(std::bool_constant<split>) {
       batch.kind == StiffnessKind::compliance
           ? project_lanes<Real, form, true, split>(places, batch, first, last, substep)
           : project_lanes<Real, form, false, split>(places, batch, first, last, substep);
     });
-  };
-  switch (batch.form) {
-    case StrainForm::normalised:
-      return of_form(std::integral_constant<StrainForm, StrainForm::normalised>{});
-    case StrainForm::green:
-      return of_form(std::integral_constant<StrainForm, StrainForm::green>{});
-    case StrainForm::angle:
-      return of_form(std::integral_constant<StrainForm, StrainForm::angle>{});
-  }
+  });
+}
+
+template <class Real>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const StrainBatch<Real>& batch,
+                std::size_t first, std::size_t last) {
+  with_form(batch.form, [&]<StrainForm form>(std::integral_constant<StrainForm, form>) {
+    add_forces_of_lanes<Real, form>(points, forces, batch, batch.order.stacks[first],
+                                    batch.order.stacks[last]);
+  });
 }
 
 template <class Real>
@@ -251,6 +306,10 @@ void damp(const Point<Real>* points, Point<Real>* velocities, const StrainBatch<
   }
 }
 
+template void add_forces(const Point<float>*, Point<float>*, const StrainBatch<float>&, std::size_t,
+                         std::size_t);
+template void add_forces(const Point<double>*, Point<double>*, const StrainBatch<double>&, std::size_t,
+                         std::size_t);
 template void project(const Places<float>&, StrainBatch<float>&, std::size_t, std::size_t, float, bool);
 template void project(const Places<double>&, StrainBatch<double>&, std::size_t, std::size_t, double, bool);
 template void damp(const Point<float>*, Point<float>*, const StrainBatch<float>&, float);
