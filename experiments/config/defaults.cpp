@@ -6,6 +6,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/pointers.hpp"
 
@@ -65,6 +66,18 @@ void state_rigidity(Json& bending) {
     bending["at_curvature"] = default_at_curvature;
 }
 
+// A method with steps of its own kind has its own defaults for them.
+void state_steps(Json& settings) {
+  const Json* const name = value_at(settings, "/solver/method");
+  const Method* const method = name && name->is_string() ? find_method(name->get<std::string>()) : nullptr;
+  if (method == nullptr) return;
+  Json& solver = settings["solver"];
+  if (method->default_substeps > 0 && !given(solver, "substeps"))
+    solver["substeps"] = method->default_substeps;
+  if (method->default_iterations > 0 && !given(solver, "iterations"))
+    solver["iterations"] = method->default_iterations;
+}
+
 // A build may lack an effect.
 void append_effect(Json& effects, const char* type, Json settings = Json::object()) {
   if (find_effect(type) == nullptr) return;
@@ -86,6 +99,7 @@ Json default_effects(const Json& settings) {
 Json with_defaults(const Json& settings, ConfigProblems& problems) {
   Json filled = settings;
   if (!filled.is_object()) return filled;
+  state_steps(filled);
   if (of_the_paper(settings))
     for (const PaperSetting& setting : paper_settings) fill(filled, setting);
   if (!filled.contains("effects")) filled["effects"] = default_effects(filled);

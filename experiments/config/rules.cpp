@@ -227,7 +227,7 @@ class MethodRules {
     const Json& effects = canonical_["effects"];
     for (std::size_t i = 0; i < effects.size(); ++i)
       if (const Effect& effect = *find_effect(effects[i]["type"].get<std::string>());
-          effect.needs_projection && !effect.helps_projection)
+          !method_.takes_effect(effect.name, effect.needs_projection) && !effect.helps_projection)
         report(fmt::format("/effects/{}", i),
                fmt::format(
                    "{} works with the projection of constraints, but this method does not project: remove it",

@@ -303,6 +303,17 @@ std::vector<std::string_view> shared_settings(const Method& method) {
   return shared;
 }
 
+// What the method does with each effect that acts among projections.
+std::string taken_effects(const Method& method) {
+  std::vector<std::string_view> refused, idle;
+  for (const Effect* effect : effects())
+    if (!method.takes_effect(effect->name, effect->needs_projection))
+      (effect->helps_projection ? idle : refused).push_back(effect->name);
+  if (refused.empty() && idle.empty()) return "Takes every effect";
+  return fmt::format("Refuses the effects {}{}", fmt::join(refused, ", "),
+                     idle.empty() ? "" : fmt::format("; {}: nothing to do", fmt::join(idle, ", ")));
+}
+
 }  // namespace
 
 std::string methods_text() {
@@ -311,7 +322,8 @@ std::string methods_text() {
     text +=
         (text.empty() ? "" : "\n") +
         entry_text(method->name, method->summary, method->source, method->limits, "", method->parameters) +
-        wrapped(fmt::format("Also reads from /solver: {}", fmt::join(shared_settings(*method), ", ")), 2);
+        wrapped(fmt::format("Also reads from /solver: {}", fmt::join(shared_settings(*method), ", ")), 2) +
+        wrapped(taken_effects(*method), 2);
   return text;
 }
 
@@ -324,6 +336,11 @@ Json methods_json() {
     entry["source"] = method->source;
     entry["limits"] = method->limits;
     entry["shared"] = shared_settings(*method);
+    Json& taken = entry["effects"] = Json::object();
+    for (const Effect* effect : effects())
+      taken[std::string(effect->name)] = method->takes_effect(effect->name, effect->needs_projection) ? "takes"
+                                         : effect->helps_projection                                 ? "nothing to do"
+                                                                                                    : "refuses";
     entry["parameters"] = rows_json(method->parameters);
   }
   return json;

@@ -12,7 +12,7 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 12> facts = {"size",
+constexpr std::array<std::string_view, 13> facts = {"size",
                                                     "vertices",
                                                     "triangles",
                                                     "springs",
@@ -23,6 +23,7 @@ constexpr std::array<std::string_view, 12> facts = {"size",
                                                     "substeps",
                                                     "memory_bytes",
                                                     "unbalanced",
+                                                    "membrane_softness",
                                                     "settled_at"};
 
 // The measure that gives the number, or null.

@@ -32,6 +32,7 @@ constexpr double fitted = 85, fitted_by_reach = 16, most_fitted = 213;
 constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of pairs (a sparse factor)
 constexpr double bent_sheet_less = 1e7;
 constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
+constexpr double metric_per_vertex = 1500, metric_growth = 100;  // of `quasi_newton`, likewise; its pairs
 constexpr double file = 57e3, file_per_vertex = 39;
 constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 1200;
 }  // namespace bytes
@@ -49,6 +50,8 @@ constexpr double effect_per_vertex = 3e-9;
 constexpr double triangle = 6e-9, pair = 2.2e-9, hinge = 9e-9;  // a projection
 constexpr double frame_per_triangle = 1.2e-7;
 constexpr double equilibrium_per_vertex = 4e-4;
+constexpr double factor_per_vertex = 1e-6, factor_growth = 3e-7;  // of blocks; + growth · √V
+constexpr double metric_per_vertex = 2e-5, iteration_per_vertex = 1.2e-7;
 }  // namespace seconds
 
 struct Parts {
@@ -129,8 +132,9 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   if (fitted && pairs > 0)
     parts.bending =
         std::max({parts.bending, bent_sheet_bytes(vertices), pairs * fitted_bytes(bending.reach)});
-  const bool matrix = !method->has_motion;
-  if (matrix)
+  if (method->factorised == Factorised::scalars)
+    parts.factor = vertices * (bytes::metric_per_vertex + bytes::metric_growth * std::log2(vertices));
+  if (method->factorised == Factorised::blocks)
     parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
                    fill(bending, vertices);
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
@@ -155,8 +159,16 @@ std::optional<Forecast> forecast(const RunConfig& config) {
                    pairs * bending.reach * seconds::fitted_by_reach;
   else if (fitted)
     needs.cpu_s += bending.hinges * seconds::fitted_hinge;
-  needs.cpu_s += matrix ? vertices * seconds::equilibrium_per_vertex * fill(bending, vertices)
-                        : steps * count("substeps") * substep;
+  double step = count("substeps") * substep;
+  if (method->factorised == Factorised::scalars)
+    needs.cpu_s += vertices * seconds::metric_per_vertex,
+        step += count("substeps") * count("iterations") * vertices * seconds::iteration_per_vertex;
+  if (method->factorised == Factorised::blocks)
+    step += count("substeps") * count("iterations") * vertices * fill(bending, vertices) *
+            (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
+  needs.cpu_s += method->has_motion
+                     ? steps * step
+                     : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices);
   return needs;
 }
 

@@ -89,6 +89,8 @@ std::map<std::string, double> facts_of(const Scene& scene, const Simulation& sim
       {"memory_bytes", static_cast<double>(simulation.memory_bytes())},
   };
   if (const std::optional<double> unbalanced = simulation.unbalanced()) facts["unbalanced"] = *unbalanced;
+  if (const std::optional<double> softness = simulation.membrane_softness())
+    facts["membrane_softness"] = *softness;
   for (const BendingFact& fact : scene.bending_facts)
     if (!std::isnan(fact.value)) facts["model_" + fact.name] = fact.value;
   return facts;

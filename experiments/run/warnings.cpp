@@ -329,6 +329,18 @@ Message single_precision(const WarningInput& input) {
       speed.rounded, speed.gained);
 }
 
+// ---- softened_membrane
+
+Message softened_membrane(const WarningInput& input) {
+  const auto found = input.summary->find("membrane_softness");
+  if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
+  return fmt::format(
+      "/solver/membrane is auto: the membrane is {:.3g} times as soft as stated, {:.3g} N/m, which moves the "
+      "cloth at rest by at most {:.2g} of its size. \"stated\" keeps the stiffness",
+      found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
+      input.config.section("/solver").number("membrane_error"));
+}
+
 constexpr std::array kinds = {
     WarningKind{"inert_seed", "a seed is set or swept that nothing uses", true, inert_seed},
     WarningKind{"piece_without_pin", "a piece of the mesh has no pin while others have some", true,
@@ -349,6 +361,8 @@ constexpr std::array kinds = {
                 weaker_push},
     WarningKind{"soft_solver", "the solver gives the cloth less than half of the stated stiffness", false,
                 soft_solver},
+    WarningKind{"softened_membrane", "a method was allowed to soften the membrane, and did", false,
+                softened_membrane},
     WarningKind{"unconverged", "a membrane that should not stretch is left stretched", false, unconverged},
 };
 

@@ -252,7 +252,7 @@ template <class Real>
 std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
   const Effect& effect = *find_effect(settings.type);
-  if (effect.helps_projection && !scene.input.method->projects) return {};
+  if (!scene.input.method->takes_effect(effect.name, effect.needs_projection)) return {};
   const bool contacts_used = std::ranges::any_of(
       scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
   std::vector<Pass<Real>> passes;

@@ -1,4 +1,5 @@
 // Viscous drag: a force against the velocity of every free vertex, in proportion to its share of the cloth.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -29,10 +30,12 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
   const double coefficient = input.parameters.number("coefficient");
   if (coefficient == 0) return {};
   // c A in kg/s: the lumped mass of a cloth of density c.
-  const std::vector<double> drag = lumped_masses(input.rest, coefficient);
-  std::vector<Real> drag_at(drag.size());
+  const std::vector<double> listed = lumped_masses(input.rest, coefficient);
+  std::vector<double> drag(listed.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)
-    drag_at[input.permuted(v)] = static_cast<Real>(drag[static_cast<std::size_t>(v)]);
+    drag[input.permuted(v)] = listed[static_cast<std::size_t>(v)];
+  std::vector<Real> drag_at(drag.size());
+  std::ranges::transform(drag, drag_at.begin(), [](double each) { return static_cast<Real>(each); });
   return {{"viscous_drag", Stage::damp,
            [drag_at = std::move(drag_at), lost = std::vector<Real>(),
             of_substep = Real(0)](PassContext<Real>& context) mutable {
@@ -45,7 +48,9 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
              for (std::size_t v = 0; v < lost.size(); ++v)
                state.accelerate(v, lost[v] * state.velocity[v].vector());
              context.acted += drag_at.size();
-           }}};
+           },
+           nullptr,
+           std::move(drag)}};
 }
 
 }  // namespace

@@ -111,54 +111,100 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
 // potential(C) returns ψ, ψ' and ψ''.
 template <class Visit>
 void ElasticSystem::for_terms(const Visit& visit) const {
-  const StrainStiffness& s = strain_stiffness_;
   Eigen::Index next = 0;
-  const double stretch_scale = s.form == StrainForm::green ? 4 : 1;  // S - 1 is twice the Green strain
-  for (std::size_t t = 0; t < strain_.size(); ++t) {
-    const std::array<double, 4>& q = strain_.inverse_rest[t];
-    const double alpha =
-        strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
-    const auto term = [&](double part, double scale, const auto& evaluate) {
-      if (part != 0)
-        visit(next++, strain_.vertices[t], evaluate, [&](double c) { return quadratic(c, scale * alpha); });
-    };
-    term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
-    term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
-    term(s.shear, 1, [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
-    term(s.area, 1, [&](const Corners<3>& p) { return area_constraint(p, q); });
-  }
-  for (std::size_t c = 0; c < distance_.size(); ++c) {
-    const double alpha = bending_compliance_ * (distance_.softness.empty() ? 1 : distance_.softness[c]);
-    visit(
-        next++, distance_.vertices[c],
-        [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest_length[c]); },
-        [&](double value) { return quadratic(value, alpha); });
-  }
-  for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) {
-    for (std::size_t c = 0; c < list.size(); ++c) {
-      const double alpha = bending_compliance_ * list.softness[c];
-      if constexpr (std::is_same_v<Kind, QuadraticBend>)
-        if (is_sum_of_squares(list, c)) {
-          for (int axis = 0; axis < 3; ++axis)
-            visit(
-                next++, list.vertices[c],
-                [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
-                [&](double value) { return quadratic(value, alpha); });
-          continue;
-        }
-      visit(
-          next++, list.vertices[c],
-          [&](const Corners<Kind::arity>& p) {
-            return Kind::template value<double>(p, list.rest[c], list.law);
-          },
-          [&](double value) {
-            if constexpr (OneSided<Kind>)
-              return one_sided<Kind>(value, list.rest[c], list.law, alpha);
-            else
-              return quadratic(value, alpha);
-          });
-    }
+  for (std::size_t t = 0; t < strain_.size(); ++t) strain_terms(t, next, visit);
+  for (std::size_t c = 0; c < distance_.size(); ++c) distance_term(c, next, visit);
+  for_each_kind(elements_, [&](const auto& list) {
+    for (std::size_t c = 0; c < list.size(); ++c) element_terms(list, c, next, visit);
   });
+}
+
+// The same for the terms of one constraint; `next` is the number of its first term.
+template <class Visit>
+void ElasticSystem::strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const {
+  const StrainStiffness& s = strain_stiffness_;
+  const double stretch_scale = s.form == StrainForm::green ? 4 : 1;  // S - 1 is twice the Green strain
+  const std::array<double, 4>& q = strain_.inverse_rest[t];
+  const double alpha =
+      strain_softness_ * s.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // compliance / rest area
+  const auto term = [&](double part, double scale, const auto& evaluate) {
+    if (part != 0)
+      visit(next++, strain_.vertices[t], evaluate, [&](double c) { return quadratic(c, scale * alpha); });
+  };
+  term(s.warp, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 0, s.form); });
+  term(s.weft, stretch_scale, [&](const Corners<3>& p) { return stretch_constraint(p, q, 1, s.form); });
+  term(s.shear, 1, [&](const Corners<3>& p) { return shear_constraint(p, q, s.form); });
+  term(s.area, 1, [&](const Corners<3>& p) { return area_constraint(p, q); });
+}
+
+template <class Visit>
+void ElasticSystem::distance_term(std::size_t c, Eigen::Index& next, const Visit& visit) const {
+  const double alpha = bending_compliance_ * (distance_.softness.empty() ? 1 : distance_.softness[c]);
+  visit(
+      next++, distance_.vertices[c],
+      [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest_length[c]); },
+      [&](double value) { return quadratic(value, alpha); });
+}
+
+template <class Kind, class Visit>
+void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
+                                  const Visit& visit) const {
+  const double alpha = bending_compliance_ * list.softness[c];
+  if constexpr (std::is_same_v<Kind, QuadraticBend>)
+    if (is_sum_of_squares(list, c)) {
+      for (int axis = 0; axis < 3; ++axis)
+        visit(
+            next++, list.vertices[c],
+            [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
+            [&](double value) { return quadratic(value, alpha); });
+      return;
+    }
+  visit(
+      next++, list.vertices[c],
+      [&](const Corners<Kind::arity>& p) {
+        return Kind::template value<double>(p, list.rest[c], list.law);
+      },
+      [&](double value) {
+        if constexpr (OneSided<Kind>)
+          return one_sided<Kind>(value, list.rest[c], list.law, alpha);
+        else
+          return quadratic(value, alpha);
+      });
+}
+
+ElasticSystem::AtVertex ElasticSystem::at_vertex(const Positions& positions, int vertex) {
+  if (constraints_at_.empty()) find_constraints_at_vertices();
+  AtVertex sum{0, Vector3::Zero(), Eigen::Matrix3d::Zero()};
+  const auto add = [&](Eigen::Index, const auto& vertices, const auto& evaluate, const auto& potential) {
+    const auto c = evaluate(corners(positions, vertices));
+    if (!c.defined) return;
+    const auto corner = static_cast<std::size_t>(std::ranges::find(vertices, vertex) - vertices.begin());
+    const Vector3& gradient = c.gradient[corner];
+    const Potential psi = potential(c.value);
+    sum.energy += psi.value;
+    sum.force -= psi.slope * gradient;
+    sum.stiffness += std::max(0.0, psi.curvature) * gradient * gradient.transpose();
+  };
+  for (const auto& [list, index] : constraints_at_[static_cast<std::size_t>(vertex)]) {
+    Eigen::Index term = 0;
+    if (list == 0) strain_terms(index, term, add);
+    if (list == 1) distance_term(index, term, add);
+    for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& elements) {
+      if (list == 2 + kind_index<Kind>) element_terms(elements, index, term, add);
+    });
+  }
+  return sum;
+}
+
+void ElasticSystem::find_constraints_at_vertices() {
+  constraints_at_.resize(free_index_.size());
+  const auto add = [&](std::size_t list, const auto& constraints) {
+    for (std::size_t c = 0; c < constraints.size(); ++c)
+      for (const int v : constraints.vertices[c])
+        constraints_at_[static_cast<std::size_t>(v)].push_back({list, c});
+  };
+  add(0, strain_), add(1, distance_);
+  for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) { add(2 + kind_index<Kind>, list); });
 }
 
 std::size_t ElasticSystem::term_count() const {

@@ -54,9 +54,26 @@ class ElasticSystem {
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;
 
+  /// Of the constraints with one vertex: their energy, J, the force on it, N, and its own block of their Hessian
+  /// without ∇²C, N/m.
+  struct AtVertex {
+    double energy = 0;
+    Vector3 force;
+    Eigen::Matrix3d stiffness;
+  };
+  AtVertex at_vertex(const Positions& positions, int vertex);
+
  private:
   template <class Visit>
   void for_terms(const Visit& visit) const;
+  template <class Visit>
+  void strain_terms(std::size_t t, Eigen::Index& next, const Visit& visit) const;
+  template <class Visit>
+  void distance_term(std::size_t c, Eigen::Index& next, const Visit& visit) const;
+  template <class Kind, class Visit>
+  void element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
+                     const Visit& visit) const;
+  void find_constraints_at_vertices();
   template <class Value, std::size_t N>
   double change_of(const Value& c, const std::array<int, N>& vertices, const Eigen::VectorXd& step) const;
   void find_pattern();
@@ -73,6 +90,11 @@ class ElasticSystem {
   // For each free vertex: the free vertices with which it shares a term and whose number is not smaller.
   std::vector<std::vector<int>> blocks_;
   Eigen::SparseMatrix<double> hessian_;
+  // #V: the constraints with that vertex, once at_vertex() was asked: 0 strain, 1 distance, then the kinds.
+  struct Listed {
+    std::size_t list, index;
+  };
+  std::vector<std::vector<Listed>> constraints_at_;
 };
 
 }  // namespace bendlab

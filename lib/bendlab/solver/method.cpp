@@ -39,6 +39,10 @@ bool Method::reads(std::string_view setting) const {
          std::ranges::find(parameters, setting, &Parameter::name) != parameters.end();
 }
 
+bool Method::takes_effect(std::string_view effect, bool needs_projection) const {
+  return projects || !needs_projection || std::ranges::find(takes, effect) != takes.end();
+}
+
 ParameterValues own_settings(const SimulationInput& input) {
   const Method& method = *input.method;
   ParameterValues values(method.parameters);

@@ -20,6 +20,13 @@ enum class Membrane {
   edges,      ///< SimulationInput::edges, a spring along each
 };
 
+/// What a method factorises: a forecast of its memory needs to know.
+enum class Factorised {
+  nothing,
+  scalars,  ///< once, a matrix with a number for each pair of neighbours
+  blocks,   ///< in every iteration, one with a 3 by 3 block for each
+};
+
 /// A pass that a method adds to the plan, and why.
 struct MethodPass {
   std::string_view name, why;
@@ -37,12 +44,17 @@ struct Method {
   std::span<const std::string_view> shared = {};  ///< shared settings that it reads besides dt and threads
   std::span<const MethodPass> passes = {};        ///< besides "bending" and those of effects
   Membrane membrane = Membrane::triangles;
+  Factorised factorised = Factorised::nothing;
   bool springs_only = false;  ///< only takes bending models that are made of springs
   /// Why every stiffness has to be a compliance above 0; empty: it may also be k.
   std::string_view needs_compliance = {};
   /// Constraints are projected one after another. So effects may act between them, and springs may only push
   /// as hard as the projections of a substep can hold.
   bool projects = false;
+  /// Effects that act between projections, and which the method takes although it does not project: after
+  /// each of its iterations.
+  std::span<const std::string_view> takes = {};
+  int default_substeps = 0, default_iterations = 0;  ///< 0: what /solver says
   bool has_motion = true;       ///< a step goes on in time; else it goes towards an equilibrium
   bool keeps_momentum = false;  ///< only forces change Σ m v, except for rounding
   /// Single precision keeps the moves of a substep apart from the positions; else it rounds whole positions.
@@ -58,6 +70,9 @@ struct Method {
     else
       return make_double;
   }
+
+  /// Whether the effect of that name acts in it. It must not be in the plan of a method that does not take it.
+  bool takes_effect(std::string_view effect, bool needs_projection) const;
 
   /// Whether the setting of /solver of that name changes what it does.
   bool reads(std::string_view setting) const;

@@ -151,6 +151,9 @@ class Simulation {
   /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
+  /// How many times the stated compliance the membrane has, if the method softened it.
+  virtual std::optional<double> membrane_softness() const { return std::nullopt; }
+
   /// Writes or reads all that further steps depend on, and the counts so far; between steps. A simulation of
   /// the same input that has read it takes the same steps, to the bit.
   virtual void archive(Archive& state) = 0;

@@ -29,7 +29,7 @@ class TimeStep : public Simulation {
   const Divergence& divergence() const final { return divergence_; }
   const std::vector<PassStatistics>& passes() const final { return statistics_; }
   double helper_seconds() const final { return earlier_helper_seconds_ + workers_.helper_seconds(); }
-  std::uint64_t projections() const final { return substeps() * projections_per_substep(); }
+  std::uint64_t projections() const override { return substeps() * projections_per_substep(); }
   std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
   std::size_t memory_bytes() const override;
   void archive(Archive& state) override;

@@ -26,10 +26,8 @@
 //
 // In double precision. Loads are the changes of velocity by the passes of stage `force` on a cloth at rest.
 // Passes of the stages `damp` and `velocity` do nothing here.
-#include <dlfcn.h>
 #include <fmt/format.h>
 
-#include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -41,6 +39,7 @@
 #include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
+#include "bendlab/solver/supernodal_solver.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -61,16 +60,6 @@ constexpr double longest_move = 0.2;            // of the cloth's size, per step
 constexpr double crept = 1e-4;  // of the cloth's size: steps this short do not lead away from a saddle
 constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
 
-// If CHOLMOD uses OpenBLAS, that starts threads of its own for every product. Runs side by side use the cores
-// better. (The build of OpenBLAS without threads may not be called from several threads.)
-void one_blas_thread() {
-  using SetThreads = void (*)(int);
-  static const auto set_threads =
-      reinterpret_cast<SetThreads>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
-  static const bool once = (set_threads ? set_threads(1) : void(), true);
-  static_cast<void>(once);
-}
-
 class Equilibrium final : public TimeStep<double> {
  public:
   Equilibrium(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
@@ -87,8 +76,6 @@ class Equilibrium final : public TimeStep<double> {
     for (std::size_t v = 0; v < input.mass.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
-    one_blas_thread();
-    factor_.cholmod().print = 0;  // "not positive definite" is an expected result here
     constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
     compile_plan(std::move(effect_passes));
   }
@@ -103,7 +90,7 @@ class Equilibrium final : public TimeStep<double> {
   void archive(Archive& state) override {
     TimeStep<double>::archive(state);
     state(positions_, multipliers_, convex_, far_, whole_, softness_, last_move_, scale_, unbalanced_,
-          rounding_, inverse_tau_squared_, factor_bytes_);
+          rounding_, inverse_tau_squared_, solver_.memory_bytes());
     if (state.reads()) system_.soften_strain(softness_);
   }
 
@@ -112,7 +99,7 @@ class Equilibrium final : public TimeStep<double> {
     for (const VectorXd* each : {&masses_, &loads_, &residual_, &direction_, &multipliers_})
       vectors += bytes_of(*each);
     return TimeStep<double>::memory_bytes() + system_.memory_bytes() + vectors +
-           static_cast<std::size_t>(positions_.size()) * sizeof(double) + factor_bytes_;
+           static_cast<std::size_t>(positions_.size()) * sizeof(double) + solver_.memory_bytes();
   }
 
  private:
@@ -223,18 +210,10 @@ class Equilibrium final : public TimeStep<double> {
         hessian_ = &system_.hessian(positions_, system_.convex(multipliers_)), convex_ = true;
     }
     whole_ = !convex_ && inverse_tau_squared_ == 0;
-    direction_ = factor_.solve(residual_);
+    direction_ = solver_.solve(residual_);
   }
 
-  bool factorised() {
-    Eigen::SparseMatrix<double> matrix = *hessian_;
-    matrix.diagonal() += inverse_tau_squared_ * masses_;
-    if (!analysed_) factor_.analyzePattern(matrix), analysed_ = true;
-    factor_.factorize(matrix);
-    // The most that CHOLMOD used at a time.
-    factor_bytes_ = std::max(factor_bytes_, static_cast<std::size_t>(factor_.cholmod().memory_usage));
-    return factor_.info() == Eigen::Success;
-  }
+  bool factorised() { return solver_.factorise(*hessian_, inverse_tau_squared_ * masses_); }
 
   // A smaller 1 / τ² is lost in the rounding of the Hessian's diagonal.
   double smallest() const {
@@ -266,9 +245,7 @@ class Equilibrium final : public TimeStep<double> {
   Positions positions_;  // #V by 3, m, in world coordinates
   VectorXd masses_, loads_, residual_, direction_, multipliers_;
   const Eigen::SparseMatrix<double>* hessian_ = nullptr;
-  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
-  bool analysed_ = false;
-  std::size_t factor_bytes_ = 0;
+  SupernodalSolver solver_;
   bool convex_ = false;  // the Hessian has convex() multipliers
   bool far_ = false;     // convex() is likely to be needed again
   bool whole_;           // the last step was Newton's: it found a minimum in every direction
@@ -298,6 +275,7 @@ extern constinit const Method equilibrium{
         "of energies only: every stiffness is a compliance above 0; in double precision; has no motion; "
         "takes no effects that act among projections; of several equilibria it finds one",
     .passes = own_passes,
+    .factorised = Factorised::blocks,
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,
     .make_double = make,

@@ -1,0 +1,109 @@
+#include "bendlab/solver/elastic_metric.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "bendlab/constraints/corners.hpp"
+#include "bendlab/constraints/oracle.hpp"
+#include "bendlab/solver/method.hpp"
+
+namespace bendlab {
+namespace {
+
+class Assembly {
+ public:
+  Assembly(const std::vector<int>& free_index, std::size_t free_count) : index_(free_index) {
+    for (std::size_t i = 0; i < free_count; ++i)
+      entries_.emplace_back(static_cast<int>(i), static_cast<int>(i), 0);
+  }
+
+  // scale · weight weightᵀ at the rows of these vertices.
+  template <std::size_t N>
+  void add(const std::array<int, N>& vertices, const std::array<double, N>& weight, double scale) {
+    for (std::size_t i = 0; i < N; ++i)
+      for (std::size_t j = 0; j < N; ++j) {
+        const int row = index_[static_cast<std::size_t>(vertices[i])],
+                  column = index_[static_cast<std::size_t>(vertices[j])];
+        if (column >= 0 && row >= column) entries_.emplace_back(row, column, scale * weight[i] * weight[j]);
+      }
+  }
+
+  Eigen::SparseMatrix<double> matrix(std::size_t free_count) const {
+    const auto n = static_cast<Eigen::Index>(free_count);
+    Eigen::SparseMatrix<double> lower(n, n);
+    lower.setFromTriplets(entries_.begin(), entries_.end());
+    return lower;
+  }
+
+ private:
+  const std::vector<int>& index_;
+  std::vector<Eigen::Triplet<double>> entries_;
+};
+
+// Of one element at rest; 0 if it has no direction there.
+template <class Kind>
+std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::arity>& corners,
+                                                const std::array<double, Kind::rest_values>& rest,
+                                                typename Kind::Law law) {
+  std::array<double, Kind::arity> weights{};
+  if constexpr (std::is_same_v<Kind, QuadraticBend>) {  // |Kx| has no gradient where a sheet is flat
+    std::copy_n(rest.begin(), weights.size(), weights.begin());
+    return weights;
+  }
+  const auto c = Kind::template value<double>(corners, rest, law);
+  if (!c.defined) return weights;
+  Vector3 largest = Vector3::Zero();
+  for (const Vector3& gradient : c.gradient)
+    if (gradient.squaredNorm() > largest.squaredNorm()) largest = gradient;
+  if (!(largest.squaredNorm() > 0)) return weights;
+  for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = c.gradient[i].dot(largest.normalized());
+  return weights;
+}
+
+}  // namespace
+
+ElasticMetric elastic_metric(const SimulationInput& input) {
+  ElasticMetric metric;
+  std::vector<int> free_index(input.is_pinned.size(), -1);
+  for (std::size_t v = 0; v < free_index.size(); ++v)
+    if (!input.is_pinned[v] && input.mass[v] > 0) {
+      free_index[v] = static_cast<int>(metric.vertices.size());
+      metric.vertices.push_back(static_cast<int>(v));
+    }
+  const std::size_t count = metric.vertices.size();
+
+  Assembly membrane(free_index, count);
+  for (std::size_t t = 0; t < input.strain.size(); ++t) {
+    const std::array<double, 4>& q = input.strain.inverse_rest[t];
+    const double alpha =
+        input.strain_stiffness.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // / rest area
+    for (const std::size_t column : {0U, 1U})
+      membrane.add<3>(input.strain.vertices[t],
+                      {-q[column] - q[2 + column], q[column], q[2 + column]}, 1 / alpha);
+  }
+  metric.membrane = membrane.matrix(count);
+
+  Assembly bending(free_index, count);
+  const double compliance = input.bending_stiffness.compliance;
+  for (std::size_t c = 0; c < input.distance.size(); ++c) {
+    const double softness = input.distance.softness.empty() ? 1 : input.distance.softness[c];
+    bending.add<2>(input.distance.vertices[c], {1, -1}, 1 / (compliance * softness));
+  }
+  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    if (OneSided<Kind> && list.size() > 0)
+      throw std::invalid_argument(
+          fmt::format("{}: the force of {} jumps where it is straight, so that no constant metric resembles it",
+                      input.method->name, Kind::name));
+    for (std::size_t e = 0; e < list.size(); ++e)
+      bending.add<Kind::arity>(
+          list.vertices[e], weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),
+          1 / (compliance * list.softness[e]));
+  });
+  metric.bending = bending.matrix(count);
+  return metric;
+}
+
+}  // namespace bendlab

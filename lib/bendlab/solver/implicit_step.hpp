@@ -1,0 +1,121 @@
+// What methods share that step implicitly: the positions at the end of a substep minimise
+//
+//   ½ Σ w |x - y|² + E(x),   w = (m + c γ) / γ²
+//
+// with the elastic energy E. x gives the velocities, v = (x - X) / γ. For a substep h from n to n + 1, with
+// forces of acceleration a and linear drag of c (kg/s):
+//
+//   backward Euler   γ = h       X = x_n                      V = v_n
+//   BDF2             γ = 2/3 h   X = x_n + (x_n - x_n-1) / 3   V = v_n + (v_n - v_n-1) / 3
+//
+//   y = X + γ (V + γ a) m / (m + c γ)
+//
+// BDF2's first substep is one of backward Euler. A method says how it minimises: iterate() is one iteration.
+//
+// Obstacles and the cloth's own layers push as stiff springs do. Their passes say where each vertex would have
+// to be, P(x); the energy ½ κ |P(x) - x|² then gives the force κ (P(x) - x), with friction in the plane of
+// contact. A method chooses κ. What a vertex sinks in is taken back at the end of the substep: x = P(x).
+//
+//   per substep:  start → force passes → damp passes → target → predicted passes →
+//                 n × (project passes, contact passes, iterate) → project passes, contact passes → update →
+//                 velocity passes
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/time_step.hpp"
+
+namespace bendlab {
+
+enum class Integrator { euler, bdf2 };
+inline constexpr std::array<std::string_view, 2> integrator_names = {"euler", "bdf2"};
+
+/// Settings of every implicit method, and the passes of its plan.
+// clang-format off
+inline constexpr Parameter integrator_parameter{
+    .name = "integrator", .type = ParameterType::text, .unit = "", .default_value = "bdf2",
+    .meaning = "How a substep goes on in time. euler: backward Euler, of first order, which damps motion; "
+               "bdf2: of second order, which hardly does",
+    .choices = integrator_names};
+inline constexpr Parameter tolerance_parameter{
+    .name = "tolerance", .type = ParameterType::number, .unit = "1", .default_value = 1e-7,
+    .meaning = "A substep ends before its iterations do once an iteration moves no vertex by more than this "
+               "times the cloth's size; 0: never",
+    .minimum = 0};
+// clang-format on
+/// Effects that change positions: P(x) in each iteration.
+inline constexpr std::array<std::string_view, 8> effects_of_iterations = {
+    "moving_pins", "plane", "sphere", "capsule", "disc", "mesh_obstacle", "friction", "self_collision"};
+template <std::size_t N>
+constexpr std::array<MethodPass, 4> implicit_passes(const char (&iteration)[N]) {
+  return {MethodPass{"start", "forces are part of the minimum, not of the first guess"},
+          MethodPass{"target", "the positions without elastic forces, and the first guess"},
+          MethodPass{"iterate", iteration}, MethodPass{"update", "v from x; looks for divergence"}};
+}
+
+template <class Real>
+class ImplicitStep : public TimeStep<Real> {
+ public:
+  std::uint64_t projections() const final { return iterations_done_ * constraint_count_; }
+  std::size_t memory_bytes() const override;
+  void archive(Archive& state) override;
+
+ protected:
+  /// Throws std::invalid_argument unless every stiffness is a compliance above 0.
+  ImplicitStep(const SimulationInput& input, std::vector<int> permutation);
+
+  /// Call it once, when the derived class is complete. Contacts push with κ = `per_weight` w + `least` (N/m).
+  void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double least);
+
+  /// One iteration towards the minimum, from state_.position. Returns the longest move of a vertex, m.
+  virtual Real iterate() = 0;
+
+  /// Minimiser's data of this substep, by slot of state_.position.
+  const std::vector<Real>& weights() const { return weight_; }  ///< kg/s², 0: pinned
+  const Points<Real>& target() const { return target_; }        ///< y, m
+  /// κ (P(x) - x), N, by slot; empty without effects that change positions.
+  const Points<Real>& contact_forces() const { return contact_force_; }
+  /// κ, N/m.
+  Real contact_stiffness(std::size_t v) const { return contact_per_weight_ * weight_[v] + contact_least_; }
+  bool has_contacts() const { return !contact_force_.empty(); }
+  double gamma() const { return gamma_; }                       ///< s
+  /// The weights of every later substep of length h: with the γ of settled motion.
+  std::vector<Real> lasting_weights() const { return weights_for(lasting_gamma()); }
+  /// Σ |m a| over free vertices by the forces of this substep, N.
+  double total_force() const { return total_force_; }
+  bool is_first_iteration() const { return is_first_; }  ///< of a substep
+  /// Whether a pinned vertex was put elsewhere in this substep.
+  bool pins_moved() const;
+
+  using TimeStep<Real>::settings_, TimeStep<Real>::state_, TimeStep<Real>::constraints_;
+
+ private:
+  using typename TimeStep<Real>::Passes;
+  void substep(PassContext<Real>& context) final;
+  std::uint64_t projections_per_substep() const final { return constraint_count_; }
+  std::vector<Real> weights_for(double gamma) const;
+  double lasting_gamma() const;
+  void take_drag_over(Pass<Real>& pass);
+  void remember_velocities();
+  void aim(Real h);
+  void add_contact_passes(std::vector<Pass<Real>>& effect_passes);
+  void take_contacts();
+  void update();
+
+  Integrator integrator_;
+  double tolerance_;  // m
+  std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
+  bool has_unknowns_ = false, has_history_ = false, is_first_ = true;
+  double gamma_ = 0, total_force_ = 0;
+  Real last_move_ = 0, contact_per_weight_ = 0, contact_least_ = 0;
+  std::vector<double> drag_;  // by slot, kg/s; empty: no drag
+  std::vector<Real> weight_;
+  Points<Real> target_, base_;                // y and X
+  Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
+  Points<Real> whole_, contact_force_;        // positions while passes change them
+  Passes before_, iteration_, contact_, after_;
+};
+
+}  // namespace bendlab

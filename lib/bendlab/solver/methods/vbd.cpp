@@ -1,0 +1,136 @@
+// Implicit steps by vertex block descent (Chen et al. 2024): one vertex after another goes to the minimum of
+// what it alone can change,
+//
+//   (w 1 + Σ ψ'' ∇C ∇Cᵀ) Δx_i = w (y - x_i) - Σ ψ' ∇C + contact,    ∇ by x_i
+//
+// with the other vertices where they are. One implementation over C and ∇C of every kind of constraint, in
+// double precision, one vertex after another: it shows how block descent converges, not how fast it can be.
+//
+// `acceleration` is Chebyshev's: from the third iteration on x + ω (Δx + x - x before the last iteration), with
+// the spectral radius ρ of a plain iteration (Wang 2015).
+#include <array>
+
+#include "bendlab/solver/colouring.hpp"
+#include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/implicit_step.hpp"
+#include "bendlab/solver/list_orders.hpp"
+#include "bendlab/solver/memory.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr std::array<std::string_view, 2> shared = {"substeps", "iterations"};
+
+// clang-format off
+constexpr std::array parameters = {
+    integrator_parameter,
+    tolerance_parameter,
+    Parameter{.name = "acceleration", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
+              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of its error that an iteration leaves; "
+                         "0: none. Too large a ρ diverges",
+              .minimum = 0, .maximum = 0.9999},
+};
+// clang-format on
+
+constexpr std::array<MethodPass, 4> own_passes = implicit_passes("vbd: one vertex after another");
+
+class VbdStep final : public ImplicitStep<double> {
+ public:
+  VbdStep(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
+      : ImplicitStep<double>(input, {}),
+        system_(input),
+        positions_(input.positions),
+        rho_(own_settings(input).number("acceleration")),
+        orders_(input) {
+    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
+    compile_plan(std::move(effect_passes), 10, 0);
+  }
+
+  const BatchOrder& strain_order() const override { return orders_.strain; }
+  const BatchOrder& distance_order() const override { return orders_.distance; }
+  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
+  std::size_t memory_bytes() const override {
+    return ImplicitStep<double>::memory_bytes() + system_.memory_bytes() +
+           static_cast<std::size_t>(3 * positions_.size()) * sizeof(double);
+  }
+
+ private:
+  double iterate() override {
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      positions_.row(static_cast<Eigen::Index>(v)) = (state_.position[v].vector() + state_.origin).transpose();
+    const Positions start = positions_;
+    double longest = 0;
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      if (system_.free_index()[v] >= 0) longest = std::max(longest, descend(v));
+    if (rho_ > 0) accelerate(start);
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      if (system_.free_index()[v] >= 0)
+        state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
+    return longest;
+  }
+
+  // Halves the step until the energy falls: a membrane's force across the sheet grows as the cube of a move,
+  // which the matrix does not know.
+  double descend(std::size_t v) {
+    auto row = positions_.row(static_cast<Eigen::Index>(v));
+    ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
+    const Vector3 start = row.transpose(), contact = has_contacts() ? contact_forces()[v].vector() : Vector3::Zero();
+    const double stiffness =
+        weights()[v] + (contact.squaredNorm() > 0 ? contact_stiffness(v) : 0);  // inertia and contact
+    const Vector3 outside = weights()[v] * (target()[v].vector() + state_.origin - start) + contact;
+    local.stiffness.diagonal().array() += stiffness;
+    const Vector3 step = local.stiffness.llt().solve(local.force + outside);
+    constexpr int most_halvings = 10;
+    double share = 1;
+    for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
+      row = (start + share * step).transpose();
+      const double gain = share * step.dot(outside) - 0.5 * stiffness * share * share * step.squaredNorm();
+      if (system_.at_vertex(positions_, static_cast<int>(v)).energy - gain <= local.energy) break;
+    }
+    return share * step.cwiseAbs().maxCoeff();
+  }
+
+  void accelerate(const Positions& start) {
+    constexpr int plain = 2;  // iterations before the first that is accelerated
+    if (is_first_iteration()) iteration_ = 0;
+    ++iteration_;
+    if (iteration_ > plain) {
+      omega_ = iteration_ == plain + 1 ? 2 / (2 - rho_ * rho_) : 4 / (4 - rho_ * rho_ * omega_);
+      const Positions plain_result = positions_;
+      positions_ = before_ + omega_ * (plain_result - before_);
+    }
+    before_ = start;
+  }
+
+  ElasticSystem system_;
+  Positions positions_, before_;  // #V by 3, m, in world coordinates; before the last iteration
+  double rho_, omega_ = 1;
+  int iteration_ = 0;
+  ListOrders orders_;
+};
+
+std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
+  return std::make_unique<VbdStep>(input, std::move(effect_passes));
+}
+
+}  // namespace
+
+namespace method {
+extern constinit const Method vbd{
+    .name = "vbd",
+    .summary = "implicit steps by vertex block descent; for comparison",
+    .source = "Chen et al. 2024; Chebyshev's acceleration: Wang 2015",
+    .limits =
+        "of energies only: every stiffness is a compliance above 0; in double precision, on one thread; a "
+        "correction reaches one ring of neighbours per iteration, so that fine sheets converge slowly",
+    .parameters = parameters,
+    .shared = shared,
+    .passes = own_passes,
+    .needs_compliance = "k has no energy that a step could minimise",
+    .takes = effects_of_iterations,
+    .default_substeps = 1,
+    .default_iterations = 100,
+    .make_double = make,
+};
+}  // namespace method
+}  // namespace bendlab

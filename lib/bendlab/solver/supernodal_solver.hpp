@@ -1,0 +1,39 @@
+// Cholesky factors of a matrix whose pattern stays and whose numbers change.
+#pragma once
+
+#include <Eigen/CholmodSupport>
+#include <algorithm>
+
+#include "bendlab/solver/one_blas_thread.hpp"
+
+namespace bendlab {
+
+class SupernodalSolver {
+ public:
+  SupernodalSolver() {
+    one_blas_thread();
+    factor_.cholmod().print = 0;  // "not positive definite" is an expected result
+  }
+
+  /// Factorises lower + diagonal; the first call also orders. False if that is not positive definite.
+  bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal) {
+    Eigen::SparseMatrix<double> matrix = lower;
+    matrix.diagonal() += diagonal;
+    if (!ordered_) factor_.analyzePattern(matrix), ordered_ = true;
+    factor_.factorize(matrix);
+    bytes_ = std::max(bytes_, static_cast<std::size_t>(factor_.cholmod().memory_usage));
+    return factor_.info() == Eigen::Success;
+  }
+  Eigen::VectorXd solve(const Eigen::VectorXd& right) const { return factor_.solve(right); }
+
+  /// The most that CHOLMOD used at a time. May be written and read with a run's state.
+  std::size_t memory_bytes() const { return bytes_; }
+  std::size_t& memory_bytes() { return bytes_; }
+
+ private:
+  Eigen::CholmodSupernodalLLT<Eigen::SparseMatrix<double>, Eigen::Lower> factor_;
+  bool ordered_ = false;
+  std::size_t bytes_ = 0;
+};
+
+}  // namespace bendlab

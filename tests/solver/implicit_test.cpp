@@ -1,0 +1,293 @@
+// Implicit steps: what they minimise, that all methods find it, and closed forms of motion.
+#include <numbers>
+
+#include "bendlab/constraints/kernels.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/elastic_system.hpp"
+#include "bendlab/solver/implicit_step.hpp"
+#include "bendlab/solver/ordered_constraints.hpp"
+#include "bendlab/solver/sparse_factor.hpp"
+#include "tests/catch.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+const std::vector<std::string_view> implicit_methods = {"newton", "quasi_newton", "vbd"};
+
+// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one over
+// its rigidity.
+struct SmoothModel {
+  std::string_view name;
+  double compliance;
+};
+const std::vector<SmoothModel> smooth_models = {
+    {"none", 1},       {"crossover", 0.1}, {"k_ring", 0.2},          {"adaptive", 0.2}, {"lod", 0.2},
+    {"sparse_lod", 1}, {"dihedral", 100},  {"discrete_shells", 100}, {"bridson", 100},  {"isometric", 100},
+};
+
+SimulationInput compliant(SimulationInput input, std::string_view method, double strain, double bending) {
+  input.strain_stiffness = {.form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
+  input.method = find_method(method);
+  return input;
+}
+
+template <class Real>
+std::vector<Pass<Real>> gravity() {
+  return test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -9.81});
+}
+
+void disturb(SimulationInput& input, double size) {
+  std::mt19937_64 random(11);
+  for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
+    input.positions.row(v) += test::random_vector(random, size).transpose();
+}
+
+// After one step of 1/60 s.
+template <class Real>
+Positions after_a_step(SimulationInput input, std::string_view method, int iterations) {
+  input.method = find_method(method);
+  input.settings.iterations = iterations;
+  if (method != "pbd") {
+    input.settings.own = ParameterValues(input.method->parameters);
+    input.settings.own.set("integrator", std::string("euler"));
+    input.settings.own.set("tolerance", 0.0);
+  }
+  const auto simulation = make_simulation<Real>(input, gravity<Real>());
+  REQUIRE(simulation->step());
+  return simulation->positions();
+}
+
+double largest_difference(const Positions& a, const Positions& b) {
+  return (a - b).cwiseAbs().maxCoeff();
+}
+
+// Steps of h until `duration`, by the method's own settings.
+std::unique_ptr<Simulation> moved(SimulationInput input, std::string_view method, std::string_view integrator,
+                                  double h, double duration, std::vector<Pass<double>> passes,
+                                  int iterations = 50) {
+  input.method = find_method(method);
+  input.settings.dt = h, input.settings.substeps = 1, input.settings.iterations = iterations;
+  input.settings.own = ParameterValues(input.method->parameters);
+  input.settings.own.set("integrator", std::string(integrator));
+  input.settings.own.set("tolerance", 1e-12);
+  auto simulation = make_simulation<double>(input, std::move(passes));
+  for (int step = 0; step < static_cast<int>(std::lround(duration / h)); ++step) REQUIRE(simulation->step());
+  return simulation;
+}
+
+}  // namespace
+
+TEMPLATE_TEST_CASE("the kernels' forces are minus the gradient of the energy", "[solver]", float, double) {
+  const RestMesh rest(delaunay(1, 1, 4, 2));
+  const Pins pins = make_pins(rest, {0}, 0);
+  // Rounding of positions over compliances, relative to the largest force.
+  const double tolerance = std::is_same_v<TestType, float> ? 2e-5 : 1e-12;
+  for (const SmoothModel& model : smooth_models)
+    for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle}) {
+      SimulationInput input = compliant(test::sheet(rest, pins, model.name), "pbd", 0.3, model.compliance);
+      input.strain_stiffness.form = form, input.strain_stiffness.area = 1;
+      disturb(input, 0.05);
+      const auto constraints = ordered_constraints<TestType>(input, nullptr, nullptr);
+      const auto count = static_cast<std::size_t>(input.positions.rows());
+      Points<TestType> points(count + dummy_points), forces(count + dummy_points);
+      for (std::size_t v = 0; v < count; ++v)
+        points[v].set(input.positions.row(static_cast<Eigen::Index>(v)).transpose().cast<TestType>());
+      for (int corner = 1; corner < dummy_corners; ++corner)
+        for (int lane = 0; lane < max_lanes; ++lane)
+          points[count + static_cast<std::size_t>(corner * max_lanes + lane)].set(
+              Vector3Of<TestType>::Unit(corner - 1));
+      constraints.for_each([&](const auto& batch) {
+        add_forces(points.data(), forces.data(), batch, 0, batch.order.stack_count());
+      });
+      const ElasticSystem system(input);
+      const Eigen::VectorXd gradient = system.gradient(input.positions);
+      INFO(model.name << ", " << strain_form_names[static_cast<std::size_t>(form)]);
+      for (std::size_t v = 0; v < count; ++v)
+        if (const int at = system.free_index()[v]; at >= 0)
+          CHECK((forces[v].vector().template cast<double>() + gradient.segment<3>(3 * at)).norm() <=
+                tolerance * gradient.cwiseAbs().maxCoeff());
+    }
+}
+
+TEMPLATE_TEST_CASE("a sparse factor solves its system for points", "[solver]", float, double) {
+  for (const int n : {1, 2, 7, 60, 400}) {
+    // The Laplacian of a band of vertices plus a mass: positive definite.
+    std::vector<Eigen::Triplet<double>> entries;
+    for (int i = 0; i < n; ++i) {
+      entries.emplace_back(i, i, 4.5);
+      if (i + 1 < n) entries.emplace_back(i + 1, i, -1);
+      if (i + 20 < n) entries.emplace_back(i + 20, i, -1);
+    }
+    Eigen::SparseMatrix<double> lower(n, n);
+    lower.setFromTriplets(entries.begin(), entries.end());
+    const SparseFactor<TestType> factor(lower);
+    std::mt19937_64 random(3);
+    Eigen::MatrixXd right(n, 3);
+    Points<TestType> points(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i) {
+      const Vector3 p = test::random_vector(random);
+      right.row(i) = p.transpose(), points[static_cast<std::size_t>(i)].set(p.cast<TestType>());
+    }
+    factor.solve(points.data());
+    const Eigen::MatrixXd whole = Eigen::MatrixXd(lower).selfadjointView<Eigen::Lower>();
+    const Eigen::MatrixXd solution = whole.llt().solve(right);
+    const double tolerance = std::is_same_v<TestType, float> ? 2e-6 : 1e-14;
+    for (int i = 0; i < n; ++i)
+      CHECK((points[static_cast<std::size_t>(i)].vector().template cast<double>().transpose() - solution.row(i))
+                .norm() <= tolerance);
+  }
+  Eigen::SparseMatrix<double> indefinite(2, 2);
+  indefinite.insert(0, 0) = 1, indefinite.insert(1, 1) = -1;
+  CHECK_THROWS_WITH(SparseFactor<TestType>(indefinite), Catch::Matchers::Contains("positive definite"));
+}
+
+// The start is flat or disturbed, pinned at a corner or free.
+TEST_CASE("one step has one minimum, which every implicit method finds", "[solver]") {
+  const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
+  for (const bool pinned : {true, false})
+    for (const double disturbance : {0.0, 0.004})
+      for (const SmoothModel& model : smooth_models) {
+        const Pins pins = make_pins(rest, pinned ? std::vector<int>{0} : std::vector<int>{}, 0);
+        SimulationInput input = compliant(test::sheet(rest, pins, model.name), "newton", 1e-2, model.compliance);
+        disturb(input, disturbance);
+        INFO(model.name << ", pinned " << pinned << ", disturbed by " << disturbance);
+        const Positions newton = after_a_step<double>(input, "newton", 100);
+        CHECK(largest_difference(newton, after_a_step<double>(input, "quasi_newton", 600)) <= 1e-8);
+        CHECK(largest_difference(newton, after_a_step<double>(input, "vbd", 2000)) <= 1e-8);
+        // Positions of single precision are rounded to 3e-8 m, and forces with them.
+        CHECK(largest_difference(newton, after_a_step<float>(input, "quasi_newton", 300)) <= 2e-6);
+      }
+}
+
+// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients of
+// poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
+TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance", "[solver]") {
+  const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
+  for (const std::string_view model : {"crossover", "discrete_shells"}) {
+    const auto distance = [&](double disturbance) {
+      SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {}, 0), model), "newton", 1e-2,
+                                        model == "crossover" ? 0.1 : 100);
+      disturb(input, disturbance);
+      return largest_difference(after_a_step<double>(input, "newton", 100),
+                                after_a_step<double>(input, "pbd", 4000));
+    };
+    const double far = distance(0.002), near = distance(0.0005);
+    INFO(model << ": " << far << " m and " << near << " m");
+    CHECK_THAT(std::log(far / near) / std::log(4), WithinAbs(2, 0.4));
+  }
+}
+
+TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") {
+  const RestMesh rest(equilateral(0.4, 0.4, 6, Rows::parallel));
+  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const SimulationInput input =
+      compliant(test::sheet(rest, pins, "discrete_shells"), "equilibrium", 1e-3, 1e3);
+  const auto equilibrium = make_simulation<double>(input, gravity<double>());
+  for (int step = 0; step < 400 && !equilibrium->settled(); ++step) REQUIRE(equilibrium->step());
+  for (const std::string_view method : implicit_methods) {
+    SimulationInput dragged = input;
+    std::vector<Pass<double>> passes = gravity<double>();
+    for (auto& pass : test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", 2.0))
+      passes.push_back(std::move(pass));
+    // Few iterations a step: what they leave undone, the next steps do.
+    const auto settled =
+        moved(dragged, method, "bdf2", 1.0 / 60, 20, std::move(passes), method == "newton" ? 3 : method == "vbd" ? 30 : 5);
+    INFO(method);
+    CHECK(largest_difference(settled->positions(), equilibrium->positions()) <= 1e-6);
+  }
+}
+
+// A point of mass m on a spring of stiffness k along its direction: ω = √(k / m).
+TEST_CASE("backward Euler is of first order, BDF2 of second", "[solver]") {
+  SimulationInput input;
+  input.positions = Positions::Zero(2, 3);
+  input.positions(1, 0) = 1.1;
+  input.rest = Positions::Zero(2, 3);
+  input.rest(1, 0) = 1;
+  input.origin = Vector3::Zero();
+  input.mass = {1, 0.01};
+  input.is_pinned = {1, 0};
+  input.distance.vertices = {{0, 1}};
+  input.distance.rest_length = {1};
+  const double k = 4, omega = std::sqrt(k / 0.01), time = 0.25;
+  input = compliant(std::move(input), "newton", 1, 1 / k);
+  const double exact = 1 + 0.1 * std::cos(omega * time);
+  for (const std::string_view method : implicit_methods)
+    for (const auto& [integrator, order] : {std::pair("euler", 1.0), std::pair("bdf2", 2.0)}) {
+      INFO(method << ", " << integrator);
+      const auto error = [&](double h) {
+        return std::abs(moved(input, method, integrator, h, time, {})->positions()(1, 0) - exact);
+      };
+      const double coarse = error(1.0 / 2000), fine = error(1.0 / 4000);
+      CHECK_THAT(std::log2(coarse / fine), WithinAbs(order, 0.1));
+    }
+}
+
+// v' = -c A / m v: v_n = v_0 / (1 + q)ⁿ with q = c A h / m for backward Euler, however long the step.
+TEST_CASE("linear drag is part of an implicit step", "[solver]") {
+  const RestMesh rest(grid(1, 1, 2, 2));
+  const Pins pins = make_pins(rest, {}, 0);
+  const double density = 0.2, coefficient = 3, h = 0.5;
+  for (const std::string_view method : implicit_methods) {
+    SimulationInput input = compliant(test::sheet(rest, pins, "none", density), method, 1, 1);
+    input.velocities = Positions::Zero(rest.vertex_count(), 3);
+    input.velocities.col(0).setConstant(2);
+    const auto end = moved(input, method, "euler", h, 4 * h,
+                           test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", coefficient));
+    const double expected = 2 / std::pow(1 + coefficient * h / density, 4);
+    INFO(method);
+    CHECK((end->velocities().col(0).array() - expected).abs().maxCoeff() <= 1e-9);
+  }
+}
+
+TEST_CASE("an implicit step keeps linear momentum, however few its iterations", "[solver]") {
+  const RestMesh rest(delaunay(0.5, 0.5, 5, 3));
+  for (const std::string_view method : {"newton", "quasi_newton"}) {
+    SimulationInput input =
+        compliant(test::sheet(rest, make_pins(rest, {}, 0), "discrete_shells"), method, 1e-3, 1e3);
+    disturb(input, 0.01);
+    input.velocities = Positions::Zero(rest.vertex_count(), 3);
+    input.velocities.col(1) = 3 * input.positions.col(0);
+    const auto momentum = [&](const Positions& v) -> Vector3 {
+      Vector3 sum = Vector3::Zero();
+      for (Eigen::Index i = 0; i < v.rows(); ++i) sum += input.mass[static_cast<std::size_t>(i)] * v.row(i).transpose();
+      return sum;
+    };
+    const auto end = moved(input, method, "bdf2", 1.0 / 60, 1, {}, 2);
+    INFO(method);
+    CHECK((momentum(end->velocities()) - momentum(input.velocities)).norm() <= 1e-12);
+  }
+}
+
+TEST_CASE("a membrane is softened as far as the error asks for, and not beyond", "[solver]") {
+  const RestMesh rest(equilateral(0.4, 0.4, 8, Rows::parallel));
+  const Pins pins = make_pins(rest, {0, 8}, 0);
+  const auto softness = [&](double compliance, double error) {
+    SimulationInput input = compliant(test::sheet(rest, pins, "dihedral"), "quasi_newton", compliance, 1e4);
+    input.settings.own = ParameterValues(input.method->parameters);
+    input.settings.own.set("membrane", std::string("auto"));
+    input.settings.own.set("membrane_error", error);
+    const auto simulation = make_simulation<double>(input, gravity<double>());
+    CHECK_FALSE(simulation->membrane_softness());  // not known before the loads are
+    REQUIRE(simulation->step());
+    return simulation->membrane_softness().value();
+  };
+  CHECK(softness(1e-6, 3e-3) > 10);
+  CHECK_THAT(softness(1e-6, 3e-3) / softness(1e-6, 3e-2), WithinRel(0.1, 1e-9));
+  CHECK_THAT(softness(1e-6, 3e-3) / softness(1e-5, 3e-3), WithinRel(10, 1e-9));
+  CHECK(softness(1.0, 3e-3) == 1);
+}
+
+TEST_CASE("quasi_newton refuses a model whose force jumps", "[solver]") {
+  const RestMesh rest(grid(1, 1, 2, 2));
+  const SimulationInput input =
+      compliant(test::sheet(rest, make_pins(rest, {0}, 0), "choi_ko"), "quasi_newton", 1e-3, 1);
+  CHECK_THROWS_WITH(make_simulation<double>(input, {}), Catch::Matchers::Contains("jumps"));
+}
+
+}  // namespace bendlab
