@@ -4,6 +4,7 @@ import accuracy_runs
 import charts_accuracy
 import fig_accuracy
 import fig_accuracy_beat
+import fig_accuracy_methods
 import fig_accuracy_roads
 import fig_accuracy_rounding
 import fig_accuracy_scaling
@@ -17,7 +18,7 @@ from sweeps import CONFIGS, load_experiment
 from verdicts_html import checks_html
 
 FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_rounding, fig_accuracy_scaling,
-           fig_accuracy_roads]
+           fig_accuracy_roads, fig_accuracy_methods]
 COMMAND = "./bendlab reproduce accuracy"
 EVERYTHING = f"{COMMAND}      # everything, and this page"
 LINKS = ["Error and time", "Nearer for less", "Same work", "Substeps", "Scaling", "References"]
