@@ -18,11 +18,12 @@ def main(results, out):
     rest, motion = ([run for run in accuracy.experiment_runs(results, section, name) if run.complete]
                     for name in ("methods_slow", "methods_motion_slow"))
     section.text = ("The same cloth, energies and forces with each solver method. At rest every method but "
-                    "XPBD ends where the forces balance, however few its iterations; in motion few iterations "
-                    "lag behind. Membrane auto softens the membrane by as much as 0.3 % of the size allows.")
+                    "XPBD ends where the forces balance, however few its iterations; in motion few "
+                    "iterations lag behind. Membrane auto softens the membrane by as much as 0.3 % of the "
+                    "size allows.")
     if rest:
-        section.pictures.append((_fronts(rest, out, "fig_accuracy_methods", "distance from the equilibrium (% of size)",
-                                         _message(rest)),
+        section.pictures.append((_fronts(rest, out, "fig_accuracy_methods",
+                                         "distance from the equilibrium (% of size)", _message(rest)),
                                  "The sheet of 40 cm hangs on two patches for 3 s. A star is the paper's "
                                  "setting, 1 × 10."))
         section.tables.append(_table(rest, "At rest"))
@@ -112,8 +113,8 @@ def _table(runs, caption):
             least = min(some, key=_error)
             rows.append(cells_of_row + [style.number(100 * _error(least), 2),
                                         style.number(least.summary["memory_bytes"] / 1e6, 2)])
-    return Table(f"{caption}: ms per frame to each error, with substeps × iterations; the least error of any "
-                 "run of the sweep, and the memory of the method's arrays in that run.",
+    return Table(f"{caption}: ms per frame to each error, with substeps × iterations; the least error of "
+                 "any run of the sweep, and the memory of the method's arrays in that run.",
                  ["cells", "method", *(f"to {100 * level:g} %" for level in accuracy.LEVELS),
                   "least error (%)", "memory (MB)"], rows)
 

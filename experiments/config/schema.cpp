@@ -338,9 +338,10 @@ Json methods_json() {
     entry["shared"] = shared_settings(*method);
     Json& taken = entry["effects"] = Json::object();
     for (const Effect* effect : effects())
-      taken[std::string(effect->name)] = method->takes_effect(effect->name, effect->needs_projection) ? "takes"
-                                         : effect->helps_projection                                 ? "nothing to do"
-                                                                                                    : "refuses";
+      taken[std::string(effect->name)] = method->takes_effect(effect->name, effect->needs_projection)
+                                             ? "takes"
+                                         : effect->helps_projection ? "nothing to do"
+                                                                    : "refuses";
     entry["parameters"] = rows_json(method->parameters);
   }
   return json;

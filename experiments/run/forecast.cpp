@@ -166,9 +166,8 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   if (method->factorised == Factorised::blocks)
     step += count("substeps") * count("iterations") * vertices * fill(bending, vertices) *
             (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
-  needs.cpu_s += method->has_motion
-                     ? steps * step
-                     : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices);
+  needs.cpu_s += method->has_motion ? steps * step
+                                    : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices);
   return needs;
 }
 

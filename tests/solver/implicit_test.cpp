@@ -18,8 +18,8 @@ using Catch::Matchers::WithinRel;
 
 const std::vector<std::string_view> implicit_methods = {"newton", "quasi_newton", "vbd"};
 
-// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one over
-// its rigidity.
+// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one
+// over its rigidity.
 struct SmoothModel {
   std::string_view name;
   double compliance;
@@ -30,7 +30,8 @@ const std::vector<SmoothModel> smooth_models = {
 };
 
 SimulationInput compliant(SimulationInput input, std::string_view method, double strain, double bending) {
-  input.strain_stiffness = {.form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
+  input.strain_stiffness = {
+      .form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
   input.method = find_method(method);
   return input;
@@ -138,8 +139,9 @@ TEMPLATE_TEST_CASE("a sparse factor solves its system for points", "[solver]", f
     const Eigen::MatrixXd solution = whole.llt().solve(right);
     const double tolerance = std::is_same_v<TestType, float> ? 2e-6 : 1e-14;
     for (int i = 0; i < n; ++i)
-      CHECK((points[static_cast<std::size_t>(i)].vector().template cast<double>().transpose() - solution.row(i))
-                .norm() <= tolerance);
+      CHECK(
+          (points[static_cast<std::size_t>(i)].vector().template cast<double>().transpose() - solution.row(i))
+              .norm() <= tolerance);
   }
   Eigen::SparseMatrix<double> indefinite(2, 2);
   indefinite.insert(0, 0) = 1, indefinite.insert(1, 1) = -1;
@@ -153,7 +155,8 @@ TEST_CASE("one step has one minimum, which every implicit method finds", "[solve
     for (const double disturbance : {0.0, 0.004})
       for (const SmoothModel& model : smooth_models) {
         const Pins pins = make_pins(rest, pinned ? std::vector<int>{0} : std::vector<int>{}, 0);
-        SimulationInput input = compliant(test::sheet(rest, pins, model.name), "newton", 1e-2, model.compliance);
+        SimulationInput input =
+            compliant(test::sheet(rest, pins, model.name), "newton", 1e-2, model.compliance);
         disturb(input, disturbance);
         INFO(model.name << ", pinned " << pinned << ", disturbed by " << disturbance);
         const Positions newton = after_a_step<double>(input, "newton", 100);
@@ -164,9 +167,10 @@ TEST_CASE("one step has one minimum, which every implicit method finds", "[solve
       }
 }
 
-// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients of
-// poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
-TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance", "[solver]") {
+// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients
+// of poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
+TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance",
+          "[solver]") {
   const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));
   for (const std::string_view model : {"crossover", "discrete_shells"}) {
     const auto distance = [&](double disturbance) {
@@ -195,8 +199,10 @@ TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") 
     for (auto& pass : test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", 2.0))
       passes.push_back(std::move(pass));
     // Few iterations a step: what they leave undone, the next steps do.
-    const auto settled =
-        moved(dragged, method, "bdf2", 1.0 / 60, 20, std::move(passes), method == "newton" ? 3 : method == "vbd" ? 30 : 5);
+    const auto settled = moved(dragged, method, "bdf2", 1.0 / 60, 20, std::move(passes),
+                               method == "newton" ? 3
+                               : method == "vbd"  ? 30
+                                                  : 5);
     INFO(method);
     CHECK(largest_difference(settled->positions(), equilibrium->positions()) <= 1e-6);
   }
@@ -237,8 +243,9 @@ TEST_CASE("linear drag is part of an implicit step", "[solver]") {
     SimulationInput input = compliant(test::sheet(rest, pins, "none", density), method, 1, 1);
     input.velocities = Positions::Zero(rest.vertex_count(), 3);
     input.velocities.col(0).setConstant(2);
-    const auto end = moved(input, method, "euler", h, 4 * h,
-                           test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", coefficient));
+    const auto end =
+        moved(input, method, "euler", h, 4 * h,
+              test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", coefficient));
     const double expected = 2 / std::pow(1 + coefficient * h / density, 4);
     INFO(method);
     CHECK((end->velocities().col(0).array() - expected).abs().maxCoeff() <= 1e-9);
@@ -255,7 +262,8 @@ TEST_CASE("an implicit step keeps linear momentum, however few its iterations", 
     input.velocities.col(1) = 3 * input.positions.col(0);
     const auto momentum = [&](const Positions& v) -> Vector3 {
       Vector3 sum = Vector3::Zero();
-      for (Eigen::Index i = 0; i < v.rows(); ++i) sum += input.mass[static_cast<std::size_t>(i)] * v.row(i).transpose();
+      for (Eigen::Index i = 0; i < v.rows(); ++i)
+        sum += input.mass[static_cast<std::size_t>(i)] * v.row(i).transpose();
       return sum;
     };
     const auto end = moved(input, method, "bdf2", 1.0 / 60, 1, {}, 2);

@@ -266,7 +266,8 @@ void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces,
     const auto acts = c.defined & (alpha > zero);
     const Pack<Real> multiplier = acts ? c.value / (acts ? alpha : one) : zero;
     for (std::size_t i = 0; i < Kind::arity; ++i)
-      force[i].position = force[i].position - select(acts, scaled<Real>(multiplier, c.gradient[i]), PackVector<Real>{});
+      force[i].position =
+          force[i].position - select(acts, scaled<Real>(multiplier, c.gradient[i]), PackVector<Real>{});
     scatter_corners(forces, batch.corner, lane, force);
   }
 }
@@ -308,8 +309,8 @@ void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBat
     if (first < last) throw std::logic_error("add_forces: the force of a one-sided kind jumps");
   } else {
     detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
-      detail::add_forces_of_lanes<Real, Kind, law.value>(
-          points, forces, batch, batch.order.stacks[first], batch.order.stacks[last]);
+      detail::add_forces_of_lanes<Real, Kind, law.value>(points, forces, batch, batch.order.stacks[first],
+                                                         batch.order.stacks[last]);
     });
   }
 }

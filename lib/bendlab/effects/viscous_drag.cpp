@@ -49,8 +49,7 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
                state.accelerate(v, lost[v] * state.velocity[v].vector());
              context.acted += drag_at.size();
            },
-           nullptr,
-           std::move(drag)}};
+           nullptr, std::move(drag)}};
 }
 
 }  // namespace

@@ -80,8 +80,8 @@ ElasticMetric elastic_metric(const SimulationInput& input) {
     const double alpha =
         input.strain_stiffness.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // / rest area
     for (const std::size_t column : {0U, 1U})
-      membrane.add<3>(input.strain.vertices[t],
-                      {-q[column] - q[2 + column], q[column], q[2 + column]}, 1 / alpha);
+      membrane.add<3>(input.strain.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]},
+                      1 / alpha);
   }
   metric.membrane = membrane.matrix(count);
 
@@ -94,13 +94,13 @@ ElasticMetric elastic_metric(const SimulationInput& input) {
   const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (OneSided<Kind> && list.size() > 0)
-      throw std::invalid_argument(
-          fmt::format("{}: the force of {} jumps where it is straight, so that no constant metric resembles it",
-                      input.method->name, Kind::name));
+      throw std::invalid_argument(fmt::format(
+          "{}: the force of {} jumps where it is straight, so that no constant metric resembles it",
+          input.method->name, Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e)
-      bending.add<Kind::arity>(
-          list.vertices[e], weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),
-          1 / (compliance * list.softness[e]));
+      bending.add<Kind::arity>(list.vertices[e],
+                               weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),
+                               1 / (compliance * list.softness[e]));
   });
   metric.bending = bending.matrix(count);
   return metric;

@@ -154,16 +154,13 @@ void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, 
     if (is_sum_of_squares(list, c)) {
       for (int axis = 0; axis < 3; ++axis)
         visit(
-            next++, list.vertices[c],
-            [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
+            next++, list.vertices[c], [&](const Corners<4>& p) { return component(p, list.rest[c], axis); },
             [&](double value) { return quadratic(value, alpha); });
       return;
     }
   visit(
       next++, list.vertices[c],
-      [&](const Corners<Kind::arity>& p) {
-        return Kind::template value<double>(p, list.rest[c], list.law);
-      },
+      [&](const Corners<Kind::arity>& p) { return Kind::template value<double>(p, list.rest[c], list.law); },
       [&](double value) {
         if constexpr (OneSided<Kind>)
           return one_sided<Kind>(value, list.rest[c], list.law, alpha);
@@ -204,7 +201,8 @@ void ElasticSystem::find_constraints_at_vertices() {
         constraints_at_[static_cast<std::size_t>(v)].push_back({list, c});
   };
   add(0, strain_), add(1, distance_);
-  for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& list) { add(2 + kind_index<Kind>, list); });
+  for_each_kind(elements_,
+                [&]<class Kind>(const ElementList<Kind>& list) { add(2 + kind_index<Kind>, list); });
 }
 
 std::size_t ElasticSystem::term_count() const {

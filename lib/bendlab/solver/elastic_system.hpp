@@ -54,8 +54,8 @@ class ElasticSystem {
   double strain_beyond_first_order(const Positions& positions, const Eigen::VectorXd& step) const;
   Positions moved(const Positions& positions, const Eigen::VectorXd& step) const;
 
-  /// Of the constraints with one vertex: their energy, J, the force on it, N, and its own block of their Hessian
-  /// without ∇²C, N/m.
+  /// Of the constraints with one vertex: their energy, J, the force on it, N, and its own block of their
+  /// Hessian without ∇²C, N/m.
   struct AtVertex {
     double energy = 0;
     Vector3 force;

@@ -31,8 +31,7 @@ void require_energy(const SimulationInput& input) {
 
 template <class Real>
 ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, std::vector<int> permutation)
-    : TimeStep<Real>(input, std::move(permutation)),
-      constraint_count_(count_constraints(input)) {
+    : TimeStep<Real>(input, std::move(permutation)), constraint_count_(count_constraints(input)) {
   require_energy(input);
   const ParameterValues own = own_settings(input);
   integrator_ = named<Integrator>(own.text("integrator"), integrator_names);
@@ -86,8 +85,9 @@ template <class Real>
 void ImplicitStep<Real>::take_contacts() {
   std::swap(state_.position, whole_);
   for (std::size_t v = 0; v < weight_.size(); ++v)
-    contact_force_[v].set(weight_[v] > 0 ? contact_stiffness(v) * (whole_[v].vector() - state_.position[v].vector())
-                                         : Vector3Of<Real>::Zero().eval());
+    contact_force_[v].set(weight_[v] > 0
+                              ? contact_stiffness(v) * (whole_[v].vector() - state_.position[v].vector())
+                              : Vector3Of<Real>::Zero().eval());
 }
 
 // Drag that is linear in the velocity becomes part of the equations, so that no step is too long for it.
@@ -128,8 +128,8 @@ std::vector<Real> ImplicitStep<Real>::weights_for(double gamma) const {
   std::vector<Real> weights(static_cast<std::size_t>(state_.vertex_count));
   for (std::size_t v = 0; v < weights.size(); ++v)
     if (state_.position[v].w > 0)
-      weights[v] = static_cast<Real>(
-          (state_.mass[v] + (drag_.empty() ? 0 : drag_[v] * gamma)) / (gamma * gamma));
+      weights[v] =
+          static_cast<Real>((state_.mass[v] + (drag_.empty() ? 0 : drag_[v] * gamma)) / (gamma * gamma));
   return weights;
 }
 
@@ -180,8 +180,8 @@ void ImplicitStep<Real>::update() {
 template <class Real>
 std::size_t ImplicitStep<Real>::memory_bytes() const {
   return TimeStep<Real>::memory_bytes() + bytes_of(drag_) + bytes_of(weight_) + bytes_of(target_) +
-         bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) +
-         bytes_of(whole_) + bytes_of(contact_force_);
+         bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(whole_) +
+         bytes_of(contact_force_);
 }
 
 template <class Real>

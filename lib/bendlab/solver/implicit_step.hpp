@@ -12,9 +12,9 @@
 //
 // BDF2's first substep is one of backward Euler. A method says how it minimises: iterate() is one iteration.
 //
-// Obstacles and the cloth's own layers push as stiff springs do. Their passes say where each vertex would have
-// to be, P(x); the energy ½ κ |P(x) - x|² then gives the force κ (P(x) - x), with friction in the plane of
-// contact. A method chooses κ. What a vertex sinks in is taken back at the end of the substep: x = P(x).
+// Obstacles and the cloth's own layers push as stiff springs do. Their passes say where each vertex would
+// have to be, P(x); the energy ½ κ |P(x) - x|² then gives the force κ (P(x) - x), with friction in the plane
+// of contact. A method chooses κ. What a vertex sinks in is taken back at the end of the substep: x = P(x).
 //
 //   per substep:  start → force passes → damp passes → target → predicted passes →
 //                 n × (project passes, contact passes, iterate) → project passes, contact passes → update →
@@ -80,7 +80,7 @@ class ImplicitStep : public TimeStep<Real> {
   /// κ, N/m.
   Real contact_stiffness(std::size_t v) const { return contact_per_weight_ * weight_[v] + contact_least_; }
   bool has_contacts() const { return !contact_force_.empty(); }
-  double gamma() const { return gamma_; }                       ///< s
+  double gamma() const { return gamma_; }  ///< s
   /// The weights of every later substep of length h: with the γ of settled motion.
   std::vector<Real> lasting_weights() const { return weights_for(lasting_gamma()); }
   /// Σ |m a| over free vertices by the forces of this substep, N.

@@ -71,7 +71,8 @@ struct Method {
       return make_double;
   }
 
-  /// Whether the effect of that name acts in it. It must not be in the plan of a method that does not take it.
+  /// Whether the effect of that name acts in it. It must not be in the plan of a method that does not take
+  /// it.
   bool takes_effect(std::string_view effect, bool needs_projection) const;
 
   /// Whether the setting of /solver of that name changes what it does.

@@ -60,10 +60,9 @@ auto batch_of(const SimulationInput& input, const List& list, Colour colour, Mak
   List permuted_list = list;
   for (std::size_t c = 0; c < list.size(); ++c)
     permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
-  return make(
-      permuted_list,
-      in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
-      vertex_count);
+  return make(permuted_list,
+              in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
+              vertex_count);
 }
 
 }  // namespace
@@ -77,9 +76,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
   strain = batch_of<Real>(input, input.strain, colour_order<3>, make_strain_batch<Real>,
                           tiles ? &tiles->strain : nullptr);
   const StrainStiffness& s = input.strain_stiffness;
-  const auto fraction = [&](double k) {
-    return static_cast<Real>(k_of_projection(s.kind, k, projections));
-  };
+  const auto fraction = [&](double k) { return static_cast<Real>(k_of_projection(s.kind, k, projections)); };
   strain.form = s.form, strain.kind = s.kind, strain.compliance = static_cast<Real>(s.compliance);
   strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
   strain.area = fraction(s.area);

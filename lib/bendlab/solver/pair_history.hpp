@@ -1,5 +1,5 @@
-// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS: Nocedal
-// 1980, in two loops).
+// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS:
+// Nocedal 1980, in two loops).
 #pragma once
 
 #include <array>
@@ -22,9 +22,9 @@ class PairHistory {
   void forget_last() { last_x_.clear(), last_gradient_.clear(); }
   std::size_t count() const { return count_; }
 
-  /// Keeps s = x - last x and y = gradient - last gradient, if that is not the first call since forget_last(),
-  /// and if s·y is at least a tenth of s·W s: what inertia alone resists. Less is negative curvature of the
-  /// elastic energy, or rounding. Vectors of `size` numbers, a weight for four of them.
+  /// Keeps s = x - last x and y = gradient - last gradient, if that is not the first call since
+  /// forget_last(), and if s·y is at least a tenth of s·W s: what inertia alone resists. Less is negative
+  /// curvature of the elastic energy, or rounding. Vectors of `size` numbers, a weight for four of them.
   void add(const Real* x, const Real* gradient, const Real* weights);
 
   /// Turns a gradient into a direction: loops over the pairs, with `apply_metric(vector)` between them.

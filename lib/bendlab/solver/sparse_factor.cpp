@@ -54,8 +54,7 @@ void SparseFactor<Real>::keep(const cholmod_factor_struct& factor) {
     }
     for (int row = columns; row < height; ++row) {
       rows_.push_back(rows[row_starts[s] + row]);
-      for (int column = 0; column < columns; ++column)
-        values_.push_back(static_cast<Real>(at(row, column)));
+      for (int column = 0; column < columns; ++column) values_.push_back(static_cast<Real>(at(row, column)));
     }
   }
 }

@@ -27,8 +27,8 @@ class SparseFactor {
   /// becomes useless.
   void solve(Point<Real>* points) const;
 
-  std::size_t size() const { return order_.size(); }       ///< n
-  std::size_t entries() const { return values_.size(); }   ///< numbers in the factor
+  std::size_t size() const { return order_.size(); }      ///< n
+  std::size_t entries() const { return values_.size(); }  ///< numbers in the factor
   std::size_t memory_bytes() const;
 
  private:
@@ -44,7 +44,8 @@ class SparseFactor {
   std::vector<int> order_;  // n, the row of the matrix at each place of the factor
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;  // by supernode: the factor's rows below its columns
-  // By supernode: its triangle row by row, the diagonal inverted; then the rows below, `columns` numbers each.
+  // By supernode: its triangle row by row, the diagonal inverted; then the rows below, `columns` numbers
+  // each.
   LargeArray<Real> values_;
   mutable Points<Real> work_;  // n
 };

@@ -56,7 +56,8 @@ class NewtonStep final : public ImplicitStep<double> {
  private:
   double iterate() override {
     for (std::size_t v = 0; v < weights().size(); ++v)
-      positions_.row(static_cast<Eigen::Index>(v)) = (state_.position[v].vector() + state_.origin).transpose();
+      positions_.row(static_cast<Eigen::Index>(v)) =
+          (state_.position[v].vector() + state_.origin).transpose();
     if (multipliers_.size() == 0) multipliers_ = system_.multipliers(positions_);
     VectorXd residual = -system_.gradient(positions_), diagonal(system_.unknowns());
     for (std::size_t v = 0; v < weights().size(); ++v)

@@ -130,8 +130,7 @@ class PbdStep final : public TimeStep<Real> {
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
   using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
-      Base::find_divergence, Base::for_vertices, Base::run, Base::settings_, Base::state_,
-      Base::workers_;
+      Base::find_divergence, Base::for_vertices, Base::run, Base::settings_, Base::state_, Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)

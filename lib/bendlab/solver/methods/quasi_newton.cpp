@@ -7,15 +7,16 @@
 // A is a matrix of scalars, the same for x, y and z (elastic_metric.hpp), so it is factorised once and its
 // factor serves every iteration of the run. It holds what a membrane resists in its plane and how bending
 // resists in the rest shape. What it gets wrong (a sheet has no stiffness across itself) the pairs of moves
-// and gradients correct. They are kept from substep to substep: G = ∇E + W x does not depend on y, so a pair of
-// two substeps is as good as one of two iterations. A history that starts anew with every substep takes many
-// times the iterations.
+// and gradients correct. They are kept from substep to substep: G = ∇E + W x does not depend on y, so a pair
+// of two substeps is as good as one of two iterations. A history that starts anew with every substep takes
+// many times the iterations.
 //
 // No line search: A is stiffer than the cloth in most directions, and an energy in single precision could not
-// tell. A pair is kept unless it shows less curvature than inertia alone. An iteration that would move a vertex by more than
-// `longest_move` is shortened, and if gradients grow, the pairs are forgotten.
+// tell. A pair is kept unless it shows less curvature than inertia alone. An iteration that would move a
+// vertex by more than `longest_move` is shortened, and if gradients grow, the pairs are forgotten.
 //
-// Without pins the cloth is shifted so that W (x - y) sums to 0: linear momentum then changes by forces alone.
+// Without pins the cloth is shifted so that W (x - y) sums to 0: linear momentum then changes by forces
+// alone.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -35,9 +36,9 @@ namespace {
 
 // Two threads pay off for more lanes than this (about 10 µs of work).
 constexpr std::size_t worthwhile_lanes = 4096;
-constexpr double longest_move = 0.1;  // of the cloth's size, per iteration
+constexpr double longest_move = 0.1;      // of the cloth's size, per iteration
 constexpr double contact_per_weight = 2;  // stiffer contacts overshoot: the metric would have to follow them
-constexpr double growth = 10;         // of the gradient over one iteration: the pairs mislead
+constexpr double growth = 10;             // of the gradient over one iteration: the pairs mislead
 
 constexpr std::array<std::string_view, 3> shared = {"substeps", "iterations", "precision"};
 
@@ -141,7 +142,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) +=
           (this->has_contacts() ? 1 + contact_per_weight : 1) *
-          static_cast<double>(lasting[static_cast<std::size_t>(metric_.vertices[static_cast<std::size_t>(i)])]);
+          static_cast<double>(
+              lasting[static_cast<std::size_t>(metric_.vertices[static_cast<std::size_t>(i)])]);
     factor_.emplace(matrix);
   }
 
@@ -220,7 +222,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   Real longest_move_;
   double last_norm_ = 0, gamma_of_pairs_ = 0;  // of the gradient in this substep, N; s
   double strain_compliance_;
-  std::optional<double> softness_;  // of the membrane, times the stated compliance
+  std::optional<double> softness_;             // of the membrane, times the stated compliance
   Points<Real> force_, gradient_, direction_;  // by slot; gradient_ is W x - force
   Points<Real> free_direction_;                // by metric_.vertices
 };

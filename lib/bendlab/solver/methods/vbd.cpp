@@ -6,8 +6,8 @@
 // with the other vertices where they are. One implementation over C and ∇C of every kind of constraint, in
 // double precision, one vertex after another: it shows how block descent converges, not how fast it can be.
 //
-// `acceleration` is Chebyshev's: from the third iteration on x + ω (Δx + x - x before the last iteration), with
-// the spectral radius ρ of a plain iteration (Wang 2015).
+// `acceleration` is Chebyshev's: from the third iteration on x + ω (Δx + x - x before the last iteration),
+// with the spectral radius ρ of a plain iteration (Wang 2015).
 #include <array>
 
 #include "bendlab/solver/colouring.hpp"
@@ -26,8 +26,8 @@ constexpr std::array parameters = {
     integrator_parameter,
     tolerance_parameter,
     Parameter{.name = "acceleration", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
-              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of its error that an iteration leaves; "
-                         "0: none. Too large a ρ diverges",
+              .meaning = "vbd: ρ of Chebyshev's acceleration, the share of its error that an iteration "
+                         "leaves; 0: none. Too large a ρ diverges",
               .minimum = 0, .maximum = 0.9999},
 };
 // clang-format on
@@ -57,7 +57,8 @@ class VbdStep final : public ImplicitStep<double> {
  private:
   double iterate() override {
     for (std::size_t v = 0; v < weights().size(); ++v)
-      positions_.row(static_cast<Eigen::Index>(v)) = (state_.position[v].vector() + state_.origin).transpose();
+      positions_.row(static_cast<Eigen::Index>(v)) =
+          (state_.position[v].vector() + state_.origin).transpose();
     const Positions start = positions_;
     double longest = 0;
     for (std::size_t v = 0; v < weights().size(); ++v)
@@ -74,7 +75,8 @@ class VbdStep final : public ImplicitStep<double> {
   double descend(std::size_t v) {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
-    const Vector3 start = row.transpose(), contact = has_contacts() ? contact_forces()[v].vector() : Vector3::Zero();
+    const Vector3 start = row.transpose(),
+                  contact = has_contacts() ? contact_forces()[v].vector() : Vector3::Zero();
     const double stiffness =
         weights()[v] + (contact.squaredNorm() > 0 ? contact_stiffness(v) : 0);  // inertia and contact
     const Vector3 outside = weights()[v] * (target()[v].vector() + state_.origin - start) + contact;
