@@ -27,8 +27,8 @@ export class ColourBar {
     const unit = quantity.unit && quantity.unit !== "1" ? ` (${quantity.unit})` : "";
     this.name.textContent = `${quantity.symbol || quantity.name}${unit}`;
     this.name.title = quantity.meaning;
-    this.low.value = plain(range[0]);
-    this.high.value = plain(range[1]);
+    put(this.low, range[0]);
+    put(this.high, range[1]);
     const context = this.canvas.getContext("2d");
     for (let i = 0; i < 256; ++i) {
       context.fillStyle = `#${this.colours.maps[map].substr(6 * i, 6)}`;
@@ -50,6 +50,11 @@ export class ColourBar {
       ? "Two positive numbers are needed, the smaller one on the left." : "The smaller number belongs on the left.";
     if (usable) change(low, high);
   }
+}
+
+/** A picture may be drawn while somebody types: what is typed stays. */
+function put(input, x) {
+  if (document.activeElement !== input) input.value = plain(x);
 }
 
 /** A number that can be typed again. */
