@@ -182,12 +182,12 @@ ElasticSystem::AtVertex ElasticSystem::at_vertex(const Positions& positions, int
     sum.force -= psi.slope * gradient;
     sum.stiffness += std::max(0.0, psi.curvature) * gradient * gradient.transpose();
   };
-  for (const auto& [list, index] : constraints_at_[static_cast<std::size_t>(vertex)]) {
+  for (const Listed& at : constraints_at_[static_cast<std::size_t>(vertex)]) {
     Eigen::Index term = 0;
-    if (list == 0) strain_terms(index, term, add);
-    if (list == 1) distance_term(index, term, add);
+    if (at.list == 0) strain_terms(at.index, term, add);
+    if (at.list == 1) distance_term(at.index, term, add);
     for_each_kind(elements_, [&]<class Kind>(const ElementList<Kind>& elements) {
-      if (list == 2 + kind_index<Kind>) element_terms(elements, index, term, add);
+      if (at.list == 2 + kind_index<Kind>) element_terms(elements, at.index, term, add);
     });
   }
   return sum;
