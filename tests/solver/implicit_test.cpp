@@ -272,6 +272,23 @@ TEST_CASE("an implicit step keeps linear momentum, however few its iterations", 
   }
 }
 
+// A pass that always moves vertex 0 by d pushes it with κ d; at the end of the step it moves it once more.
+// With κ = 2 m / h² the sheet has the momentum h κ d + m d / h = 3 m d / h.
+TEST_CASE("what contacts push is in a free sheet's momentum", "[solver]") {
+  const RestMesh rest(grid(1, 1, 3, 3));
+  const double d = 1e-3, h = 1.0 / 60;
+  const SimulationInput input =
+      compliant(test::sheet(rest, make_pins(rest, {}, 0), "none"), "quasi_newton", 1e-2, 1);
+  std::vector<Pass<double>> push(1);
+  push[0].name = "push", push[0].stage = Stage::project;
+  push[0].run = [d](PassContext<double>& c) { c.state.position[0].z += d; };
+  const auto end = moved(input, "quasi_newton", "euler", h, h, std::move(push), 500);
+  double momentum = 0;
+  for (Eigen::Index v = 0; v < rest.vertex_count(); ++v)
+    momentum += input.mass[static_cast<std::size_t>(v)] * end->velocities()(v, 2);
+  CHECK_THAT(momentum, WithinRel(3 * input.mass[0] * d / h, 1e-6));
+}
+
 TEST_CASE("a membrane is softened as far as the error asks for, and not beyond", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 8, Rows::parallel));
   const Pins pins = make_pins(rest, {0, 8}, 0);
