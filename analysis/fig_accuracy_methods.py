@@ -69,7 +69,7 @@ def _fronts(runs, out, name, ylabel, title):
         axes.set_xscale("log"), axes.set_yscale("log")
         axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_title(f"{cells} cells")
     panels[0][0].set_ylabel(ylabel)
-    panels[0][0].legend(fontsize=7.5)
+    panels[0][0].legend(loc="lower left", fontsize=7)
     figure.suptitle(title, x=0.01, ha="left", fontsize=11)
     return style.save(figure, out, name)
 
