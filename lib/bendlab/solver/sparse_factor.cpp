@@ -26,7 +26,7 @@ SparseFactor<Real>::SparseFactor(const Eigen::SparseMatrix<double>& lower) {
   Supernodal solver;
   solver.cholmod().print = 0;
   solver.cholmod().nmethods = 1;
-  solver.cholmod().method[0].ordering = CHOLMOD_METIS;
+  solver.cholmod().method[0].ordering = CHOLMOD_AMD;
   solver.compute(lower);
   if (solver.info() != Eigen::Success)
     throw std::runtime_error("SparseFactor: the matrix is not positive definite");

@@ -1,9 +1,9 @@
 // Cholesky factors of a symmetric, positive definite matrix of scalars, made to solve for many right-hand
 // sides of three numbers: the x, y and z of points.
 //
-// CHOLMOD orders (nested dissection by METIS) and factorises, once. Its supernodes are then stored row by row
-// in the precision of the points: a row times the points of its columns is one pass through memory, in which
-// every number of the factor serves x, y and z at once.
+// CHOLMOD orders (AMD: METIS would not give every run the same order) and factorises, once. Its supernodes
+// are then stored row by row in the precision of the points: a row times the points of its columns is one
+// pass through memory, in which every number of the factor serves x, y and z at once.
 #pragma once
 
 #include <Eigen/SparseCore>
