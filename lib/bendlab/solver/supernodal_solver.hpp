@@ -3,6 +3,7 @@
 
 #include <Eigen/CholmodSupport>
 #include <algorithm>
+#include <mutex>
 
 #include "bendlab/solver/one_blas_thread.hpp"
 
@@ -16,10 +17,16 @@ class SupernodalSolver {
   }
 
   /// Factorises lower + diagonal; the first call also orders. False if that is not positive definite.
+  /// Where AMD's order is poor CHOLMOD tries METIS, which seeds the process's random numbers and draws from
+  /// them: runs side by side order one after another, or their bits would differ.
   bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal) {
     Eigen::SparseMatrix<double> matrix = lower;
     matrix.diagonal() += diagonal;
-    if (!ordered_) factor_.analyzePattern(matrix), ordered_ = true;
+    if (!ordered_) {
+      static std::mutex one_at_a_time;
+      const std::lock_guard guard(one_at_a_time);
+      factor_.analyzePattern(matrix), ordered_ = true;
+    }
     factor_.factorize(matrix);
     bytes_ = std::max(bytes_, static_cast<std::size_t>(factor_.cholmod().memory_usage));
     return factor_.info() == Eigen::Success;
