@@ -7,8 +7,9 @@
 // force and position were both unknowns: equilibrium.cpp says why. The forces on the right are those of the
 // pose itself, so what the iterations converge to is the minimum that implicit_step.hpp states.
 //
-// An iteration is shortened until it stretches no triangle by more than `stretch_per_step` beyond its aim. In
-// double precision.
+// An iteration is shortened until it stretches no triangle by more than `stretch_per_step` beyond its aim,
+// and until it lowers what the step minimises (Armijo's rule). Without the second rule steps of 0.1 s and
+// more went to and fro between stretched poses, and gained energy. In double precision.
 #include <array>
 #include <stdexcept>
 
@@ -25,6 +26,10 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr double stretch_per_step = 0.05;  // 1
+constexpr double least_share = 1e-4;       // 1, of the decrease to first order: Armijo's constant
+constexpr double near = 1e-6;              // of the cloth's size: a move this short is Newton's last, and
+                                           // lowers the energy by less than it is rounded
+constexpr double energy_rounding = 1e-11;  // 1
 
 constexpr std::array<std::string_view, 2> shared = {"substeps", "iterations"};
 constexpr std::array parameters = {integrator_parameter, tolerance_parameter};
@@ -33,7 +38,11 @@ constexpr std::array<MethodPass, 4> own_passes = implicit_passes("newton: factor
 class NewtonStep final : public ImplicitStep<double> {
  public:
   NewtonStep(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
-      : ImplicitStep<double>(input, {}), system_(input), positions_(input.positions), orders_(input) {
+      : ImplicitStep<double>(input, {}),
+        system_(input),
+        positions_(input.positions),
+        size_(input.size),
+        orders_(input) {
     constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
     // Far above the weights, and below the stiffness of the membrane, which rounding already bears.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
@@ -55,11 +64,11 @@ class NewtonStep final : public ImplicitStep<double> {
 
  private:
   double iterate() override {
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      positions_.row(static_cast<Eigen::Index>(v)) =
-          (state_.position[v].vector() + state_.origin).transpose();
+    for (std::size_t v = 0; v < weights().size(); ++v) positions_.row(row(v)) = in_world(state_.position[v]);
+    if (is_first_iteration() && !has_contacts()) start_lower();
     if (multipliers_.size() == 0) multipliers_ = system_.multipliers(positions_);
-    VectorXd residual = -system_.gradient(positions_), diagonal(system_.unknowns());
+    const VectorXd elastic = -system_.gradient(positions_);
+    VectorXd residual = elastic, diagonal(system_.unknowns());
     for (std::size_t v = 0; v < weights().size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0) {
         residual.segment<3>(3 * at) -= weights()[v] * (state_.position[v].vector() - target()[v].vector());
@@ -74,22 +83,72 @@ class NewtonStep final : public ImplicitStep<double> {
     const auto& hessian = system_.hessian(positions_, system_.convex(multipliers_));
     if (!solver_.factorise(hessian, diagonal))
       throw std::runtime_error("newton: the stiffness matrix is not finite");
-    return move(solver_.solve(residual));
-  }
-
-  double move(const VectorXd& direction) {
+    const VectorXd direction = solver_.solve(residual);
+    const double longest = direction.cwiseAbs().maxCoeff();
     double share = 1;
     while (system_.strain_beyond_first_order(positions_, share * direction) > stretch_per_step) share *= 0.5;
+    if (longest > near * size_)
+      share = lowering(share, {direction, residual.dot(direction), (residual - elastic).dot(direction),
+                               direction.dot(diagonal.cwiseProduct(direction))});
+    move(direction, share);
+    return longest;
+  }
+
+  // A long step's first guess flies far from the cloth: starts where the last substep ended, if that is
+  // lower.
+  void start_lower() {
+    Positions last = positions_;
+    double inertia = 0;  // there, minus at the guess
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      if (system_.free_index()[v] >= 0) {
+        last.row(row(v)) = in_world(state_.previous[v]);
+        inertia += 0.5 * weights()[v] *
+                   ((state_.previous[v].vector() - target()[v].vector()).squaredNorm() -
+                    (state_.position[v].vector() - target()[v].vector()).squaredNorm());
+      }
+    if (!(inertia + system_.energy(last) < system_.energy(positions_))) return;
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      if (system_.free_index()[v] >= 0) state_.position[v].set(state_.previous[v].vector());
+    positions_ = last;
+  }
+
+  static Eigen::Index row(std::size_t v) { return static_cast<Eigen::Index>(v); }
+  Eigen::RowVector3d in_world(const Point<double>& p) const {
+    return (p.vector() + state_.origin).transpose();
+  }
+
+  // What a direction d does beside the elastic energy: inertia and contacts are quadratic along it.
+  struct Descent {
+    const VectorXd& direction;
+    double slope;      // of everything, J, downwards
+    double push;       // of inertia and contacts alone
+    double curvature;  // of these
+  };
+
+  // The largest of share, share / 2, … that lowers the energy enough.
+  double lowering(double share, const Descent& d) const {
+    constexpr int halvings = 30;  // rounding decides about shorter moves
+    const double start = system_.energy(positions_), rounding = energy_rounding * start;
+    const auto rise = [&](double s) {
+      return system_.energy(system_.moved(positions_, s * d.direction)) - start - s * d.push +
+             0.5 * s * s * d.curvature;
+    };
+    for (int i = 0; i < halvings && !(rise(share) <= rounding - least_share * share * d.slope); ++i)
+      share *= 0.5;
+    return share;
+  }
+
+  void move(const VectorXd& direction, double share) {
     // A shortened step takes its share of what the whole one aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction);
     for (std::size_t v = 0; v < weights().size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         state_.position[v].set(state_.position[v].vector() + share * direction.segment<3>(3 * at));
-    return direction.cwiseAbs().maxCoeff();
   }
 
   ElasticSystem system_;
   Positions positions_;  // #V by 3, m, in world coordinates
+  double size_;          // m
   VectorXd multipliers_;
   SupernodalSolver solver_;
   ListOrders orders_;
