@@ -8,44 +8,20 @@
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
 #include "tests/catch.hpp"
-#include "tests/support.hpp"
+#include "tests/solver/implicit_scenes.hpp"
 
 namespace bendlab {
 namespace {
 
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
+using test::compliant, test::disturb, test::SmoothModel, test::smooth_models;
 
 const std::vector<std::string_view> implicit_methods = {"newton", "quasi_newton", "vbd"};
-
-// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one
-// over its rigidity.
-struct SmoothModel {
-  std::string_view name;
-  double compliance;
-};
-const std::vector<SmoothModel> smooth_models = {
-    {"none", 1},       {"crossover", 0.1}, {"k_ring", 0.2},          {"adaptive", 0.2}, {"lod", 0.2},
-    {"sparse_lod", 1}, {"dihedral", 100},  {"discrete_shells", 100}, {"bridson", 100},  {"isometric", 100},
-};
-
-SimulationInput compliant(SimulationInput input, std::string_view method, double strain, double bending) {
-  input.strain_stiffness = {
-      .form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
-  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
-  input.method = find_method(method);
-  return input;
-}
 
 template <class Real>
 std::vector<Pass<Real>> gravity() {
   return test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -9.81});
-}
-
-void disturb(SimulationInput& input, double size) {
-  std::mt19937_64 random(11);
-  for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
-    input.positions.row(v) += test::random_vector(random, size).transpose();
 }
 
 // After one step of 1/60 s.
@@ -71,12 +47,8 @@ double largest_difference(const Positions& a, const Positions& b) {
 std::unique_ptr<Simulation> moved(SimulationInput input, std::string_view method, std::string_view integrator,
                                   double h, double duration, std::vector<Pass<double>> passes,
                                   int iterations = 50) {
-  input.method = find_method(method);
-  input.settings.dt = h, input.settings.substeps = 1, input.settings.iterations = iterations;
-  input.settings.own = ParameterValues(input.method->parameters);
-  input.settings.own.set("integrator", std::string(integrator));
-  input.settings.own.set("tolerance", 1e-12);
-  auto simulation = make_simulation<double>(input, std::move(passes));
+  auto simulation =
+      test::implicit_steps(std::move(input), method, integrator, h, std::move(passes), iterations);
   for (int step = 0; step < static_cast<int>(std::lround(duration / h)); ++step) REQUIRE(simulation->step());
   return simulation;
 }

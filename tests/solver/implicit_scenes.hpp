@@ -1,0 +1,49 @@
+// Scenes and settings of the tests of implicit steps.
+#pragma once
+
+#include "bendlab/solver/method.hpp"
+#include "tests/support.hpp"
+
+namespace bendlab::test {
+
+// Models whose energy has a gradient everywhere. A spring's compliance is 1 / stiffness, a hinge's is one
+// over its rigidity.
+struct SmoothModel {
+  std::string_view name;
+  double compliance;
+};
+inline const std::vector<SmoothModel> smooth_models = {
+    {"none", 1},       {"crossover", 0.1}, {"k_ring", 0.2},          {"adaptive", 0.2}, {"lod", 0.2},
+    {"sparse_lod", 1}, {"dihedral", 100},  {"discrete_shells", 100}, {"bridson", 100},  {"isometric", 100},
+};
+
+inline SimulationInput compliant(SimulationInput input, std::string_view method, double strain,
+                                 double bending) {
+  input.strain_stiffness = {
+      .form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
+  input.method = find_method(method);
+  return input;
+}
+
+inline void disturb(SimulationInput& input, double size) {
+  std::mt19937_64 random(11);
+  for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
+    input.positions.row(v) += random_vector(random, size).transpose();
+}
+
+/// A simulation with steps of h whose iterations end once none moves a vertex by more than `tolerance` sizes.
+template <class Real = double>
+std::unique_ptr<Simulation> implicit_steps(SimulationInput input, std::string_view method,
+                                           std::string_view integrator, double h,
+                                           std::vector<Pass<Real>> passes, int iterations,
+                                           double tolerance = 1e-12) {
+  input.method = find_method(method);
+  input.settings.dt = h, input.settings.substeps = 1, input.settings.iterations = iterations;
+  input.settings.own = ParameterValues(input.method->parameters);
+  input.settings.own.set("integrator", std::string(integrator));
+  input.settings.own.set("tolerance", tolerance);
+  return make_simulation<Real>(input, std::move(passes));
+}
+
+}  // namespace bendlab::test
