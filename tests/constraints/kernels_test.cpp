@@ -40,6 +40,12 @@ struct Crumpled {
     return batch;
   }
 
+  DistanceBatch<Real> pulling(StiffnessKind kind) const {
+    DistanceBatch<Real> batch = distance(kind);
+    batch.only_pulls = true;
+    return batch;
+  }
+
   DistanceBatch<Real> distance(StiffnessKind kind, bool stars = true) const {
     const DistanceConstraints list = test::sheet(rest, make_pins(rest, {}, 0), "k_ring").distance;
     DistanceBatch<Real> batch =
@@ -137,6 +143,7 @@ TEMPLATE_TEST_CASE("kernels agree with the oracle to rounding", "[constraints]",
   const Crumpled<TestType> cloth(5);
   for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
     check_kernel(cloth, cloth.distance(kind));
+    check_kernel(cloth, cloth.pulling(kind));
     for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle})
       check_kernel(cloth, cloth.strain(kind, form));
   }
@@ -155,6 +162,7 @@ void for_batches(const Crumpled<Real>& cloth, const Check& check) {
   };
   for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
     with_rest(cloth.distance(kind));
+    with_rest(cloth.pulling(kind));
     for (const StrainForm form : {StrainForm::normalised, StrainForm::green, StrainForm::angle})
       with_rest(cloth.strain(kind, form));
   }

@@ -1,6 +1,7 @@
 #include "bendlab/mesh/geodesics.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -133,6 +134,22 @@ TEST_CASE("geodesics go around holes, take the nearest source, and end where the
   const GeodesicDistances two = geodesic_distances(rest, std::array{5, 6});
   CHECK(two.source[7] == 6);
   CHECK(two.source[2] == 5);
+}
+
+TEST_CASE("a disc holds what is nearer than its radius, disc after disc", "[mesh]") {
+  for (const TriangleMesh& mesh : {grid(1, 1, 9, 9, Diagonal::both), delaunay(1, 1, 20, 3)}) {
+    const RestMesh rest(mesh);
+    GeodesicDiscs discs(rest);
+    for (const int centre : {0, rest.vertex_count() / 2, 3}) {
+      const GeodesicDistances all = geodesic_distances(rest, std::array{centre});
+      const std::vector<GeodesicDiscs::Member> disc = discs.around(centre, 0.3);
+      CHECK(disc.front().vertex == centre);
+      CHECK(disc.size() ==
+            static_cast<std::size_t>(std::ranges::count_if(all.distance, [](double d) { return d < 0.3; })));
+      for (const GeodesicDiscs::Member& member : disc)
+        CHECK(member.distance == all.distance[static_cast<std::size_t>(member.vertex)]);
+    }
+  }
 }
 
 }  // namespace bendlab

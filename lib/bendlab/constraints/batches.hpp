@@ -56,8 +56,9 @@ struct DistanceBatch {
   LargeArray<Real> softness;     ///< by lane, or empty: 1
   LargeArray<Real> multiplier;   ///< λ, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
-  Real k = 1;           ///< fraction per projection
-  Real compliance = 0;  ///< times softness: α, m/N
+  Real k = 1;               ///< fraction per projection
+  Real compliance = 0;      ///< times softness: α, m/N
+  bool only_pulls = false;  ///< a spring shorter than at rest is slack; of projections alone
   std::size_t count = 0;
   const Point<Real>* rest_points = nullptr;  ///< rest shape along which collapsed ones open; null: they stay
 };

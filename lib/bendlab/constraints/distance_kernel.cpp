@@ -40,7 +40,7 @@ struct RestEnds {
 //
 // A collapsed spring takes d from the rest shape, just long enough to have a direction. A correction is never
 // longer than C, and |∇C| is never rounding, so no move needs a bound. Moves a, and returns the move of b.
-template <class Real, bool compliant>
+template <class Real, bool compliant, bool only_pulls>
 BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoints<Real>& b,
                                              const Pack<Real>& rest, Real k, const Pack<Real>& alpha,
                                              Real* multipliers, const RestEnds<Real>& at_rest) {
@@ -59,11 +59,13 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
   P step;  // the move along d, per inverse mass
   if constexpr (compliant) {
     const P multiplier = load(multipliers);
-    const P change = acts ? (rest - squared * inverse_length - alpha * multiplier) * inverse_sum : zero;
+    P change = acts ? (rest - squared * inverse_length - alpha * multiplier) * inverse_sum : zero;
+    if constexpr (only_pulls) change = change > -multiplier ? -multiplier : change;  // λ ≤ 0
     store(multipliers, multiplier + change);
     step = change * inverse_length;
   } else {
     step = acts ? k * inverse_sum * (rest * inverse_length - one) : zero;
+    if constexpr (only_pulls) step = step > zero ? zero : step;
   }
   a.position = a.position + scaled<Real>(step * a.w, d);
   return scaled<Real>(-step * b.w, d);
@@ -71,7 +73,7 @@ BENDLAB_INLINE PackVector<Real> project_pack(PackPoints<Real>& a, const PackPoin
 
 enum class Alpha { none, common, own };  // PBD; XPBD with one α for all springs; XPBD with an α for each
 
-template <class Real, Alpha kind, bool split>
+template <class Real, Alpha kind, bool split, bool only_pulls>
 void project_stacks(const Places<Real>& places, DistanceBatch<Real>& batch, std::size_t first,
                     std::size_t last, Real compliance_over_h2, bool backwards) {
   constexpr bool compliant = kind != Alpha::none;
@@ -101,7 +103,7 @@ void project_stacks(const Places<Real>& places, DistanceBatch<Real>& batch, std:
           b = gather(places.moved, &batch.b[lane]);
         }
         if constexpr (kind == Alpha::own) alpha = compliance_over_h2 * load(&batch.softness[lane]);
-        const PackVector<Real> move = project_pack<Real, compliant>(
+        const PackVector<Real> move = project_pack<Real, compliant, only_pulls>(
             a, b, load(&batch.rest_length[lane]), batch.k, alpha,
             compliant ? &batch.multiplier[lane] : nullptr, {batch.rest_points, centres, &batch.b[lane]});
         if constexpr (split) {
@@ -122,13 +124,16 @@ template <class Real>
 void project(const PlacesOf<Real>& places, DistanceBatch<Real>& batch, std::size_t first, std::size_t last,
              Real substep, bool backwards) {
   const Real compliance = batch.compliance / (substep * substep);
-  with_split(places, [&]<bool split>(std::bool_constant<split>) {
+  const auto project_all = [&]<bool split, bool pulls>(std::bool_constant<split>, std::bool_constant<pulls>) {
     if (batch.kind != StiffnessKind::compliance)
-      project_stacks<Real, Alpha::none, split>(places, batch, first, last, 0, backwards);
+      project_stacks<Real, Alpha::none, split, pulls>(places, batch, first, last, 0, backwards);
     else if (batch.softness.empty())
-      project_stacks<Real, Alpha::common, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::common, split, pulls>(places, batch, first, last, compliance, backwards);
     else
-      project_stacks<Real, Alpha::own, split>(places, batch, first, last, compliance, backwards);
+      project_stacks<Real, Alpha::own, split, pulls>(places, batch, first, last, compliance, backwards);
+  };
+  with_split(places, [&](auto split) {
+    batch.only_pulls ? project_all(split, std::true_type{}) : project_all(split, std::false_type{});
   });
 }
 

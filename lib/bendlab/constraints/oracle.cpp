@@ -86,6 +86,16 @@ void project_one_sided(const std::array<Corner<Real>, N>& p, const ConstraintVal
   multiplier += move_by_oracle(p, c, change, reach);
 }
 
+// A spring that only pulls: λ ≤ 0. True if it is slack; it has then given back what it had pulled.
+template <class Real>
+bool slackened(const std::array<Corner<Real>, 2>& p, const ConstraintValue<Real, 2>& c, Real* multiplier) {
+  if (multiplier == nullptr) return c.value <= 0;
+  const Real w = weighted_square(inverse_masses(p), c);
+  if (!c.defined || !(w > 0) || c.value >= *multiplier * w) return false;
+  *multiplier += move_by_oracle(p, c, -*multiplier, anywhere<Real>);
+  return true;
+}
+
 }  // namespace
 
 template <class Real>
@@ -98,8 +108,9 @@ void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch,
     const bool compliant = batch.kind == StiffnessKind::compliance;
     const auto c = opening(p, rest_corners(batch.rest_points, centre_of(batch, lane, stack), batch.b[lane]),
                            [&](const auto& x) { return distance_constraint(x, batch.rest_length[lane]); });
-    project_by_oracle(p, c, batch.k, compliant ? &batch.multiplier[lane] : nullptr,
-                      compliant ? alpha : Real(0));
+    Real* const multiplier = compliant ? &batch.multiplier[lane] : nullptr;
+    if (batch.only_pulls && slackened(p, c, multiplier)) return;
+    project_by_oracle(p, c, batch.k, multiplier, compliant ? alpha : Real(0));
   });
 }
 

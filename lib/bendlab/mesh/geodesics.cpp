@@ -31,8 +31,13 @@ double unfolded(double to_a, double to_b, double base, double a_to_c, double b_t
 // would seldom agree on one.
 class Front {
  public:
-  Front(const RestMesh& rest, std::span<const int> sources)
-      : rest_(rest), triangles_(vertex_triangles()), known_(static_cast<std::size_t>(rest.vertex_count())) {
+  explicit Front(const RestMesh& rest)
+      : rest_(rest), triangles_(vertex_triangles()), known_(static_cast<std::size_t>(rest.vertex_count())) {}
+
+  // Begins anew with paths shorter than `limit`.
+  void start(std::span<const int> sources, double limit) {
+    for (const int v : reached_) known_[static_cast<std::size_t>(v)] = {};
+    reached_.clear(), limit_ = limit;
     for (const int v : sources) reach(v, 0, v);
   }
 
@@ -53,20 +58,17 @@ class Front {
     }
   }
 
-  GeodesicDistances nearest() const {
-    GeodesicDistances result;
-    for (const Known& known : known_) {
-      const auto least = std::ranges::min_element(known, {}, &Reached::distance);
-      result.distance.push_back(least->distance), result.source.push_back(least->source);
-    }
-    return result;
-  }
-
- private:
   struct Reached {
     double distance = infinity;
     int source = -1;
   };
+  Reached nearest(int v) const {
+    return *std::ranges::min_element(known_[static_cast<std::size_t>(v)], {}, &Reached::distance);
+  }
+  // The vertices that some path reached.
+  const std::vector<int>& reached() const { return reached_; }
+
+ private:
   using Known = std::array<Reached, 8>;
 
   double distance_of(int v, int source) const {
@@ -83,7 +85,8 @@ class Front {
     Known& known = known_[static_cast<std::size_t>(v)];
     auto place = std::ranges::find(known, source, &Reached::source);
     if (place == known.end()) place = std::ranges::max_element(known, {}, &Reached::distance);
-    if (!(distance < place->distance * (1 - rounding))) return;
+    if (!(distance < limit_ && distance < place->distance * (1 - rounding))) return;
+    if (known.front().source < 0) reached_.push_back(v);
     *place = {distance, source};
     front_.push({distance, v, source});
   }
@@ -104,6 +107,8 @@ class Front {
   const RestMesh& rest_;
   std::vector<std::vector<int>> triangles_;
   std::vector<Known> known_;
+  std::vector<int> reached_;
+  double limit_ = infinity;
   using Arrival = std::tuple<double, int, int>;  // distance, vertex, source
   std::priority_queue<Arrival, std::vector<Arrival>, std::greater<>> front_;
 };
@@ -111,9 +116,30 @@ class Front {
 }  // namespace
 
 GeodesicDistances geodesic_distances(const RestMesh& rest, std::span<const int> sources) {
-  Front front(rest, sources);
+  Front front(rest);
+  front.start(sources, infinity);
   front.spread();
-  return front.nearest();
+  GeodesicDistances result;
+  for (int v = 0; v < rest.vertex_count(); ++v) {
+    const Front::Reached nearest = front.nearest(v);
+    result.distance.push_back(nearest.distance), result.source.push_back(nearest.source);
+  }
+  return result;
+}
+
+struct GeodesicDiscs::Implementation : Front {
+  using Front::Front;
+};
+
+GeodesicDiscs::GeodesicDiscs(const RestMesh& rest) : front_(std::make_unique<Implementation>(rest)) {}
+GeodesicDiscs::~GeodesicDiscs() = default;
+
+std::vector<GeodesicDiscs::Member> GeodesicDiscs::around(int centre, double radius) {
+  front_->start(std::array{centre}, radius);
+  front_->spread();
+  std::vector<Member> disc;
+  for (const int v : front_->reached()) disc.push_back({v, front_->nearest(v).distance});
+  return disc;
 }
 
 }  // namespace bendlab

@@ -1,6 +1,7 @@
 // Distances along the rest surface.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -19,5 +20,24 @@ struct GeodesicDistances {
 /// cent behind a corner, by up to two thousandths far from a row of sources, and to first order in the edge
 /// length on curved surfaces. Never longer than the shortest path along edges.
 GeodesicDistances geodesic_distances(const RestMesh& rest, std::span<const int> sources);
+
+/// The vertices around one vertex at a time, by the same distances. A disc takes time by its own size, not by
+/// that of the mesh.
+class GeodesicDiscs {
+ public:
+  explicit GeodesicDiscs(const RestMesh& rest);
+  ~GeodesicDiscs();
+
+  struct Member {
+    int vertex;
+    double distance;  ///< m
+  };
+  /// All vertices nearer to `centre` than `radius` (m), the centre first.
+  std::vector<Member> around(int centre, double radius);
+
+ private:
+  struct Implementation;
+  std::unique_ptr<Implementation> front_;
+};
 
 }  // namespace bendlab

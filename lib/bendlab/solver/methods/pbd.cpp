@@ -1,7 +1,8 @@
 // The time step of position-based dynamics. Its plan of passes is compiled from what the scene lists.
 //
 //   per substep h:  force passes → damp passes → predict → predicted passes →
-//                   n × (strain, bending, project passes, contact passes) → update → velocity passes
+//                   n × (levels, strain, bending, project passes, contact passes) → update →
+//                   velocity passes
 //
 // (Müller et al. 2007, §3.1.) A pass that the scene does not list is not in the plan: it costs no branch and
 // no time.
@@ -34,11 +35,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/oracle.hpp"
+#include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
@@ -53,6 +56,7 @@ constexpr std::array<std::string_view, 6> shared = {"substeps", "iterations", "s
 
 constexpr std::array own_passes = {
     MethodPass{"predict", "x += h v"},
+    MethodPass{"levels", "levels above 0: carry stretch far, from coarse to fine"},
     MethodPass{"strain", "/material/strain: keeps the triangles' shapes"},
     MethodPass{"update", "v from the change of x; looks for divergence"},
 };
@@ -66,6 +70,11 @@ constexpr std::array parameters = {
                          "by g h² / a in a pinned row of triangles of height a: 0.17 for 64 cells a metre "
                          "and 1/60 s",
               .minimum = 0},
+    Parameter{.name = "levels", .type = ParameterType::integer, .unit = "", .default_value = 0,
+              .meaning = "Most coarse levels before the constraints of each iteration: spans between ever "
+                         "fewer vertices that are slack up to their length along the cloth at rest. The cloth "
+                         "stretches less for few substeps; 12: as many as the mesh has. 0: none",
+              .minimum = 0, .maximum = 12},
 };
 // clang-format on
 
@@ -146,11 +155,14 @@ class PbdStep final : public TimeStep<Real> {
       put_.resize(pinned_.size());
     }
     constraints_ = ordered_constraints<Real>(input, this->rest_points(), &tiles_);
+    if (const auto most = static_cast<int>(own_settings(input).integer("levels")); most > 0)
+      levels_.emplace(input, most);
     compile_plan(std::move(effect_passes));
   }
 
   std::size_t memory_bytes() const override {
-    return Base::memory_bytes() + bytes_of(before_forces_) + bytes_of(moved_) + bytes_of(predicted_);
+    return Base::memory_bytes() + bytes_of(before_forces_) + bytes_of(moved_) + bytes_of(predicted_) +
+           (levels_ ? levels_->memory_bytes() : 0);
   }
   void archive(Archive& state) override {
     Base::archive(state);
@@ -195,6 +207,7 @@ class PbdStep final : public TimeStep<Real> {
       run(forces_, context);
       run(before_, context);
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
+        run(before_sweep_, context);
         run(forward_, context);
         if (settings_.sweep == Sweep::symmetric) run(backward_, context);
       }
@@ -225,7 +238,7 @@ class PbdStep final : public TimeStep<Real> {
   std::size_t constraint_count() const {
     std::size_t count = 0;
     constraints_.for_each([&](const auto& batch) { count += batch.count; });
-    return count;
+    return count + (levels_ ? levels_->span_count() : 0);
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
@@ -251,6 +264,10 @@ class PbdStep final : public TimeStep<Real> {
     add_effects(before_, Stage::damp);
     before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
     add_on_positions(before_, {Stage::predicted});
+    if (levels_ && levels_->count() > 0)
+      before_sweep_.push_back(
+          {[this](PassContext<Real>& c) { levels_->correct(places(), c.substep, workers_); },
+           add_statistics("levels")});
     const bool strain_first = settings_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     add_projection(constraints_.distance, tiles_.distance, "bending");
@@ -358,6 +375,7 @@ class PbdStep final : public TimeStep<Real> {
   void predict(Real h) {
     constraints_.for_each(
         [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
+    if (levels_) levels_->begin_substep();
     if constexpr (keeps_remainders) return on_moves_ ? predict_moves(h) : predict_positions(h);
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
@@ -412,7 +430,8 @@ class PbdStep final : public TimeStep<Real> {
   // whole positions.
   bool on_moves_;
   ConstraintTiles tiles_;
-  typename Base::Passes forces_, before_, forward_, backward_, after_;
+  std::optional<CoarseLevels<Real>> levels_;
+  typename Base::Passes forces_, before_, before_sweep_, forward_, backward_, after_;
   Points<Real> before_forces_;       // velocities; with flight_limit only
   std::vector<std::size_t> pinned_;  // permuted vertices; single precision
   Points<Real> put_;                 // positions that effects gave them in this substep
