@@ -136,6 +136,17 @@ TEST_CASE("geodesics go around holes, take the nearest source, and end where the
   CHECK(two.source[2] == 5);
 }
 
+TEST_CASE("geodesics end on a mesh with a triangle without height", "[mesh]") {
+  // Found by a fuzzer: the paths from 5 to 1, 2 and 3 went around 0, 5, 6 and got shorter without end.
+  const RestMesh rest(
+      {(Positions(7, 3) << 1, 0, 0, 0.5, 0.5, 0, 0, 0.5, 0, 0.5, 1, 0, 0.5, 0.5, 1, 1, 0.5, 0, 1, 1, 0)
+           .finished(),
+       (Triangles(6, 3) << 0, 1, 2, 0, 1, 3, 0, 3, 4, 0, 4, 5, 0, 5, 6, 1, 6, 3).finished(),
+       {}});
+  const GeodesicDistances geodesic = geodesic_distances(rest, std::array{0, 1, 2, 3, 4, 5, 6});
+  for (const double distance : geodesic.distance) CHECK(distance == 0);
+}
+
 TEST_CASE("a disc holds what is nearer than its radius, disc after disc", "[mesh]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 9, 9, Diagonal::both), delaunay(1, 1, 20, 3)}) {
     const RestMesh rest(mesh);

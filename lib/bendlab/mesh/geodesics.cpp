@@ -81,11 +81,12 @@ class Front {
 
   // A source that is farther than all that the vertex keeps is forgotten.
   void reach(int v, double distance, int source) {
-    constexpr double rounding = 1e-14;  // relative: a smaller gain is not passed on
+    // Relative: a smaller gain is not passed on. Around a triangle without height paths get shorter for ever.
+    constexpr double least_gain = 1e-10;
     Known& known = known_[static_cast<std::size_t>(v)];
     auto place = std::ranges::find(known, source, &Reached::source);
     if (place == known.end()) place = std::ranges::max_element(known, {}, &Reached::distance);
-    if (!(distance < limit_ && distance < place->distance * (1 - rounding))) return;
+    if (!(distance < limit_ && distance < place->distance * (1 - least_gain))) return;
     if (known.front().source < 0) reached_.push_back(v);
     *place = {distance, source};
     front_.push({distance, v, source});
