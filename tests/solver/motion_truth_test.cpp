@@ -3,6 +3,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <numeric>
 #include <thread>
 
 #include "tests/catch.hpp"
@@ -332,6 +333,29 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
           for (int step = 0; step < 400 && !equilibrium->settled(); ++step) REQUIRE(equilibrium->step());
           CHECK(largest_difference(input.positions, equilibrium->positions()) <= 1e-5);
         }
+}
+
+// Nothing but the sheet's own forces acts: its middle stays, and its edges find their lengths again.
+TEST_CASE("a sheet whose vertices start anywhere opens, and drifts by rounding alone", "[solver]") {
+  const RestMesh rest(grid(1, 1, 8, 8));
+  SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {}, 0), "none"), "newton", 1e-4, 1);
+  std::mt19937_64 random(5);
+  for (Eigen::Index v = 0; v < rest.vertex_count(); ++v)
+    input.positions.row(v) = test::random_vector(random, 0.5).transpose();
+  input.positions.row(1) = input.positions.row(0);  // a triangle without an edge
+  const auto middle = [&](const Positions& x) -> Vector3 {
+    Vector3 sum = Vector3::Zero();
+    for (Eigen::Index v = 0; v < x.rows(); ++v)
+      sum += input.mass[static_cast<std::size_t>(v)] * x.row(v).transpose();
+    return sum / std::accumulate(input.mass.begin(), input.mass.end(), 0.0);
+  };
+  for (const std::string_view method : converging_methods) {
+    const auto simulation = implicit_steps(input, method, "euler", 1.0 / 60, {}, 20);
+    for (int step = 0; step < 300; ++step) REQUIRE(simulation->step());
+    INFO(method);
+    CHECK((middle(simulation->positions()) - middle(input.positions)).norm() <= 1e-12);  // of 300 roundings
+    if (method == "newton") CHECK(largest_stretch(rest, simulation->positions()) <= 1.01);
+  }
 }
 
 // A strip whose lower half is 10⁶ times as heavy as the upper one, which holds it. Row j carries what is

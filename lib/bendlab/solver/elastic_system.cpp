@@ -55,7 +55,9 @@ Eigen::Matrix<double, 3 * N, 3 * N> second_derivative(Corners<N> p, const Evalua
     return result;
   }
   Eigen::Matrix<double, 3 * N, 3 * N> result;
-  const double step = 1e-6 * (p[1] - p[0]).norm();
+  double size = 0;  // two corners may lie in one place
+  for (const Vector3& corner : p) size = std::max(size, (corner - p[0]).norm());
+  const double step = 1e-6 * size;
   for (std::size_t i = 0; i < N; ++i)
     for (int axis = 0; axis < 3; ++axis) {
       const double at = p[i](axis);

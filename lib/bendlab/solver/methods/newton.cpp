@@ -80,9 +80,7 @@ class NewtonStep final : public ImplicitStep<double> {
             diagonal.segment<3>(3 * at) += contact_stiffness(v) * force.normalized().cwiseAbs();
         }
       }
-    const auto& hessian = system_.hessian(positions_, system_.convex(multipliers_));
-    if (!solver_.factorise(hessian, diagonal))
-      throw std::runtime_error("newton: the stiffness matrix is not finite");
+    factorise(diagonal);
     const VectorXd direction = solver_.solve(residual);
     const double longest = direction.cwiseAbs().maxCoeff();
     double share = 1;
@@ -91,7 +89,29 @@ class NewtonStep final : public ImplicitStep<double> {
       share = lowering(share, {direction, residual.dot(direction), (residual - elastic).dot(direction),
                                direction.dot(diagonal.cwiseProduct(direction))});
     move(direction, share);
+    if (system_.unknowns() == 3 * positions_.rows() && !has_contacts()) keep_momentum();
     return longest;
+  }
+
+  // Nothing is pinned: elastic forces sum to zero, but the solution is rounded.
+  void keep_momentum() {
+    Vector3 unbalanced = Vector3::Zero();
+    double whole = 0;
+    for (std::size_t v = 0; v < weights().size(); ++v) {
+      unbalanced += weights()[v] * (state_.position[v].vector() - target()[v].vector());
+      whole += weights()[v];
+    }
+    for (auto& p : state_.position) p.set(p.vector() - unbalanced / whole);
+  }
+
+  // Without λ no collapsed triangle, whose ∇²C is huge, makes the matrix indefinite by its rounding.
+  void factorise(const VectorXd& diagonal) {
+    if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal)) return;
+    const VectorXd none = VectorXd::Zero(multipliers_.size());
+    if (!solver_.factorise(system_.hessian(positions_, none), diagonal))
+      throw std::runtime_error(
+          "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
+          "pose, or take quasi_newton");
   }
 
   // A long step's first guess flies far from the cloth: starts where the last substep ended, if that is
