@@ -37,7 +37,7 @@ namespace {
 // Two threads pay off for more lanes than this (about 10 µs of work).
 constexpr std::size_t worthwhile_lanes = 4096;
 constexpr double longest_move = 0.1;      // of the cloth's size, per iteration
-constexpr double contact_per_weight = 2;  // stiffer contacts overshoot: the metric would have to follow them
+constexpr double contact_per_weight = 5;  // stiffer contacts overshoot: the metric does not follow them
 constexpr double growth = 10;             // of the gradient over one iteration: the pairs mislead
 
 constexpr std::array<std::string_view, 3> shared = {"substeps", "iterations", "precision"};
