@@ -19,6 +19,8 @@ GRAVITY = {"type": "gravity"}
 MESH = """v -0.3 -0.3 -0.4\nv 0.3 -0.3 -0.4\nv 0.3 0.3 -0.4\nv -0.3 0.3 -0.4\nv 0 0 -0.1
 f 3 2 1\nf 4 3 1\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n"""
 SHEET = {"mesh": {"cells": 40}, "duration": 4.0, "output": {"measures": ["stability"]}}
+HINGES = {"bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
+          "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}}
 
 # Every method, both precisions, every effect and measure that keeps something between steps.
 SCENES = {
@@ -29,10 +31,14 @@ SCENES = {
                  "bending": {"model": "crossover", "stiffness": "compliance", "compliance": 1.0},
                  "material": {"strain": {"stiffness": "compliance", "compliance": 1e-2}},
                  "solver": {"method": "kang_cho", "substeps": 8}},
-    "equilibrium": {"mesh": {"cells": 40}, "duration": 4.0, "effects": [GRAVITY],
-                    "bending": {"model": "dihedral", "flexural_rigidity": 1e-5},
-                    "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
+    "equilibrium": {"mesh": {"cells": 40}, "duration": 4.0, "effects": [GRAVITY], **HINGES,
                     "solver": {"method": "equilibrium"}},
+    "quasi_newton": {**SHEET, **HINGES, "solver": {"method": "quasi_newton", "membrane": "auto"},
+                     "effects": [GRAVITY, {"type": "sphere", "centre": [0, 0, -0.3], "radius": 0.2},
+                                 {"type": "friction"}]},
+    "newton": {"mesh": {"cells": 8}, "duration": 2.0, **HINGES,
+               "solver": {"method": "newton", "substeps": 2, "iterations": 3}},
+    "vbd": {"mesh": {"cells": 8}, "duration": 2.0, **HINGES, "solver": {"method": "vbd", "iterations": 20}},
     "over_time": {"mesh": {"cells": 16}, "duration": 3.0, "bending": {"model": "dihedral"},
                   "accuracy": {"solver": ["/solver/substeps=32"], "over_time": True}},
     "moving_pins": {**SHEET, "pins": {"vertices": ["top"]},
