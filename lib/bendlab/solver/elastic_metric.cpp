@@ -95,7 +95,8 @@ ElasticMetric elastic_metric(const SimulationInput& input) {
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (OneSided<Kind> && list.size() > 0)
       throw std::invalid_argument(fmt::format(
-          "{}: the force of {} jumps where it is straight, so that no constant metric resembles it",
+          "{}: the force of {} jumps where it is straight, so that no constant metric resembles it: take the "
+          "method newton, or another bending model",
           input.method->name, Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e)
       bending.add<Kind::arity>(list.vertices[e],
