@@ -104,14 +104,17 @@ class NewtonStep final : public ImplicitStep<double> {
     for (auto& p : state_.position) p.set(p.vector() - unbalanced / whole);
   }
 
-  // Without λ no collapsed triangle, whose ∇²C is huge, makes the matrix indefinite by its rounding.
+  // The gradients of a triangle that has almost collapsed are huge, and so is their rounding: the matrix is
+  // definite without λ and with a share of its diagonal.
   void factorise(const VectorXd& diagonal) {
     if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal)) return;
-    const VectorXd none = VectorXd::Zero(multipliers_.size());
-    if (!solver_.factorise(system_.hessian(positions_, none), diagonal))
-      throw std::runtime_error(
-          "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
-          "pose, or take quasi_newton");
+    const auto& positive = system_.hessian(positions_, VectorXd::Zero(multipliers_.size()));
+    const VectorXd own = positive.diagonal();
+    for (const double share : {0.0, 1e-14, 1e-12, 1e-10})
+      if (solver_.factorise(positive, diagonal + share * own)) return;
+    throw std::runtime_error(
+        "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
+        "pose, or take quasi_newton");
   }
 
   // A long step's first guess flies far from the cloth: starts where the last substep ended, if that is
