@@ -172,14 +172,13 @@ TEST_CASE("with levels a few substeps hold a hanging sheet", "[solver]") {
 
 TEST_CASE("levels of a soft membrane leave most of its stretch", "[solver]") {
   // A strip of Y = 20 N/m under its own weight, ρ g L² / 2Y = 0.05 m longer at rest. Spans resist beside the
-  // triangles: a fourth of their stiffness, along two or three directions.
+  // triangles, each level with a sixtieth of their stiffness along several directions.
   const RestMesh rest(grid(1, 1, 12, 12));
   const SimulationInput input = hanging(rest, StiffnessKind::compliance, 1.0 / 20);
   const double stretch = 0.2 * 9.81 / (2 * 20);
   const double without = stretch_after(input, 0, 256, 4), with = stretch_after(input, 12, 256, 4);
   CHECK(std::abs(without / stretch - 1) < 0.05);
-  WARN("with levels " << with / stretch << " of it");
-  CHECK(with > 0.4 * stretch);
+  CHECK(with > 0.8 * stretch);
   CHECK(with < without);
 }
 

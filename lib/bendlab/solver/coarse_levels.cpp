@@ -22,7 +22,7 @@ constexpr int fewest_points = 6;
 constexpr int coarsest_sweeps = 8;  // there a sweep costs next to nothing
 // Spans and triangles resist together. Spans are so much softer that they add little where the triangles
 // converge.
-constexpr double span_softness = 16;
+constexpr double span_softness = 64;
 constexpr std::size_t worthwhile_lanes = 2048, worthwhile_points = 16384;  // about 10 µs of one thread
 
 // What the membrane must resist for a span to be right.

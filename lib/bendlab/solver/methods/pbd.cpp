@@ -173,7 +173,9 @@ class PbdStep final : public TimeStep<Real> {
   const BatchOrder& element_order(std::string_view kind) const override {
     return element_order_of(constraints_, kind);
   }
+  // Levels carry a part that it does not know of.
   std::optional<EffectiveStiffness> effective_stiffness() const override {
+    if (levels_) return std::nullopt;
     const auto count = static_cast<std::size_t>(state_.vertex_count);
     const auto vectors = [&](const Point<Real>* points) {
       std::vector<Vector3> all;
