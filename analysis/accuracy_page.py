@@ -21,7 +21,7 @@ FIGURES = [fig_accuracy, fig_accuracy_beat, fig_accuracy_solver, fig_accuracy_ro
            fig_accuracy_roads, fig_accuracy_methods]
 COMMAND = "./bendlab reproduce accuracy"
 EVERYTHING = f"{COMMAND}      # everything, and this page"
-LINKS = ["Error and time", "Nearer for less", "Same work", "Substeps", "Scaling", "References"]
+LINKS = ["Error and time", "Nearer for less", "Same work", "Substeps", "Scaling", "References", "Methods"]
 NEAR = 0.01  # the error of the answer
 COLUMNS = ["run", "scene", "model", "cells", "substeps × iterations", "precision",
            "error from the stated (%)", "error from its own (%)", "ms per frame", "status"]
@@ -41,6 +41,20 @@ def draw(results, out):
     write_objects(out / "summary.json", summary(results))
     keep(out, sections)
     return sections
+
+
+def renew(results, out, name):
+    """Draws the section of one figure again, and keeps the others with their runs as they are."""
+    figure = next(figure for figure in FIGURES if figure.__name__ == name)
+    section = figure.main(results, out)
+    sections = [each for each in kept(out) if each.title != section.title]
+    sections.insert(FIGURES.index(figure), section)
+    fresh = summary(results)
+    drawn = {run["experiment"] for run in fresh}
+    write_objects(out / "summary.json",
+                  [run for run in project_pages.summary(out) if run["experiment"] not in drawn] + fresh)
+    keep(out, sections)
+    lay_out(out)
 
 
 def summary(results):
@@ -121,4 +135,4 @@ def measures_html():
 
 
 if __name__ == "__main__":
-    command_line("accuracy", __doc__, main, lay_out)
+    command_line("accuracy", __doc__, main, lay_out, (renew, FIGURES))

@@ -90,17 +90,23 @@ def summary(out):
     return json.loads((out / "summary.json").read_text(encoding="utf-8"))
 
 
-def command_line(name, about, main, lay_out):
-    """The command line of a page's script: main(results, out), or lay_out(out) of what is kept."""
+def command_line(name, about, main, lay_out, parts=None):
+    """The command line of a page's script: main(results, out), or lay_out(out) of what is kept. `parts`: a
+    function renew(results, out, figure) for one of these figures."""
     parser = argparse.ArgumentParser(description=about)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
     parser.add_argument("--out", type=Path, default=Path("results") / name, help="folder for the page")
     parser.add_argument("--again", action="store_true",
                         help=f"write index.html again, of the {KEPT} and summary.json that are there")
+    if parts:
+        parser.add_argument("--only", choices=[figure.__name__ for figure in parts[1]], metavar="FIGURE",
+                            help="draw one section again, and keep the others: %(choices)s")
     print_option(parser)
     arguments = parser.parse_args()
     if arguments.again:
         lay_out(arguments.out)
+    elif parts and arguments.only:
+        parts[0](arguments.results, arguments.out, arguments.only)
     else:
         main(arguments.results, arguments.out)
     renew_start(arguments.out)
