@@ -200,9 +200,19 @@ class MethodRules {
     if (method_.membrane == Membrane::edges)
       drop("/material/strain", {"form", "warp", "weft", "shear", "area"});
     if (!why.empty()) drop("/bending", {"k"});
+    if (canonical_["solver"].value("levels", 0) > 0) check_all_directions();
   }
 
  private:
+  // A coarse span knows no direction.
+  void check_all_directions() {
+    for (const char* const name : {"warp", "weft", "shear"})
+      if (canonical_["material"]["strain"].value(name, 1.0) == 0)
+        problems_.push_back({fmt::format("/material/strain/{}", name),
+                             "expected a number above 0 (because /solver/levels resist in every direction), "
+                             "got 0; 0 /solver/levels would do"});
+  }
+
   void report(const std::string& pointer, const std::string& message) {
     problems_.push_back({pointer, fmt::format("{} (because /solver/method is {})", message, method_.name)});
   }

@@ -366,6 +366,16 @@ TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") 
              ContainsSubstring("constraint_damping works with the projection"));
 }
 
+TEST_CASE("config: coarse levels need a membrane that resists in every direction") {
+  const auto with_strain = [](const std::string& strain) {
+    return with(R"("solver": {"levels": 2}, "material": {"strain": {)" + strain + "}}");
+  };
+  CHECK(problems_of(with_strain("")).empty());
+  CHECK_THAT(only_problem(with_strain(R"("shear": 0)"), "/material/strain/shear"),
+             ContainsSubstring("because /solver/levels"));
+  CHECK(problems_of(with(R"("material": {"strain": {"shear": 0}})")).empty());
+}
+
 TEST_CASE("config: what the solver's method does not use makes no other run") {
   const std::string kang_cho =
       R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
@@ -480,7 +490,9 @@ TEST_CASE("config: a scene's solver has the settings of its method") {
 TEST_CASE("config: a scene counts the springs that join no neighbours") {
   const auto beyond = [](const std::string& bending) {
     return build_scene(single_run(with(R"("mesh": {"cells": 4}, "pins": {"vertices": []},
-                                        "bending": )" + bending))).springs_beyond_ring_1;
+                                        "bending": )" +
+                                       bending)))
+        .springs_beyond_ring_1;
   };
   CHECK(beyond(R"({"model": "crossover"})") == 40);  // one over each of 56 - 16 interior edges
   CHECK(beyond(R"({"model": "k_ring", "k_ring": {"k": 1}})") == 0);
