@@ -1,5 +1,6 @@
 """The charts of the page of costs, from the rows of the benchmark."""
 import fig_performance
+import fig_performance_methods
 import fig_performance_overview
 import looks
 from charts_html import lines, number, series
@@ -15,7 +16,7 @@ GROUPS = ["strain", "bending", "effects"]
 def charts(rows, command):
     """The charts whose rows are there."""
     table = fig_performance.series(rows)
-    made = [_parts(rows, command), _sizes(table, command), _kinds(table, command)]
+    made = [_parts(rows, command), _sizes(table, command), _kinds(table, command), _methods(table, command)]
     return [chart for chart in made if chart]
 
 
@@ -71,6 +72,30 @@ def _kinds(table, command):
                  {"name": "kind", "label": "", "unit": "", "scale": "band",
                   "categories": [KINDS[name][0] for name in names]}, [NS, PER_VERTEX], some, command,
                  printed=["fig_performance_kinds.png"])
+
+
+def _methods(table, command):
+    """Curves: the cost of an iteration over the size of the cloth."""
+    some = []
+    for scalar in SCALARS:
+        for place, (name, (label, _)) in enumerate(fig_performance_methods.LINES.items()):
+            rows = table.get((name, scalar), [])
+            if rows:
+                look = looks.of_place(place) | ({"hollow": True, "dash": "7 4"} if scalar == "double" else {})
+                vertices = [row["vertices"] for row in rows]
+                values = lambda time: {"vertex": [per_vertex(row, time) for row in rows]}
+                some.append(series(f"{label}, {PRECISION[scalar]}", look, vertices,
+                                   values("ns_per_constraint"), low=values("ns_lowest"),
+                                   high=values("ns_highest")))
+    if not some:
+        return None
+    ticks = sorted({x for one in some for x in one["x"]})
+    return lines("methods", "What does an iteration of each solver method cost?",
+                 "Cost of an iteration over the size of the cloth",
+                 {"name": "vertices", "label": "vertices", "unit": "", "scale": "log", "ticks": ticks},
+                 [number("vertex", "time per vertex and iteration", "ns",
+                         "median of the repetitions, from lowest to highest")],
+                 some, command, printed=["fig_performance_methods.png"])
 
 
 def _series(label, look, rows, x):

@@ -52,7 +52,7 @@ def usual(table):
 
 
 def per_vertex(row, time="ns_per_constraint"):
-    """ns per vertex and iteration (effects: and step); `time` may be the lowest or highest one."""
+    """ns per vertex and iteration (effects: step; solves: one); `time` may be the lowest or highest one."""
     return row[time] * row["constraints"] / row["vertices"]
 
 
@@ -131,8 +131,8 @@ def _draw(table, out):
     figure, axes = plt.subplots(figsize=(8.6, 4.6), layout="constrained")
     for name in OVER_SIZE:
         for scalar, look in SCALARS.items():
-            _line(axes, table.get((name, scalar), []), color=KINDS[name][1], **look,
-                  label=f"{KINDS[name][0]}, {PRECISION[scalar]}")
+            line(axes, table.get((name, scalar), []), lambda row, time: row[time], color=KINDS[name][1],
+                 **look, label=f"{KINDS[name][0]}, {PRECISION[scalar]}")
     for scalar, look in ORACLES.items():
         for name, shift in OVER_SIZE.items():
             for row in table.get((f"{name}_oracle", scalar), []):
@@ -151,8 +151,10 @@ def _draw(table, out):
     return style.save(figure, out, "fig_performance")
 
 
-def _line(axes, rows, **look):
+def line(axes, rows, value, **look):
+    """Medians of `value(row, time)` over vertices, with bars from the lowest to the highest."""
     if rows:
-        x, middle, low, high = (np.array([row[key] for row in rows], float)
-                                for key in ("vertices", "ns_per_constraint", "ns_lowest", "ns_highest"))
-        axes.errorbar(x, middle, yerr=[middle - low, high - middle], capsize=2.5, elinewidth=1, **look)
+        middle, low, high = (np.array([value(row, time) for row in rows], float)
+                             for time in ("ns_per_constraint", "ns_lowest", "ns_highest"))
+        axes.errorbar([row["vertices"] for row in rows], middle, yerr=[middle - low, high - middle],
+                      capsize=2.5, elinewidth=1, **look)

@@ -10,6 +10,7 @@ import fig_performance
 import fig_performance_effects
 import fig_performance_kinds
 import fig_performance_limits
+import fig_performance_methods
 import fig_performance_order
 import fig_performance_overview
 import fig_performance_set_up
@@ -23,9 +24,10 @@ from project_pages import KEPT, Content, keep, kept, renew_start, write
 from report import Table, print_option, rounded, write_objects
 
 FIGURES = [fig_performance_overview, fig_performance, fig_performance_kinds, fig_performance_limits,
-           fig_performance_effects, fig_performance_set_up, fig_performance_order, fig_performance_threads]
-LINKS = {"overview": "A step", "size": "Size", "kinds": "Kinds", "limits": "Limits", "effects": "Effects",
-         "set_up": "Set-up", "order": "Order", "threads": "Threads"}
+           fig_performance_methods, fig_performance_effects, fig_performance_set_up, fig_performance_order,
+           fig_performance_threads]
+LINKS = {"overview": "A step", "size": "Size", "kinds": "Kinds", "limits": "Limits", "methods": "Methods",
+         "effects": "Effects", "set_up": "Set-up", "order": "Order", "threads": "Threads"}
 FILE = "results/performance/bench.json"
 MEASURE = f"./bendlab bench --json > {FILE}"
 EVERYTHING = f"{MEASURE}      # everything\npython3 analysis/performance_page.py {FILE}      # this page"
@@ -107,7 +109,8 @@ def method_html(bench):
             + "Where one thread works, its processor time counts; where several do, the time on the clock."
             "</p><p>The <b>oracle</b> is the scalar code: one constraint at a time, in list order, straight "
             "from the formulas. It is written to be checked, and the fast code must agree with it. It is "
-            "timed at one size, and every size is compared with that time. The <b>roofline</b> is the least "
+            "timed at one size, and every size is compared with that time. The oracle of a solve is "
+            "CHOLMOD's own, in double precision and at each size. The <b>roofline</b> is the least "
             "time that the machine allows: the largest of the time for the arithmetic, for the bytes through "
             "the first cache, and for the bytes through the memory that holds the whole cloth. Its limits "
             "are measured in the same process; they stand below.</p>")
@@ -136,7 +139,8 @@ def rows_html(rows):
     timed = [row for row in rows if row["ns_per_constraint"] is not None]
     lines = [[row["name"], row["threads"], *columns(row), style.number(row["ratio_to_oracle"]),
               part(row["roofline_fraction"])] for row in timed]
-    table = Table("ns per constraint and iteration (set_up: per spring; effects: per vertex and step)",
+    table = Table("ns per constraint and iteration (set_up: per spring; effects: per vertex and step; "
+                  "methods: per vertex and iteration; solves: per vertex)",
                   ["row", "threads", *COLUMNS, "times as fast as the oracle", "share of the roofline"], lines)
     return folded(f"All {len(timed)} timed rows", table_html(table)) if timed else "<p>There is none.</p>"
 

@@ -29,7 +29,8 @@ class Collector : public benchmark::BenchmarkReporter {
 std::vector<BenchCase> all_cases(const BenchOptions& options) {
   std::vector<BenchCase> all;
   // Set-up goes first: its peak memory is measured while the heap is as small as a run's.
-  for (const auto& family : {set_up_cases, cloth_cases, effect_cases, run_cases, convergence_cases})
+  for (const auto& family :
+       {set_up_cases, cloth_cases, method_cases, effect_cases, run_cases, convergence_cases})
     for (BenchCase& one : family(options)) all.push_back(std::move(one));
   return all;
 }

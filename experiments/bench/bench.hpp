@@ -35,7 +35,8 @@ struct BenchRow {
   std::string scalar;  ///< "float", "double"
   int threads = 1;
   std::int64_t vertices = 0, constraints = 0;
-  Spread ns;                                ///< per constraint and projection (set-up: per spring)
+  /// Per constraint and projection (set-up: per spring; methods: per vertex and iteration).
+  Spread ns;
   int repetitions = 0;                      ///< 0: nothing is timed
   std::optional<double> ratio_to_oracle;    ///< the oracle's median / this one's: how many times as fast
   std::optional<double> roofline_fraction;  ///< least possible time (see roofline.hpp) / median

@@ -11,6 +11,9 @@ std::vector<BenchCase> cloth_cases(const BenchOptions& options);
 /// Time of each effect's passes in a step, per vertex and per action, over sizes.
 std::vector<BenchCase> effect_cases(const BenchOptions& options);
 
+/// An iteration of each solver method, per vertex, over sizes; gradient and solve of quasi_newton apart.
+std::vector<BenchCase> method_cases(const BenchOptions& options);
+
 /// Rings, pairs, colours and batches of `adaptive`: seconds and peak memory.
 std::vector<BenchCase> set_up_cases(const BenchOptions& options);
 

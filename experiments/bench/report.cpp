@@ -91,7 +91,8 @@ std::string bench_text(const std::vector<BenchRow>& rows) {
   text += fmt::format(
       "triad {:.0f}, {:.0f}, {:.0f} and {:.0f} GB/s on 16 KiB, 512 KiB, 8 MiB and 256 MiB; peak {:.0f} "
       "Gflop/s in float, {:.0f} in double\n"
-      "ns per constraint and projection: median, lowest and highest of the repetitions; CPU time for one "
+      "ns per constraint and projection (set_up: per spring; effect: per vertex and step; method: per vertex "
+      "and iteration; solve: per vertex): median, lowest and highest of the repetitions; CPU time for one "
       "thread, wall time for several\n\n",
       context["triad_16_KiB_GB_per_s"].get<double>(), context["triad_512_KiB_GB_per_s"].get<double>(),
       context["triad_8_MiB_GB_per_s"].get<double>(), context["triad_256_MiB_GB_per_s"].get<double>(),

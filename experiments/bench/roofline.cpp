@@ -92,10 +92,17 @@ std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes)
 double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, double points_per_constraint,
                         std::size_t scene_bytes) {
   const auto streamed = static_cast<double>(streamed_bytes(cost, scalar_bytes));
-  const double point = 2.0 * 4.0 * static_cast<double>(scalar_bytes);  // read and written
+  const double point = cost.moved_scalars * static_cast<double>(scalar_bytes);
   return std::max({cost.flops / peak_flops(scalar_bytes),
                    (streamed + cost.corners * point) / triad_bandwidth(smallest_set),
                    (streamed + points_per_constraint * point) / triad_bandwidth(scene_bytes)});
+}
+
+double solve_roofline_seconds(std::size_t entries, std::size_t scalar_bytes) {
+  constexpr double flops = 2 * 2 * 3;  // there and back: a product and a sum for x, y and z
+  const auto count = static_cast<double>(entries);
+  return std::max(flops * count / peak_flops(scalar_bytes),
+                  2 * count * static_cast<double>(scalar_bytes) / triad_bandwidth(entries * scalar_bytes));
 }
 
 }  // namespace bendlab

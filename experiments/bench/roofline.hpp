@@ -24,6 +24,7 @@ struct ConstraintCost {
   int corners = 0;  ///< each with its index; see above
   int rest_scalars = 0;
   double flops = 0;
+  int moved_scalars = 8;  ///< of a corner: four are read and written; forces read four more
 };
 
 /// d 3, |d| 6, Σw 1, k (l0 - l) / (l Σw) 4, two corrections 14.
@@ -48,6 +49,16 @@ inline constexpr ConstraintCost arc_cost{.corners = 2, .rest_scalars = 1, .flops
 /// Newton steps of 16 and the series again, last step 20. Reads α and λ, and writes λ, too.
 inline constexpr ConstraintCost compliant_arc_cost{.corners = 2, .rest_scalars = 4, .flops = 266};
 
+/// Elastic forces. Warp and weft, each: f 9, |f| 6, multiplier 6, three forces 22; shear by its angle:
+/// products 17, inverse and normal 16, arc tangent 20, a1 and a2 16, gradients 18, multiplier 6, forces 21;
+/// edges and α 12.
+inline constexpr ConstraintCost strain_force_cost{
+    .corners = 3, .rest_scalars = 4, .flops = 212, .moved_scalars = 12};
+
+/// As hinge_cost up to its gradients 164; multiplier 2, four forces 24. Its α is its own.
+inline constexpr ConstraintCost hinge_force_cost{
+    .corners = 4, .rest_scalars = 3, .flops = 190, .moved_scalars = 12};
+
 /// Bytes of indices and rest data of one constraint.
 std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes);
 
@@ -55,6 +66,10 @@ std::size_t streamed_bytes(const ConstraintCost& cost, std::size_t scalar_bytes)
 /// passes through.
 double roofline_seconds(const ConstraintCost& cost, std::size_t scalar_bytes, double points_per_constraint,
                         std::size_t scene_bytes);
+
+/// Least seconds of a solve with a sparse triangular factor of so many entries, there and back, for points:
+/// each entry is streamed twice, and multiplies three numbers each time.
+double solve_roofline_seconds(std::size_t entries, std::size_t scalar_bytes);
 
 /// Bytes per second of a triad on `bytes` in all, measured once per size.
 double triad_bandwidth(std::size_t bytes);

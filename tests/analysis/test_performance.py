@@ -11,6 +11,7 @@ import fig_performance  # noqa: E402
 import fig_performance_effects  # noqa: E402
 import fig_performance_kinds  # noqa: E402
 import fig_performance_limits  # noqa: E402
+import fig_performance_methods  # noqa: E402
 import fig_performance_order  # noqa: E402
 import fig_performance_overview  # noqa: E402
 import fig_performance_set_up  # noqa: E402
@@ -60,7 +61,15 @@ BESIDE = [row_of("recording/10", threads=2, ns=3.0, wall_ratio=1.25, wall_ratio_
                  wall_ratio_highest=1.5, wall_s=1.0, writer_cpu_s=0.1),
           row_of("sweep/10", threads=2, ns=3.0, speed_up=1.75, speed_up_lowest=1.5, speed_up_highest=2.0,
                  wall_s=1.0)]
-EVERYTHING = [*KERNELS, *EFFECTS, *SET_UP, *ORDER, *BESIDE]
+# Per vertex 30 ns of pbd; of quasi_newton 60, of which 24 in the solve and 5 · 2 in the gradient.
+METHODS = [row_of("method/pbd/10", ns=30.0, step_ms=0.03),
+           row_of("method/quasi_newton/10", ns=60.0, step_ms=0.06, roofline=0.5),
+           row_of("method/quasi_newton/10", ns=40.0, threads=2, step_ms=0.04),
+           row_of("solve/10", ns=24.0, ratio=3.0, roofline=0.6),
+           row_of("gradient/10", constraints=500, ns=2.0, ratio=40.0, roofline=0.4),
+           row_of("method/newton/10", ns=9000.0, scalar="double", step_ms=2.0),
+           row_of("solve_oracle/10", ns=72.0, scalar="double")]
+EVERYTHING = [*KERNELS, *METHODS, *EFFECTS, *SET_UP, *ORDER, *BESIDE]
 
 
 class MeasureTest(unittest.TestCase):
@@ -122,6 +131,15 @@ class MeasureTest(unittest.TestCase):
                          "The fast code is 16 to 30 times as fast as the oracle and reaches 25 to 50 % of "
                          "the roofline\n(single precision, 100 vertices)")
 
+    def test_an_iteration_of_quasi_newton_is_compared_with_its_solve(self):
+        table = self.table(METHODS)
+        self.assertEqual(fig_performance_methods.title(table),
+                         "An iteration of quasi_newton costs 60.0 ns per vertex, 2.00 times one of pbd;\n"
+                         "the solve is 40 % of it (single precision, 100 vertices)")
+        self.assertNotIn("costs", fig_performance_methods.title(self.table(METHODS[:3])))
+        self.assertEqual(fig_performance_methods.threads_gain(METHODS, METHODS[1]), "1.50")
+        self.assertEqual(fig_performance_methods.threads_gain(METHODS, METHODS[0]), "")
+
     def test_an_effect_that_grows_is_named(self):
         effects = fig_performance_effects.by_effect(EVERYTHING)
         self.assertEqual(list(effects), ["wind", "gravity"])  # the dearest first
@@ -182,7 +200,7 @@ class PageTest(unittest.TestCase):
         self.assertIsNone(next(row for row in rows if row["name"] == "convergence/corner/1")["ns_per_vertex"])
         timed = len(EVERYTHING) - len(ORDER)
         self.assertIn(f"All {timed} timed rows", text)
-        self.assertEqual(len(re.findall("<img", text)), 8)
+        self.assertEqual(len(re.findall("<img", text)), 9)
         self.assertLess(text.index("0.0064 ms on one thread"), text.index("<img"))  # the answer first
 
     def test_the_page_names_machine_and_program(self):
@@ -195,7 +213,7 @@ class PageTest(unittest.TestCase):
     def test_rows_of_one_family_make_a_page(self):
         for rows, pictures in [(KERNELS[:1], 3), (KERNELS[3:4], 0), (KERNELS[5:6], 1), (KERNELS[7:], 1),
                                (KERNELS[5:6] + EFFECTS, 3), (EFFECTS, 1), (SET_UP, 1), (ORDER, 1),
-                               (BESIDE, 0)]:
+                               (METHODS, 1), (METHODS[-1:], 0), (BESIDE, 0)]:
             with self.subTest(rows[0]["name"]):
                 self.assertEqual(self.page(rows)[0].count("<img"), pictures)
 
@@ -203,8 +221,8 @@ class PageTest(unittest.TestCase):
         text, rows = self.page([])
         self.assertEqual(rows, [])
         self.assertNotIn("<img", text)
-        for what in ("a whole step", "dihedral hinges", "effects: gravity", "set_up/", "corner, strip, irreg",
-                     "more than one thread", "recording/", "sweep/"):
+        for what in ("a whole step", "dihedral hinges", "quasi_newton", "effects: gravity", "set_up/",
+                     "corner, strip, irreg", "more than one thread", "recording/", "sweep/"):
             self.assertIn(what, text)
 
 

@@ -75,6 +75,41 @@ TEST_CASE("bench measures set-up, recording, sweeps and convergence", "[bench]")
   CHECK(rows[3].at("colour_over_mesh") > 0);
 }
 
+TEST_CASE("bench measures the solver methods, and what quasi_newton consists of", "[bench]") {
+  const auto rows = rows_of("^(method|gradient|solve)");
+  const auto row = [&](const std::string& name, const std::string& scalar, int threads = 1) {
+    INFO(name << " " << scalar << " " << threads);
+    const auto found = std::ranges::find_if(rows, [&](const auto& each) {
+      return each.at("name") == name && each.at("scalar") == scalar && each.at("threads") == threads;
+    });
+    REQUIRE(found != rows.end());
+    CHECK(found->at("ns_per_constraint") > 0);
+    return *found;
+  };
+  for (const char* scalar : {"float", "double"}) {
+    for (const char* method : {"method/pbd/32", "method/quasi_newton/32"}) {
+      CHECK(row(method, scalar).at("constraints") == 33 * 33);  // per vertex
+      row(method, scalar, 2);
+    }
+    for (const char* part : {"gradient/32", "solve/32"}) {
+      CHECK(row(part, scalar).at("ratio_to_oracle") > 0);
+      CHECK(row(part, scalar).at("roofline_fraction") > 0);
+    }
+    // The gradient that is timed is the oracle's, to the rounding of float over a stiff membrane.
+    CHECK_THAT(row("gradient/32", scalar).at("force_N").get<double>(),
+               WithinRel(row("gradient_oracle/32", "double").at("force_N").get<double>(), 0.01));
+  }
+  for (const char* method : {"method/newton/32", "method/vbd/32"}) row(method, "double");
+  CHECK(row("solve/32", "float").at("entries_per_vertex") > 5);
+  CHECK(row("method/quasi_newton/32", "float").at("roofline_fraction") > 0);
+}
+
+TEST_CASE("the least time of a solve counts every entry twice", "[bench]") {
+  constexpr std::size_t entries = std::size_t{1} << 20;
+  CHECK(solve_roofline_seconds(entries, 4) >= 12.0 * entries / peak_flops(4));
+  CHECK(solve_roofline_seconds(entries, 8) >= 16.0 * entries / triad_bandwidth(8 * entries));
+}
+
 TEST_CASE("bench prints a table with the spread beside the median", "[bench]") {
   const std::string table = output_of("--repetitions 2 --filter '^dense/32/double'");
   for (const char* text : {"dense/32", "dense_oracle/32", "lowest", "highest", "roofline", "GB/s"})
