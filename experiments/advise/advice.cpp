@@ -7,16 +7,19 @@
 #include <iterator>
 #include <limits>
 #include <memory>
+#include <set>
 #include <stdexcept>
 #include <thread>
 
-#include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/shape_error.hpp"
+#include "bendlab/solver/method.hpp"
+#include "experiments/advise/ladder.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/measures/trajectory.hpp"
+#include "experiments/run/forecast.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/scene/scene.hpp"
 #include "experiments/terminal/signals.hpp"
@@ -148,18 +151,22 @@ class Advisor {
   }
 
   Advice advise() {
-    std::vector<Setting> kinds = kinds_that_can();
+    Kinds kinds = kinds_to_begin_with(question_, options_.models, options_.methods);
+    advice_.left_out = std::move(kinds.left_out), methods_ = std::move(kinds.methods),
+    hinges_ = std::move(kinds.hinges);
     choose_reference();
     if (advice_.exit_code != 0) return advice_;
-    const bool reference_model_asked =
-        std::ranges::find(kinds, question_.reference_model(), &Setting::model) != kinds.end();
-    Search search(std::move(kinds), options_.demand,
-                  {.most_substeps = most_substeps(), .least_error = 2 * advice_.reference_gap.value_or(0)});
+    const bool probe_asked = std::ranges::any_of(
+        kinds.coarsest, [&](const Setting& kind) { return same_kind(kind, reference_setting(1)); });
+    Search search(std::move(kinds.coarsest), options_.demand,
+                  {.most_substeps = most_substeps(),
+                   .least_error = 2 * advice_.reference_gap.value_or(0),
+                   .forecast = [this](const Setting& setting) { return forecast_per_frame(setting); }});
     start_ = Clock::now();
     beside_runs_s_ = 0;
     // The probe is a setting like others, and often the first fit one.
-    if (probe_ && reference_model_asked) take(probe_->first, probe_->second, search);
-    while (reference_tells(advice_) && (measure_some(search) || widen(search))) {
+    if (probe_ && probe_asked) take(probe_->first, probe_->second, search);
+    while (reference_tells(advice_) && (measure_some(search) || widen(search) || confirm_rest(search))) {
     }
     while (confirm_choice(search)) {
     }
@@ -170,35 +177,20 @@ class Advisor {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // The models that were asked for and can be this cloth, with the recommended variant, and the config's own
-  // model as the config has it; the others are listed as left out.
-  std::vector<Setting> kinds_that_can() {
-    std::vector<Setting> kinds;
-    std::optional<ConfigError> first;
-    for (const BendingModel* model : bending_models()) {
-      const std::string name(model->name);
-      const bool asked =
-          options_.models.empty() || std::ranges::find(options_.models, name) != options_.models.end();
-      if (asked) try {
-          const Setting kind = recommended(name);
-          question_.run_with(kind, Json::object());
-          kinds.push_back(kind);
-          const bool other_variant = !(question_.own_variant() == kind.variant);
-          if (name == question_.scene().bending_model() && other_variant)
-            kinds.push_back({.model = name, .variant = question_.own_variant()});
-        } catch (const ConfigError& error) {
-          leave_out(name, error.problems().front());
-          if (!first) first = error;
-        }
-    }
-    if (kinds.empty() && first) throw *first;
-    return kinds;
+  Setting reference_setting(int substeps) const {
+    return {.model = question_.reference_model(),
+            .substeps = substeps,
+            .variant = question_.recommended_variant()};
   }
 
-  Setting recommended(const std::string& model, int substeps = 1) const {
-    return {.model = model, .substeps = substeps, .variant = question_.recommended_variant()};
+  // CPU seconds per frame of what may take a thousand times as long as others: a factor in every iteration.
+  std::optional<double> forecast_per_frame(const Setting& setting) const {
+    if (find_method(setting.variant.method)->factorised != Factorised::blocks) return std::nullopt;
+    const RunConfig config = question_.run_with(setting, Json::object());
+    const std::optional<Forecast> expected = forecast(config);
+    if (!expected) return std::nullopt;
+    return expected->cpu_s / config.section("").number("duration") / frames_per_second;
   }
-  Setting reference_setting(int substeps) const { return recommended(question_.reference_model(), substeps); }
 
   // When the kinds so far are known, those that differ in one thing from the kind of the choice. False when
   // there are no new ones.
@@ -208,20 +200,12 @@ class Advisor {
     const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
     if (!choice) return false;
     bool any = false;
-    for (const Setting& kind : question_.neighbours(choice->setting)) any |= search.consider(kind);
+    for (const Setting& kind : question_.neighbours(choice->setting, methods_)) any |= search.consider(kind);
+    const bool of_hinges = std::ranges::find(hinges_, choice->setting.model) != hinges_.end();
+    if (of_hinges && ladder_of(choice->setting).climbs_iterations)
+      for (const std::string& model : hinges_)
+        any |= search.consider({.model = model, .variant = choice->setting.variant});
     return any;
-  }
-
-  // Lists models with the same reason together.
-  void leave_out(const std::string& model, const ConfigProblem& problem) {
-    std::string why = problem.pointer + " " + problem.message;
-    if (const std::size_t at = why.find(" of " + model); at != std::string::npos)
-      why.erase(at, 4 + model.size());
-    const auto same = std::ranges::find(advice_.left_out, why, &LeftOut::why);
-    if (same != advice_.left_out.end())
-      same->what += ", " + model;
-    else
-      advice_.left_out.push_back({model, why});
   }
 
   // The reference of a motion is exact to its own time step only.
@@ -407,6 +391,35 @@ class Advisor {
     return true;
   }
 
+  // Iterations that have not converged lag behind the motion: a pose may be right by accident, on its way to
+  // another. So the choice is run for longer, and its error has to stay. False when it does, or the time is
+  // over.
+  bool confirm_rest(Search& search) {
+    if (advice_.exit_code != 0 || advice_.error_of != ErrorOf::rest) return false;
+    choose(search);
+    const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
+    if (!choice || choice->predicted || !std::isfinite(choice->error) ||
+        !ladder_of(choice->setting).climbs_iterations || stays_.contains(choice->setting))
+      return false;
+    constexpr double longer = 4, much_the_same = 1.1, small = 1e-3;  // sizes
+    RunConfig config = question_.longer_run_with(choice->setting, advice_.accuracy, longer);
+    const double duration = config.section("").number("duration");
+    if (!in_time(choice->cpu_s, config, 1)) return false;
+    const std::vector<Measured> found = execute({std::move(config)});
+    if (advice_.exit_code != 0) return false;
+    const std::optional<double> later = found.front().error;
+    if (later && *later <= much_the_same * choice->error + small) {
+      stays_.insert(choice->setting);
+      return true;
+    }
+    search.reject(choice->setting);
+    without_error_[choice->setting.model].push_back(
+        fmt::format("{}: its pose does not stay, error {} after {:.3g} s and {} after {:.3g} s",
+                    setting_text(choice->setting), percent_text(choice->error), duration / longer,
+                    later ? percent_text(*later) : "unknown", duration));
+    return true;
+  }
+
   // Complete runs take no time.
   bool in_time(std::optional<double> cpu_per_frame, const RunConfig& config, double share) const {
     Experiment experiment;
@@ -421,11 +434,7 @@ class Advisor {
 
   void take(const Setting& setting, const Measured& found, Search& search) {
     if (found.failed) {
-      const auto same = std::ranges::find(advice_.left_out, found.why, &LeftOut::why);
-      if (same != advice_.left_out.end())
-        same->what += ", " + kind_text(setting);
-      else
-        advice_.left_out.push_back({kind_text(setting), found.why});
+      leave_out(advice_.left_out, kind_text(setting), found.why);
       search.drop(setting);
       return;
     }
@@ -469,30 +478,46 @@ class Advisor {
                        options_.time_limit_s)});
   }
 
-  // Lists the best setting of each model that has none on the front as it is shown.
+  // Lists the best setting of each model and of each method that has none on the front as it is shown.
   void say_what_is_behind() {
-    std::map<std::string, std::vector<Rated>> of_model;
+    std::map<std::string, std::vector<Rated>> of_model, of_method;
     for (const Rated& point : advice_.points)
-      if (!point.predicted) of_model[point.setting.model].push_back(point);
+      if (!point.predicted) {
+        of_model[point.setting.model].push_back(point);
+        of_method[point.setting.variant.method].push_back(point);
+      }
     std::vector<Rated> shown = thinned(advice_.front);
     std::ranges::copy(unfit_front_of(advice_.points), std::back_inserter(shown));
-    for (const auto& [model, points] : of_model) {
-      const bool ahead = std::ranges::any_of(shown, [&](const Rated& p) { return p.setting.model == model; });
-      if (ahead) continue;
-      const Rated best = *nearest(points, {.error = 0});
-      const bool fit = unfit(best) == Unfit::no;
-      advice_.left_out.push_back(
-          {model,
-           fmt::format("{} measured, {}: {} in {:.3g} ms ({})", counted(points.size(), "setting"),
+    const auto say = [&](const auto& groups, auto group_of) {
+      for (const auto& [name, points] : groups)
+        if (!std::ranges::any_of(shown, [&](const Rated& p) { return group_of(p.setting) == name; }))
+          advice_.left_out.push_back({name, best_text(points)});
+    };
+    for (const std::string& method : methods_)
+      if (!of_method.contains(method)) leave_out(advice_.left_out, method, why_not_run(method));
+    say(of_method, [](const Setting& setting) { return setting.variant.method; });
+    say(of_model, [](const Setting& setting) { return setting.model; });
+    for (const auto& [model, why] : without_error_)
+      advice_.left_out.push_back({model, fmt::format("{} gave no error; the finest: {}",
+                                                     counted(why.size(), "setting"), why.back())});
+  }
+
+  std::string why_not_run(const std::string& method) const {
+    Setting setting{.model = question_.reference_model(), .variant = question_.recommended_variant(method)};
+    const auto cpu_s = forecast_per_frame(setting);
+    return cpu_s ? fmt::format("not run: its coarsest setting would take about {:.2g} ms", 1e3 * *cpu_s)
+                 : "no setting of it was run";
+  }
+
+  std::string best_text(const std::vector<Rated>& points) const {
+    const Rated best = *nearest(points, {.error = 0});
+    const bool fit = unfit(best) == Unfit::no;
+    return fmt::format("{} measured, {}: {} in {:.3g} ms ({})", counted(points.size(), "setting"),
                        fit ? "others are as good or better; its best"
                            : fmt::format("none is fit ({}); its nearest", name_of(unfit(best))),
                        std::isfinite(best.error) ? "error " + percent_text(best.error)
                                                  : "strain " + percent_text(advice_.strain.at(best.setting)),
-                       1e3 * best.cpu_s, setting_text(best.setting))});
-    }
-    for (const auto& [model, why] : without_error_)
-      advice_.left_out.push_back({model, fmt::format("{} gave no error; the finest: {}",
-                                                     counted(why.size(), "setting"), why.back())});
+                       1e3 * best.cpu_s, setting_text(best.setting));
   }
 
   const Question& question_;
@@ -505,6 +530,9 @@ class Advisor {
   double beside_runs_s_ = 0;
   int probe_substeps_ = 16;
   std::optional<std::pair<Setting, Measured>> probe_;
+  std::vector<std::string> methods_;                               // that may be chosen
+  std::vector<std::string> hinges_;                                // models that stand in for each other
+  std::set<Setting> stays_;                                        // whose pose is at rest
   std::map<std::string, std::vector<std::string>> without_error_;  // setting and why, by model
   Advice advice_;
 };

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/advise/kinds.hpp"
 #include "experiments/advise/question.hpp"
 #include "experiments/advise/search.hpp"
 #include "experiments/campaign/campaign.hpp"
@@ -18,12 +19,9 @@ struct AdviceOptions {
   Demand demand;
   std::optional<ErrorOf> error_of = std::nullopt;  ///< nothing: Question::natural_error()
   std::vector<std::string> models;                 ///< empty: every registered one
+  std::vector<std::string> methods;                ///< of advised_methods; empty: all
   double time_limit_s = 120;  ///< wall time for runs that are not complete yet, without the reference's
   CampaignOptions campaign;   ///< runs lie below <out>/advise/<name>
-};
-
-struct LeftOut {
-  std::string what, why;
 };
 
 struct Advice {

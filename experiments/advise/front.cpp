@@ -89,13 +89,13 @@ std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand
 }
 
 std::string setting_text(const Setting& setting) {
-  return fmt::format("{}, {}, {}, {}, {}", setting.model, counted(setting.substeps, "substep"),
-                     counted(setting.iterations, "iteration"), setting.double_precision ? "double" : "single",
-                     variant_text(setting.variant));
+  return fmt::format("{}, {}, {}, {}, {}, {}", setting.model, setting.variant.method,
+                     counted(setting.substeps, "substep"), counted(setting.iterations, "iteration"),
+                     setting.double_precision ? "double" : "single", variant_text(setting.variant));
 }
 
 std::string kind_text(const Setting& setting) {
-  return fmt::format("{} ({})", setting.model, variant_text(setting.variant));
+  return fmt::format("{} ({}, {})", setting.model, setting.variant.method, variant_text(setting.variant));
 }
 
 }  // namespace bendlab

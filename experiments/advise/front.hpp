@@ -57,10 +57,10 @@ std::optional<Rated> chosen(std::span<const Rated> points, const Demand& demand)
 /// one. If none is fit, the one that is least beyond the limits, preferably within the demanded time.
 std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand);
 
-/// "dihedral, 16 substeps, 1 iteration, single, tethers, angle shear".
+/// "dihedral, pbd, 16 substeps, 1 iteration, single, tethers, angle shear".
 std::string setting_text(const Setting& setting);
 
-/// "dihedral (tethers, angle shear)".
+/// "dihedral (pbd, tethers, angle shear)".
 std::string kind_text(const Setting& setting);
 
 }  // namespace bendlab

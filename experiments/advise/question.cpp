@@ -10,6 +10,7 @@
 #include <iterator>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/scene/scene.hpp"
@@ -71,7 +72,10 @@ Variant variant_of(const RunConfig& scene) {
           .shear = scene.section("/material/strain").text("form"),
           .flight_limit = scene.section("/solver").has("flight_limit")
                               ? scene.section("/solver").number("flight_limit")
-                              : 0};
+                              : 0,
+          .method = scene.section("/solver").text("method"),
+          .softened = scene.section("/solver").has("membrane") &&
+                      scene.section("/solver").text("membrane") == "auto"};
 }
 
 bool is_held(const RunConfig& scene) {
@@ -220,7 +224,7 @@ std::vector<std::string> Question::rest_changes() const {
                                       set("/bending", bending)};
   if (strain["stiffness"] != "compliance" || strain["compliance"].get<double>() == 0) {
     changes.emplace_back("/material/strain/stiffness=compliance");
-    changes.emplace_back("/material/strain/compliance=1e-5");
+    changes.push_back(set("/material/strain/compliance", stiff_membrane));
   }
   changes.push_back(set("/effects", without_effects(scene_.resolved()["effects"], [](const Json& effect) {
                           return among(effect, damping) || among(effect, bounds);
@@ -241,20 +245,19 @@ std::vector<std::string> Question::motion_changes() const {
 
 std::vector<std::string> Question::own_changes() const {
   std::vector<std::string> changes = {set("/effects", scene_.resolved()["effects"]),
-                                      set("/material/strain/form", own_.shear)};
-  if (scene_.section("/solver").has("flight_limit"))
-    changes.push_back(fmt::format("/solver/flight_limit={}", own_.flight_limit));
+                                      set("/material/strain/form", own_.shear),
+                                      set("/solver", scene_.resolved()["solver"])};
   const Json& bending = scene_.resolved()["bending"];
   if (const auto own = bending.find(scene_.bending_model()); own != bending.end())
     changes.push_back(set("/bending/" + scene_.bending_model(), *own));
   return changes;
 }
 
-Variant Question::recommended_variant() const {
+Variant Question::recommended_variant(std::string_view method, bool softened) const {
   Variant variant = own_;
   variant.tethers |= may_tether();
   variant.shear = "angle";
-  return variant;
+  return in_method(variant, method, softened);
 }
 
 // An entry of a swept list has the place that its axis names.
@@ -263,8 +266,8 @@ bool Question::may_tether() const {
 }
 
 // Springs of 2, 4 and 8 edges, as long as they are short beside the sheet.
-VariantChoices Question::choices(const std::string& model) const {
-  VariantChoices choices{.tethers = may_tether()};
+VariantChoices Question::choices(const std::string& model, const std::vector<std::string>& methods) const {
+  VariantChoices choices{.tethers = may_tether(), .methods = methods};
   const auto& parameters = find_bending_model(model)->parameters;
   if (std::ranges::find(parameters, "radius", &Parameter::name) == parameters.end()) return choices;
   constexpr double longest = 0.15;  // sizes
@@ -276,9 +279,10 @@ VariantChoices Question::choices(const std::string& model) const {
   return choices;
 }
 
-std::vector<Setting> Question::neighbours(const Setting& setting) const {
+std::vector<Setting> Question::neighbours(const Setting& setting,
+                                          const std::vector<std::string>& methods) const {
   std::vector<Setting> found;
-  for (const Variant& variant : bendlab::neighbours(setting.variant, choices(setting.model)))
+  for (const Variant& variant : bendlab::neighbours(setting.variant, choices(setting.model, methods)))
     found.push_back({.model = setting.model, .substeps = setting.substeps, .variant = variant});
   return found;
 }
@@ -291,16 +295,20 @@ Json Question::effects_with(bool tethers) const {
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
-  std::vector<std::string> changes = {
-      "/bending/model=" + setting.model, fmt::format("/solver/substeps={}", setting.substeps),
-      fmt::format("/solver/iterations={}", setting.iterations),
-      fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single")};
-  if (scene_.section("/solver").text("method") != "pbd")
-    changes.insert(changes.begin(), "/solver/method=pbd");
   const Variant& variant = setting.variant;
-  if (variant.tethers != own_.tethers) changes.push_back(set("/effects", effects_with(variant.tethers)));
+  const Method& method = *find_method(variant.method);
+  std::vector<std::string> changes = {"/bending/model=" + setting.model,
+                                      fmt::format("/solver/substeps={}", setting.substeps),
+                                      fmt::format("/solver/iterations={}", setting.iterations)};
+  if (variant.method != own_.method) changes.insert(changes.begin(), "/solver/method=" + variant.method);
+  if (method.reads("precision"))
+    changes.push_back(fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single"));
+  if (method.reads("membrane"))
+    changes.push_back(fmt::format("/solver/membrane={}", variant.softened ? "auto" : "stated"));
+  if (method.projects && variant.tethers != own_.tethers)
+    changes.push_back(set("/effects", effects_with(variant.tethers)));
   if (variant.shear != own_.shear) changes.push_back("/material/strain/form=" + variant.shear);
-  if (variant.flight_limit != own_.flight_limit)
+  if (method.projects && variant.flight_limit != own_.flight_limit)
     changes.push_back(fmt::format("/solver/flight_limit={}", variant.flight_limit));
   if (variant.radius > 0)
     changes.push_back(fmt::format("/bending/{}/radius={}", setting.model, variant.radius));
@@ -308,20 +316,34 @@ std::vector<std::string> Question::changes(const Setting& setting) const {
 }
 
 RunConfig Question::run_with(const Setting& setting, const Json& accuracy) const {
+  return run_with(setting, accuracy, {});
+}
+
+RunConfig Question::longer_run_with(const Setting& setting, const Json& accuracy, double times) const {
+  return run_with(
+      setting, accuracy,
+      {fmt::format("/duration={}", times * scene_.section("").number("duration")), "/settled_speed=0"});
+}
+
+RunConfig Question::run_with(const Setting& setting, const Json& accuracy,
+                             const std::vector<std::string>& further) const {
   std::vector<std::string> overrides = overrides_;
   std::ranges::copy(changes(setting), std::back_inserter(overrides));
   overrides.push_back(set("/accuracy", accuracy));
   const bool of_the_end = !accuracy.value("over_time", false);
   overrides.emplace_back(of_the_end ? "/output/frames_per_second=1" : "/settled_speed=0");
+  std::ranges::copy(further, std::back_inserter(overrides));
   RunConfig run = load_experiment(file_, overrides).runs.front();
+  const Variant& variant = setting.variant;
   run.point = {{"/bending/model", setting.model},
+               {"/solver/method", variant.method},
                {"/solver/substeps", setting.substeps},
                {"/solver/iterations", setting.iterations},
                {"/solver/precision", setting.double_precision ? "double" : "single"}};
   // By these a message tells runs apart; no setting says alone whether there are tethers.
-  const Variant& variant = setting.variant;
   run.point.emplace_back("/effects/tethers", variant.tethers);
   run.point.emplace_back("/material/strain/form", variant.shear);
+  if (variant.softened) run.point.emplace_back("/solver/membrane", "auto");
   if (variant.flight_limit != own_.flight_limit)
     run.point.emplace_back("/solver/flight_limit", variant.flight_limit);
   if (variant.radius > 0)

@@ -1,35 +1,18 @@
 #include "experiments/advise/search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "experiments/advise/ladder.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array substep_levels = {1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 192, 256};
-constexpr std::array iteration_levels = {1, 2, 4, 10};
 constexpr double double_cost = 1.8;  // of single, until it is measured
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-bool doubled(int substeps) {
-  return (substeps & (substeps - 1)) == 0;
-}
-
-int fewer(int iterations) {
-  return *std::prev(std::ranges::find(iteration_levels, iterations));
-}
-
-Setting with_substeps(Setting setting, int substeps) {
-  setting.substeps = substeps;
-  return setting;
-}
-
-Setting of_kind(const Setting& kind, int substeps, int iterations, bool double_precision) {
-  return {kind.model, substeps, iterations, double_precision, kind.variant};
-}
 
 double work_of(const Setting& setting) {
   return static_cast<double>(setting.substeps) * setting.iterations;
@@ -37,17 +20,21 @@ double work_of(const Setting& setting) {
 
 }  // namespace
 
-Search::Search(std::vector<Setting> kinds, const Demand& demand, const Limits& limits)
-    : kinds_(std::move(kinds)), demand_(demand), limits_(limits) {
+Search::Search(std::vector<Setting> kinds, const Demand& demand, Limits limits)
+    : kinds_(std::move(kinds)), demand_(demand), limits_(std::move(limits)) {
   if (demand_.error) demand_.error = std::min(*demand_.error, largest_error);
 }
 
 bool Search::consider(const Setting& setting) {
   const auto known = [&](const Setting& kind) { return same_kind(kind, setting); };
   if (std::ranges::any_of(kinds_, known) || std::ranges::any_of(dropped_, known)) return false;
-  constexpr int coarser = 4;
-  const auto substeps = std::bit_floor(static_cast<unsigned>(std::max(1, setting.substeps / coarser)));
-  kinds_.push_back(of_kind(setting, static_cast<int>(substeps), 1, false));
+  Setting start = coarsest(setting);
+  if (!ladder_of(setting).climbs_iterations) {
+    constexpr int coarser = 4;
+    start.substeps =
+        static_cast<int>(std::bit_floor(static_cast<unsigned>(std::max(1, setting.substeps / coarser))));
+  }
+  kinds_.push_back(start);
   return true;
 }
 
@@ -58,9 +45,8 @@ std::vector<Search::Next> Search::next() const {
       if (!find(setting) && is_next(setting) && worth(setting)) found.push_back({setting, cost(setting)});
   std::ranges::stable_sort(found, {}, [](const Next& next) { return next.cpu_s.value_or(0); });
   if (front_.empty())
-    std::ranges::stable_partition(found, [](const Next& next) {
-      return next.setting.iterations == 1 && !next.setting.double_precision;
-    });
+    std::ranges::stable_partition(
+        found, [](const Next& next) { return ladder_of(next.setting).on_main_way(next.setting); });
   return found;
 }
 
@@ -69,6 +55,16 @@ void Search::add(const Setting& setting, std::optional<double> error, double cpu
   const bool rated = error || stretched({.strained = strained});
   results_[setting] = {error, cpu_s, strained, rated};
   if (rated) measured_.push_back({setting, error.value_or(infinity), cpu_s, false, strained});
+  find_front();
+}
+
+void Search::reject(const Setting& setting) {
+  results_[setting].error.reset();
+  std::erase_if(measured_, [&](const Rated& point) { return point.setting == setting; });
+  find_front();
+}
+
+void Search::find_front() {
   front_ = front_of(measured_);
   ahead_ = front_.empty() ? unfit_front_of(measured_) : front_;
 }
@@ -90,34 +86,35 @@ std::vector<Rated> Search::predicted() const {
   constexpr int farthest = 4;
   constexpr double allowance = 0.25;  // errors tend to fall ever more slowly than a law says
   std::vector<Rated> points;
-  for (const Setting& kind : kinds_)
-    for (const int iterations : iteration_levels)
-      for (const bool double_precision : {false, true}) {
-        std::vector<Worked> known;
-        std::vector<Setting> measured;
-        int last = 0;
-        for (const int substeps : substep_levels) {
-          const Setting setting = of_kind(kind, substeps, iterations, double_precision);
-          const Result* result = find(setting);
-          if (result == nullptr) continue;
-          last = substeps;
-          if (!result->error) continue;
-          known.push_back({work_of(setting), *result->error});
-          measured.push_back(setting);
-        }
-        constexpr std::size_t most = 4;  // coarser ones say little about finer ones
-        const std::size_t first = known.size() > most ? known.size() - most : 0;
-        const auto law = fit_power_law(std::span(known).subspan(first));
-        if (!law) continue;
-        for (const int substeps : substep_levels) {
-          const Setting setting = of_kind(kind, substeps, iterations, double_precision);
-          if (substeps <= last || substeps > std::min(farthest * last, limits_.most_substeps)) continue;
-          const double error =
-              law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
-          if (error >= limits_.least_error)
-            points.push_back({setting, error, *cost(setting), true, predicted_strain(measured, setting)});
-        }
+  for (const Setting& kind : kinds_) {
+    const Ladder& ladder = ladder_of(kind);
+    for (const Setting& way : ladder.ways(kind)) {
+      std::vector<Worked> known;
+      std::vector<Setting> measured;
+      int last = 0;
+      for (const int rung : ladder.all_rungs()) {
+        const Setting setting = ladder.with_rung(way, rung);
+        const Result* result = find(setting);
+        if (result == nullptr) continue;
+        last = rung;
+        if (!result->error) continue;
+        known.push_back({work_of(setting), *result->error});
+        measured.push_back(setting);
       }
+      constexpr std::size_t most = 4;  // coarser ones say little about finer ones
+      const std::size_t first = known.size() > most ? known.size() - most : 0;
+      const auto law = fit_power_law(std::span(known).subspan(first));
+      if (!law) continue;
+      for (const int rung : ladder.all_rungs()) {
+        const Setting setting = ladder.with_rung(way, rung);
+        if (rung <= last || rung > farthest * last || setting.substeps > limits_.most_substeps) continue;
+        const double error =
+            law->at(work_of(setting)) * std::pow(work_of(setting) / known.back().work, allowance);
+        if (error >= limits_.least_error)
+          points.push_back({setting, error, *cost(setting), true, predicted_strain(measured, setting)});
+      }
+    }
+  }
   return points;
 }
 
@@ -147,7 +144,8 @@ std::optional<double> Search::error_of(const Setting& setting) const {
   return result && !stretched(*result) ? result->error : std::nullopt;
 }
 
-// From the runs of its kind in its precision, or else in the other. Runs that diverged do not count.
+// From the runs of its kind in its precision, or else in the other, or else forecast. Runs that diverged do
+// not count.
 std::optional<double> Search::cost(const Setting& setting) const {
   for (const bool same : {true, false}) {
     std::vector<Timed> timed;
@@ -158,7 +156,7 @@ std::optional<double> Search::cost(const Setting& setting) const {
     const double factor = same ? 1 : setting.double_precision ? double_cost : 1 / double_cost;
     if (const auto fit = fit_step_cost(timed)) return factor * fit->at(setting.substeps, setting.iterations);
   }
-  return std::nullopt;
+  return limits_.forecast ? limits_.forecast(setting) : std::nullopt;
 }
 
 // The least error that the kind's coarser runs leave possible; 0 if they had none. Beyond nowhere_near the
@@ -180,69 +178,73 @@ bool Search::on_front(const Setting& setting) const {
 
 bool Search::is_next(const Setting& setting) const {
   if (std::ranges::find(kinds_, setting) != kinds_.end()) return true;
-  if (!doubled(setting.substeps)) return between(setting);
-  if (setting.double_precision) return rounding_suspected(setting);
-  return setting.iterations == 1 ? continues(setting) : more_iterations(setting);
+  const Ladder& ladder = ladder_of(setting);
+  if (ladder.is_between(setting)) return between(setting);
+  if (ladder.is_precise(setting)) return rounding_suspected(setting);
+  return ladder.on_main_way(setting) ? continues(setting) : more_of_the_other(setting);
 }
 
-// Whether to double the substeps: unless the error stayed the same and other settings are better.
+std::optional<double> Search::error_below(const Setting& setting, int rungs) const {
+  const auto below = ladder_of(setting).below(setting, rungs);
+  return below ? error_of(*below) : std::nullopt;
+}
+
+// Whether to climb: unless the error stayed the same and other settings are better.
 bool Search::continues(const Setting& setting) const {
-  const auto error = [&](int fraction) {
-    return error_of(with_substeps(setting, setting.substeps / fraction));
-  };
-  const Setting half = with_substeps(setting, setting.substeps / 2);
-  if (find(half) == nullptr) return false;
+  const Ladder& ladder = ladder_of(setting);
+  const auto last = ladder.below(setting, 1);
+  if (!last || find(*last) == nullptr) return false;
   constexpr double much_the_same = 0.9;
-  constexpr int early = 8;  // coarse settings may all be as bad
-  const bool stays = half.substeps >= early && error(2) && error(8) && *error(2) > much_the_same * *error(8);
-  return !stays || on_front(half);
+  constexpr int early = 3;  // coarse settings may all be as bad
+  const auto error = error_below(setting, 1), before = error_below(setting, 3);
+  const bool stays = ladder.height(*last) >= early && error && before && *error > much_the_same * *before;
+  return !stays || on_front(*last);
 }
 
-// Whether to try more iterations: if the next fewer are on the front, until two in a row were not.
-bool Search::more_iterations(const Setting& setting) const {
-  Setting less = setting;
-  less.iterations = fewer(setting.iterations);
-  if (!on_front(less)) return false;
+// Whether to raise what the ladder does not climb: if the next fewer are on the front, until two in a row
+// were not.
+bool Search::more_of_the_other(const Setting& setting) const {
+  const Ladder& ladder = ladder_of(setting);
+  const int mine = ladder.other(setting);
+  const auto fewer = std::prev(std::ranges::find(ladder.alongside, mine));
+  if (!on_front(ladder.with_other(setting, *fewer))) return false;
   int in_vain = 0;
-  for (const auto& [other, result] : results_)  // by rising substeps
-    if (same_kind(other, setting) && other.iterations == setting.iterations && !other.double_precision)
+  for (const auto& [other, result] : results_)  // upwards
+    if (same_kind(other, setting) && ladder.other(other) == mine && !ladder.is_precise(other))
       in_vain = on_front(other) ? 0 : in_vain + 1;
   return in_vain < 2;
 }
 
-// Whether to try double: if single diverged, hardly gained from its last doubling, or was worse than double
+// Whether to try double: if single diverged, hardly gained from its last rung, or was worse than double
 // before.
 bool Search::rounding_suspected(const Setting& setting) const {
+  const Ladder& ladder = ladder_of(setting);
   Setting single = setting;
   single.double_precision = false;
-  const auto gains = [&](int substeps) {
-    const auto mine = error_of(with_substeps(setting, substeps)),
-               other = error_of(with_substeps(single, substeps));
-    return mine && (!other || *mine < 0.95 * *other);
-  };
-  const int half = setting.substeps / 2;
-  if (half >= 1 && gains(half)) return true;
-  for (int substeps = half; substeps >= 1 && substeps > setting.substeps / 8; substeps /= 2)
-    if (find(with_substeps(setting, substeps))) return false;  // tried, in vain
+  const auto mine = error_below(setting, 1), before = error_below(single, 1);
+  if (mine && (!before || *mine < 0.95 * *before)) return true;
+  for (const int rungs : {1, 2})
+    if (const auto below = ladder.below(setting, rungs); below && find(*below)) return false;  // in vain
+  constexpr int early = 3;
   const Result* tried = find(single);
-  if (tried == nullptr || setting.substeps < 8) return false;
-  const auto before = error_of(with_substeps(single, half));
+  if (tried == nullptr || ladder.height(setting) < early) return false;
   if (stretched(*tried)) return before.has_value();
   return !tried->error || (before && *tried->error > 0.75 * *before);
 }
 
 // Whether to try 3 · 2^k substeps: if 2 · 2^k don't meet the demand and these may.
 bool Search::between(const Setting& setting) const {
-  const int below = setting.substeps / 3 * 2;
-  const Result *coarser = find(with_substeps(setting, below)),
-               *finer = find(with_substeps(setting, 2 * below));
+  const Ladder& ladder = ladder_of(setting);
+  const int below = ladder.rung(setting) / 3 * 2;
+  const Result *coarser = find(ladder.with_rung(setting, below)),
+               *finer = find(ladder.with_rung(setting, 2 * below));
   if (coarser == nullptr) return false;
   if (stretched(*coarser))
     return finer != nullptr && finer->error && unfit(*finer->error, finer->strained) == Unfit::no;
   const auto error = coarser->error;
   if (!error) return false;
   if (demand_.error) return *error > *demand_.error && optimistic(setting) <= *demand_.error;
-  const auto above = cost(with_substeps(setting, 2 * below));
+  const auto above = cost(ladder.with_rung(setting, 2 * below));
   return above && *above > *demand_.cpu_s;
 }
 
@@ -263,18 +265,20 @@ bool Search::worth(const Setting& setting) const {
   double least = infinity;  // error for that time
   for (const Rated& point : front_)
     if (point.cpu_s <= *cpu_s) least = point.error;
-  // While substeps double, a setting may be behind and the next one ahead.
-  const bool on_the_way = setting.iterations == 1 && !setting.double_precision && doubled(setting.substeps);
+  // On the way up a setting may be behind and the next one ahead. Iterations that converge have no law.
+  const Ladder& ladder = ladder_of(setting);
+  if (ladder.climbs_iterations && ladder.on_main_way(setting)) return true;
+  const bool on_the_way = ladder.on_main_way(setting) && !ladder.is_between(setting);
   return optimistic(setting) < (on_the_way ? 2 : 1) * least;
 }
 
 std::vector<Setting> Search::all_settings(const Setting& kind) const {
+  const Ladder& ladder = ladder_of(kind);
   std::vector<Setting> settings;
-  for (const int iterations : iteration_levels)
-    for (const bool double_precision : {false, true})
-      for (const int substeps : substep_levels)
-        if (substeps <= limits_.most_substeps)
-          settings.push_back(of_kind(kind, substeps, iterations, double_precision));
+  for (const Setting& way : ladder.ways(kind))
+    for (const int rung : ladder.all_rungs())
+      if (const Setting setting = ladder.with_rung(way, rung); setting.substeps <= limits_.most_substeps)
+        settings.push_back(setting);
   return settings;
 }
 

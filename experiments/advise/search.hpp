@@ -1,20 +1,21 @@
 // Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and
 // little else is run.
 //
-//   substeps   1 2 3 4 6 8 … 256    every model doubles them; 3, 6, 12 … only if they may meet the demand
-//   iterations 1 2 4 10             if the next fewer is on the front
-//   precision  single, double       double if rounding seems to hold single back
+// Each method has its ladder (ladder.hpp): its rungs are climbed one after another; those between are tried
+// only if they may meet the demand, more of what it does not climb if the next fewer is on the front, and
+// double precision if rounding seems to hold single back.
 //
 // A kind is a model with a variant (variant.hpp). The search starts with every model in one variant; others
 // are considered when asked for.
 //
 // A setting is worth a run if it could be on the front: an error falls at best with the square of the work
-// (substeps × iterations), and what is known to cost more than a setting that already meets the demand need
-// not be run. Since the cheapest come first, a tighter demand measures what a looser one did, and more. Unfit
-// settings (fitness.hpp) are on no front and rule no other out; until one is fit, more substeps go before
-// more iterations.
+// (substeps × iterations), but for iterations that converge, and what is known to cost more than a setting
+// that already meets the demand need not be run. Since the cheapest come first, a tighter demand measures what
+// a looser one did, and more. Unfit settings (fitness.hpp) are on no front and rule no other out; until one is
+// fit, climbing goes before the rest.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -30,17 +31,20 @@ class Search {
   struct Limits {
     int most_substeps = 256;
     double least_error = 0;  ///< no smaller error is predicted: the reference is known to that only
+    /// CPU seconds per frame of a kind without a run yet; it may know none.
+    std::function<std::optional<double>(const Setting&)> forecast = nullptr;
   };
   struct Next {
     Setting setting;
-    std::optional<double> cpu_s = std::nullopt;  ///< expected per frame; nothing before the kind's first run
+    /// Expected per frame; nothing before the kind's first run, unless that is forecast.
+    std::optional<double> cpu_s = std::nullopt;
   };
 
   /// The coarsest setting of each kind to begin with.
-  Search(std::vector<Setting> kinds, const Demand& demand, const Limits& limits);
+  Search(std::vector<Setting> kinds, const Demand& demand, Limits limits);
 
-  /// One more kind, that of this setting, from a quarter of its substeps on. False if it is among the kinds
-  /// already, or was dropped.
+  /// One more kind, that of this setting: from a quarter of its substeps on if its method climbs those, else
+  /// from the lowest rung. False if it is among the kinds already, or was dropped.
   bool consider(const Setting& setting);
 
   /// What is worth a run now, the cheapest first; empty when the search is over.
@@ -49,6 +53,9 @@ class Search {
   /// Adds what a run gave. It has no error if it diverged, had no reference, or was not compared because its
   /// strain is unfit.
   void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
+
+  /// Its error means nothing after all.
+  void reject(const Setting& setting);
 
   /// No further run of this setting's kind.
   void drop(const Setting& setting);
@@ -71,6 +78,7 @@ class Search {
     bool timed = false;  ///< it ran to its end
   };
 
+  void find_front();
   const Result* find(const Setting& setting) const;
   static bool stretched(const Result& result);
   /// Nothing for a stretched run: its error means nothing.
@@ -80,7 +88,8 @@ class Search {
   bool on_front(const Setting& setting) const;
   bool is_next(const Setting& setting) const;
   bool continues(const Setting& setting) const;
-  bool more_iterations(const Setting& setting) const;
+  bool more_of_the_other(const Setting& setting) const;
+  std::optional<double> error_below(const Setting& setting, int rungs) const;
   bool rounding_suspected(const Setting& setting) const;
   bool between(const Setting& setting) const;
   double longest() const;

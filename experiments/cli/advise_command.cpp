@@ -9,7 +9,9 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/disk.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/advise/advice.hpp"
+#include "experiments/advise/ladder.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
@@ -46,14 +48,28 @@ std::optional<ErrorOf> error_of(const std::string& what) {
   return std::nullopt;
 }
 
+void check_names(const char* option, const char* what, const std::vector<std::string>& given,
+                 const std::vector<std::string_view>& known) {
+  for (const std::string& name : given)
+    if (std::ranges::find(known, name) == known.end())
+      throw UsageError(fmt::format("{}: there is no {} '{}'{} Choose from: {}", option, what, name,
+                                   suggestion(name, known).empty() ? "." : suggestion(name, known),
+                                   fmt::join(known, ", ")));
+}
+
 void check_models(const std::vector<std::string>& models) {
   std::vector<std::string_view> known;
   for (const BendingModel* model : bending_models()) known.push_back(model->name);
-  for (const std::string& model : models)
-    if (find_bending_model(model) == nullptr)
-      throw UsageError(fmt::format("--models: there is no bending model '{}'{} Models: {}", model,
-                                   suggestion(model, known).empty() ? "." : suggestion(model, known),
-                                   fmt::join(known, ", ")));
+  check_names("--models", "bending model", models, known);
+}
+
+void check_methods(const std::vector<std::string>& methods) {
+  for (const std::string& name : methods)
+    if (find_method(name) != nullptr && std::ranges::find(advised_methods, name) == advised_methods.end())
+      throw UsageError(
+          fmt::format("--methods: {} is there to be compared with, and is not advised. Choose from: {}", name,
+                      fmt::join(advised_methods, ", ")));
+  check_names("--methods", "solver method", methods, {advised_methods.begin(), advised_methods.end()});
 }
 
 std::string what_text(const Advice& advice, const Question& question) {
@@ -115,12 +131,12 @@ std::vector<Rated> rows_of(const Advice& advice) {
 }
 
 std::string front_text(const Advice& advice) {
-  Table table({"model", "with", "substeps", "iterations", "precision", "error (%)", "strain (%)",
+  Table table({"model", "method", "with", "substeps", "iterations", "precision", "error (%)", "strain (%)",
                "ms per frame", ""});
   for (const Rated& point : rows_of(advice)) {
     const auto strain = strain_of(point, advice);
     const Unfit why = unfit(point);
-    table.add_row({point.setting.model, variant_text(point.setting.variant),
+    table.add_row({point.setting.model, point.setting.variant.method, variant_text(point.setting.variant),
                    std::to_string(point.setting.substeps), std::to_string(point.setting.iterations),
                    point.setting.double_precision ? "double" : "single",
                    std::isfinite(point.error) ? percent_number(point.error) : "-",
@@ -203,6 +219,8 @@ Json point_json(const std::optional<Rated>& point, const Advice& advice) {
           {"tethers", variant.tethers},
           {"shear", variant.shear},
           {"flight_limit", variant.flight_limit},
+          {"method", variant.method},
+          {"membrane", variant.softened ? "auto" : "stated"},
           {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
           {"substeps", point->setting.substeps},
           {"iterations", point->setting.iterations},
@@ -283,9 +301,11 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
       .demand = demand_of(arguments),
       .error_of = error_of(arguments.what),
       .models = arguments.models,
+      .methods = arguments.methods,
       .time_limit_s = read_option("--time-limit", arguments.time_limit, parse_duration),
       .campaign = campaign};
   check_models(options.models);
+  check_methods(options.methods);
   if (!arguments.write.empty()) check_can_write(arguments.write, arguments.file);
   const Question question(arguments.file, arguments.overrides);
   catch_stop_signals();

@@ -381,7 +381,7 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
 
 void add_advise_command(CLI::App& app, Arguments& a) {
   CLI::App* advise =
-      add_command(app, a, "advise", "Find the model, substeps, iterations and precision for a scene",
+      add_command(app, a, "advise", "Find the model, method, substeps, iterations and precision for a scene",
                   [&a] { return advise_command(a.advise, a.options, a.json); });
   advise
       ->add_option("CONFIG", a.advise.file, "JSON file of the scene; it states the cloth's bending stiffness")
@@ -403,6 +403,8 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       ->check(CLI::IsMember({"auto", "rest", "motion"}))
       ->capture_default_str();
   advise->add_option("--models", a.advise.models, "Only these models, separated by commas")->delimiter(',');
+  advise->add_option("--methods", a.advise.methods, "Only these solver methods, separated by commas")
+      ->delimiter(',');
   advise
       ->add_option(
           "--time-limit", a.advise.time_limit,

@@ -135,12 +135,13 @@ struct AdviseArguments {
   std::string error, budget;           ///< "5%" or "2ms": one of the two
   std::string what = "auto";           ///< rest, motion or auto
   std::string time_limit = "120s";
-  std::vector<std::string> models;  ///< empty: every registered one
-  std::filesystem::path write;      ///< empty: the config is not written
+  std::vector<std::string> models;   ///< empty: every registered one
+  std::vector<std::string> methods;  ///< empty: all that advice is given on
+  std::filesystem::path write;       ///< empty: the config is not written
 };
 
-/// Which model, substeps, iterations and precision to take for a scene, from runs below <out>/advise. Exit
-/// code 1 if no setting meets the demand.
+/// Which model, method, substeps, iterations and precision to take for a scene, from runs below <out>/advise.
+/// Exit code 1 if no setting meets the demand.
 int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json);
 
 /// Measures what the solver costs here. `list`: names the benchmarks and measures nothing.

@@ -10,6 +10,7 @@
 #include "experiments/advise/fit.hpp"
 #include "experiments/advise/fitness.hpp"
 #include "experiments/advise/front.hpp"
+#include "experiments/advise/ladder.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/advise/search.hpp"
 #include "experiments/advise/variant.hpp"
@@ -130,22 +131,24 @@ double error_of_written(Workplace& place, const std::string& file, const json& a
   return place.out_lines().at(0).at("summary").at("error_physical_rms");
 }
 
-void check_promise(Workplace& place, const std::string& config, const std::string& demand) {
+json check_promise(Workplace& place, const std::string& config, const std::string& demand) {
   INFO(config << " " << demand);
   const json told = advice(place, config + " " + demand + " --write best.json");
-  const json& best = told.at("advice");
+  const json best = told.at("advice");
   REQUIRE(best.at("predicted") == false);
   CHECK(error_of_written(place, "best.json", told) == best.at("error").get<double>());  // the same bits
   const json written = json::parse(bendlab::test::read(place.folder / "best.json"));
   CHECK_FALSE(written.contains("accuracy"));
   CHECK(written.at("bending").at("model") == best.at("model"));
+  return best;
 }
 
-// Looser first: what is asked for leaves ever less error.
+// Looser first: what is asked for leaves ever less error. In one method: where several reach the same pose in
+// the same time, noise chooses between them.
 void check_order(Workplace& place, const std::string& config, const std::vector<std::string>& demands) {
   double error = 1e9;
   for (const std::string& demand : demands) {
-    const json best = advice(place, config + " " + demand).at("advice");
+    const json best = advice(place, config + " --methods pbd " + demand).at("advice");
     INFO(config << " " << demand << ": " << best.dump());
     CHECK(best.at("error").get<double>() <= error);
     error = best.at("error");
@@ -434,6 +437,92 @@ TEST_CASE("advise: variants beside one differ from it in one thing, and none is 
   for (const Variant& each : neighbours(from, {.tethers = false})) CHECK(each.tethers);
 }
 
+TEST_CASE("advise: a variant in another method has nothing that the method lacks", "[advise]") {
+  const Variant pbd{.tethers = true, .shear = "green", .flight_limit = 0.25, .radius = 0.02};
+  const Variant implicit = in_method(pbd, "quasi_newton", true);
+  CHECK(implicit == Variant{.shear = "green", .radius = 0.02, .method = "quasi_newton", .softened = true});
+  CHECK(in_method(implicit, "newton", true) == Variant{.shear = "green", .radius = 0.02, .method = "newton"});
+  CHECK(variant_text(implicit) == "softened membrane, green shear, springs of 0.02 m");
+  // Beside it: its membrane as stated, the other shears and radius, the other methods; nothing of pbd's own.
+  const std::vector<Variant> beside =
+      neighbours(implicit, {.tethers = true, .methods = {"pbd", "quasi_newton", "newton"}});
+  CHECK(beside.size() == 6);
+  CHECK(std::ranges::count(beside, Variant{.tethers = true, .shear = "green", .radius = 0.02}) == 1);
+  CHECK(std::ranges::count(beside, in_method(implicit, "quasi_newton")) == 1);
+  for (const Variant& each : beside) CHECK((each.method == "pbd") == each.tethers);
+  // pbd's neighbours in quasi_newton have either membrane.
+  CHECK(neighbours(pbd, {.methods = {"quasi_newton"}}).size() == neighbours(pbd, {.methods = {}}).size() + 2);
+}
+
+TEST_CASE("advise: each method climbs its own ladder", "[advise]") {
+  const Setting pbd{"a"}, implicit{.model = "a", .variant = {.method = "quasi_newton"}},
+      newton{.model = "a", .variant = {.method = "newton"}};
+  CHECK(coarsest(newton).double_precision);
+  CHECK_FALSE(coarsest(implicit).double_precision);
+  CHECK(ladder_of(pbd).below({"a", 8}, 3)->substeps == 1);
+  CHECK_FALSE(ladder_of(pbd).below({"a", 4}, 3));
+  Setting high = implicit;
+  high.substeps = 2, high.iterations = 20;
+  CHECK(ladder_of(high).below(high, 1)->iterations == 10);
+  CHECK(ladder_of(high).below(high, 1)->substeps == 2);
+  CHECK_FALSE(ladder_of(high).on_main_way(high));
+  CHECK(ladder_of(pbd).is_between({"a", 48}));
+  CHECK_FALSE(ladder_of(implicit).is_between(implicit));
+  for (const Setting& way : ladder_of(newton).ways(coarsest(newton))) CHECK(way.double_precision);
+  Setting compared = pbd;
+  compared.variant.method = "vbd";
+  CHECK_THROWS_WITH(ladder_of(compared), ContainsSubstring("vbd"));
+}
+
+// Three methods whose error and time are known. At rest the iterations of quasi_newton count, wherever they
+// are; newton is exact, and dear.
+const Imaginary methods_at_rest{
+    .error = [](const Setting& s) -> std::optional<double> {
+      if (s.variant.method == "pbd") return machine.error(s);
+      if (s.variant.method == "newton") return 1e-4;
+      const double rounded = s.double_precision ? 0 : 0.003;
+      return 0.3 / std::pow(s.iterations * s.substeps, 2) + rounded + (s.variant.softened ? 0.004 : 0);
+    },
+    .cpu_s =
+        [](const Setting& s) {
+          if (s.variant.method == "pbd") return machine.cpu_s(s);
+          const double iteration = s.variant.method == "newton" ? 0.02 : s.double_precision ? 6e-4 : 4e-4;
+          return s.substeps * (1e-4 + iteration * s.iterations);
+        }};
+
+TEST_CASE("advise: the search finds the best of several methods, and runs no dear one in vain", "[advise]") {
+  const auto kind = [](const char* model, const char* method, bool softened = false) {
+    return coarsest({.model = model, .variant = {.method = method, .softened = softened}});
+  };
+  const std::vector<Setting> kinds = {kind("a", "pbd"), kind("b", "pbd"), kind("a", "quasi_newton"),
+                                      kind("a", "quasi_newton", true), kind("a", "newton")};
+  const Search::Limits limits{.forecast = [](const Setting& s) -> std::optional<double> {
+    return s.variant.method == "newton" ? std::optional(0.03) : std::nullopt;
+  }};
+  std::vector<Rated> all = everything();
+  for (const Setting& start : kinds)
+    for (const Setting& way : ladder_of(start).ways(start))
+      for (const int rung : ladder_of(start).rungs) {
+        const Setting setting = ladder_of(start).with_rung(way, rung);
+        all.push_back({setting, *methods_at_rest.error(setting), methods_at_rest.cpu_s(setting)});
+      }
+  for (const double error : {0.4, 0.1, 0.02, 0.01, 0.006, 0.001, 0.0002}) {
+    INFO("error " << error);
+    Search search(kinds, {.error = error}, limits);
+    CHECK(methods_at_rest.run(search) < 60);  // of more than 200
+    const auto found = chosen(search.measured(), {.error = error}), best = chosen(all, {.error = error});
+    REQUIRE(found);
+    CHECK(found->cpu_s <= best->cpu_s);
+    const auto is_newton = [](const Rated& point) { return point.setting.variant.method == "newton"; };
+    CHECK(std::ranges::any_of(search.measured(), is_newton) == (error < 0.001));
+  }
+  Search search(kinds, {.cpu_s = 0.01}, limits);
+  methods_at_rest.run(search);
+  const auto found = chosen(search.measured(), {.cpu_s = 0.01}), best = chosen(all, {.cpu_s = 0.01});
+  REQUIRE(found);
+  CHECK(found->error <= best->error);
+}
+
 TEST_CASE("advise: a kind that is considered later is searched from a quarter of the substeps on",
           "[advise]") {
   const Variant tethered{.tethers = true};
@@ -498,6 +587,70 @@ TEST_CASE("advise: a curtain's advice is what a run of it gives", "[advise]") {
   const std::size_t end = text.find(" ms of CPU"), begin = text.rfind(' ', end - 1);
   CHECK_THAT(text, ContainsSubstring("  " + text.substr(begin + 1, end - begin - 1) + "  measured"));
   check_order(place, "curtain.json", {"--budget 0.15ms", "--budget 0.3ms"});
+}
+
+TEST_CASE("advise: every method's advice is what a run of it gives", "[advise]") {
+  Workplace place;
+  place.write("strip.json", cantilever);
+  const json implicit = check_promise(place, "strip.json", "--error 5% --methods quasi_newton,newton");
+  CHECK(implicit.at("method") == "quasi_newton");
+  CHECK(json::parse(bendlab::test::read(place.folder / "best.json")).at("solver").at("method") ==
+        "quasi_newton");
+  const json exact = check_promise(place, "strip.json", "--error 1% --methods newton --models dihedral");
+  CHECK(exact.at("method") == "newton");
+  CHECK(exact.at("precision") == "double");
+  // Among all methods the choice is no slower than what one of them reaches; times vary.
+  const json free = advice(place, "strip.json --error 5%").at("advice");
+  CHECK(free.at("cpu_s_per_frame").get<double>() < 2 * implicit.at("cpu_s_per_frame").get<double>());
+  // A config that has another method goes on from its own, and may be advised to leave it.
+  const std::string own = "strip.json --set /solver/method=quasi_newton --set /solver/membrane=auto ";
+  check_promise(place, own, "--error 5% --methods pbd --models isometric");
+  const json written = json::parse(bendlab::test::read(place.folder / "best.json"));
+  CHECK(written.at("solver").at("method") == "pbd");
+  check_promise(place, own, "--error 2% --methods quasi_newton");
+}
+
+TEST_CASE("advise: the config's own reference is the same for every method", "[advise]") {
+  Workplace place;
+  place.write("strip.json", cantilever);
+  const std::string own =
+      R"(strip.json --error 5% --models dihedral --set '/accuracy={"physical":["/solver/substeps=64"]}')";
+  const json told = advice(place, own);
+  CHECK(told.at("error_of") == "own");
+  int references = 0;
+  for (const std::filesystem::path& file : place.run_files(".vtkhdf"))
+    references += file.string().find("references") != std::string::npos;
+  CHECK(references == 1);
+}
+
+TEST_CASE("advise: a method that the scene does not allow is named with the reason", "[advise]") {
+  Workplace place;
+  place.write("strip.json", cantilever);
+  place.write("curtain.json", curtain);
+  const auto says = [&](const std::string& arguments, const std::string& text) {
+    INFO(arguments);
+    place.run("advise --models dihedral --error 20% " + arguments);
+    INFO(place.out() << place.err());
+    CHECK_THAT(place.out(), ContainsSubstring(text));
+  };
+  const std::string membrane =
+      "quasi_newton, newton: not searched: /material/strain/stiffness must be \"compliance\"";
+  says("curtain.json", membrane);
+  says("curtain.json", "--set /material/strain/compliance=1e-05");
+  says(
+      "curtain.json --methods quasi_newton --set /material/strain/stiffness=compliance "
+      "--set /material/strain/compliance=1e-5",
+      "take dihedral, quasi_newton, ");
+  says(R"(strip.json --set '/effects=[{"type":"gravity"},{"type":"viscous_drag","coefficient":4},)"
+       R"({"type":"strain_limiting"}]')",
+       "quasi_newton, newton: not searched: /effects/2 strain_limiting works with the projection");
+  says("strip.json", "newton: not run: its coarsest setting would take about");
+  CHECK(place.run("advise curtain.json --error 5% --methods quasi_newton") == 3);
+  CHECK_THAT(place.err(), ContainsSubstring("k has no energy"));
+  CHECK(place.run("advise strip.json --error 5% --methods vbd") == 2);
+  CHECK_THAT(place.err(), ContainsSubstring("pbd, quasi_newton, newton"));
+  CHECK(place.run("advise strip.json --error 5% --methods quasi_newtn") == 2);
+  CHECK_THAT(place.err(), ContainsSubstring("did you mean 'quasi_newton'"));
 }
 
 TEST_CASE("advise: a motion is compared over time with its own refinement", "[advise]") {
@@ -604,6 +757,18 @@ TEST_CASE("advise: a setting that is fit but unconverged is advised with its run
   CHECK(more.at("advice").at("unconverged") == false);
   place.run("advise " + fine + "--error 0.2%");
   CHECK_THAT(place.out(), !ContainsSubstring("Its run is unconverged"));
+}
+
+TEST_CASE("advise: a pose that an unconverged method passes by accident is not advised", "[advise]") {
+  Workplace place;
+  place.write("strip.json", cantilever);
+  // Without bending stiffness a strip hangs straight down; one iteration takes long to get there, and passes
+  // where a stiff strip is at rest.
+  const std::string slow =
+      "strip.json --models none --methods quasi_newton --set /bending/flexural_rigidity=0.01 "
+      "--set /duration=0.7 ";
+  CHECK(place.run("advise " + slow + "--error 5%") == 1);
+  CHECK_THAT(place.out(), ContainsSubstring("its pose does not stay, error"));
 }
 
 TEST_CASE("advise: a cloth that has not come to rest is noticed, and one that nothing holds has a motion",
