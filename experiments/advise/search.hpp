@@ -10,9 +10,9 @@
 //
 // A setting is worth a run if it could be on the front: an error falls at best with the square of the work
 // (substeps × iterations), but for iterations that converge, and what is known to cost more than a setting
-// that already meets the demand need not be run. Since the cheapest come first, a tighter demand measures what
-// a looser one did, and more. Unfit settings (fitness.hpp) are on no front and rule no other out; until one is
-// fit, climbing goes before the rest.
+// that already meets the demand need not be run. Since the cheapest come first, a tighter demand measures
+// what a looser one did, and more. Unfit settings (fitness.hpp) are on no front and rule no other out; until
+// one is fit, climbing goes before the rest.
 #pragma once
 
 #include <functional>
