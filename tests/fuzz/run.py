@@ -9,6 +9,7 @@ Each begins with the seeds in tests/fuzz/corpus and with what earlier runs on th
 build/fuzz/corpus. The last line counts fuzzers: one fails if it has a finding. Exit code 1 if one failed.
 """
 import argparse
+import base64
 import os
 import pathlib
 import re
@@ -19,8 +20,8 @@ root = pathlib.Path(__file__).resolve().parents[2]
 here = pathlib.Path(__file__).resolve().parent
 names = ["config", "mesh", "run_file"]
 
-# Seconds and MB after which one input is a finding: all are small, so that something goes on without end. On a
-# busy machine the sanitizers need 20 s for what takes 0.3 s elsewhere.
+# Seconds and MB after which one input is a finding: all are small, so that something goes on without end.
+# On a busy machine the sanitizers need 20 s for what takes 0.3 s elsewhere.
 slowest, most_memory = 90, 4000
 largest = {"config": 4096, "mesh": 8192, "run_file": 4096}  # bytes
 
@@ -70,11 +71,15 @@ def fuzz(name, programs, seconds, findings):
         return []
     (findings / f"{name}.log").write_text(text)
     new = sorted(file for file in set(findings.iterdir()) - before if file.name.startswith(f"{name}-"))
-    summary = re.findall(r"(?:SUMMARY|BROKEN|ERROR): .*", text)
-    print(f"{name:9} FINDING: {summary[0] if summary else text[-2000:]}")
+    causes = re.findall(
+        r"(?:SUMMARY|BROKEN|ERROR): .*|.*runtime error: .*|terminate called.*|what\(\): .*", text)
+    print(f"{name:9} FINDING: {causes[0] if causes else text[-2000:]}")
+    for line in [*causes[1:5], *re.findall(r"#\d+ 0x.* in bendlab.*", text)[:8]]:
+        print(f"          {line.strip()}")
     print(f"          all it said: {findings / f'{name}.log'}")
-    for file in new:
+    for file in new:  # with its bytes: a machine of the CI keeps no files
         print(f"          again: {pathlib.Path(sys.argv[0])} {name} --input {file}")
+        print(f"          bytes: {base64.b64encode(file.read_bytes()).decode()}")
     return new or [None]
 
 
