@@ -71,9 +71,9 @@ constexpr std::array parameters = {
                          "and 1/60 s",
               .minimum = 0},
     Parameter{.name = "levels", .type = ParameterType::integer, .unit = "", .default_value = 0,
-              .meaning = "Most coarse levels before the constraints of each iteration: spans between ever "
-                         "fewer vertices that are slack up to their length along the cloth at rest. The cloth "
-                         "stretches less for few substeps; 12: as many as the mesh has. 0: none",
+              .meaning = "Most coarse levels before the constraints of each iteration: spans between "
+                         "ever fewer vertices that are slack up to their length along the cloth at rest. "
+                         "The cloth stretches less for few substeps; 12: as many as the mesh has. 0: none",
               .minimum = 0, .maximum = 12},
 };
 // clang-format on
