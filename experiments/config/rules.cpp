@@ -83,7 +83,7 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   if (bending["stiffness"] != "physical" || !mesh.contains("generator")) return;
   const BendingModel* model = find_bending_model(bending["model"].get<std::string>());
   const std::string& generator = mesh["generator"].get_ref<const std::string&>();
-  const bool shortens = (model->springs_only && model->name != "none") || model->name == "choi_ko";
+  const bool shortens = (model->springs_only && model->name != "none") || model->one_sided;
   if (shortens && (generator == "tube" || generator == "sphere"))
     problems.push_back({"/bending/stiffness",
                         fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
@@ -192,6 +192,11 @@ class MethodRules {
     if (!why.empty()) check_compliance("/material/strain", why);
     if (method_.springs_only && !model_.springs_only)
       refuse_model();
+    else if (method_.factorised == Factorised::scalars && model_.one_sided)
+      report("/bending/model",
+             fmt::format("the force of {} jumps where it is straight, so that no constant matrix resembles it: "
+                         "choose the method newton, or another model",
+                         model_.name));
     else if (!why.empty() && model_.name != "none")
       check_compliance("/bending", why);
     if (!method_.projects) check_projection_effects();

@@ -83,13 +83,18 @@ TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
     }
 }
 
-TEST_CASE("a model says whether it is made of springs alone", "[bending]") {
+TEST_CASE("a model says whether it is made of springs alone, and whether they only push", "[bending]") {
   const RestMesh rest(grid(1, 1, 6, 6));
   for (const BendingModel* model : bending_models()) {
     INFO(model->name);
     const BendingConstraints built =
         model->build({rest, make_pins(rest, {0}, 0), ParameterValues(model->parameters)});
     CHECK(model->springs_only == (element_count(built.elements) == 0));
+    std::size_t one_sided = 0;
+    for_each_kind(built.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+      if constexpr (OneSided<Kind>) one_sided += list.size();
+    });
+    CHECK(model->one_sided == (one_sided > 0));
   }
 }
 

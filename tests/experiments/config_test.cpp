@@ -366,7 +366,18 @@ TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") 
              ContainsSubstring("constraint_damping works with the projection"));
 }
 
+TEST_CASE("config: a force that jumps has no constant matrix") {
+  using Catch::Matchers::ContainsSubstring;
+  const std::string head = R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}}, )";
+  const std::string bending =
+      R"("bending": {"model": "choi_ko", "stiffness": "compliance", "compliance": 1}, )";
+  CHECK_THAT(only_problem(with(head + bending + R"("solver": {"method": "quasi_newton"})"), "/bending/model"),
+             ContainsSubstring("choose the method newton"));
+  CHECK(problems_of(with(head + bending + R"("solver": {"method": "newton"})")).empty());
+}
+
 TEST_CASE("config: coarse levels need a membrane that resists in every direction") {
+  using Catch::Matchers::ContainsSubstring;
   const auto with_strain = [](const std::string& strain) {
     return with(R"("solver": {"levels": 2}, "material": {"strain": {)" + strain + "}}");
   };

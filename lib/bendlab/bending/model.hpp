@@ -44,6 +44,7 @@ struct BendingModel {
   std::string_view compliance;  ///< what the scene's compliance is the inverse of
   std::span<const Parameter> parameters;
   bool springs_only = false;  ///< build() gives no elements, whatever the parameters
+  bool one_sided = false;     ///< its elements only push: their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
   BendingConstraints (*build)(const BendingInput&);
   /// How many constraints build() will give, for forecasts; null: a hinge over every interior edge.

@@ -67,6 +67,7 @@ extern constinit const BendingModel choi_ko{
     .compliance =
         "1 / k_b, k_b in N m² (flexural rigidity 3/4 k_b / width for one line of segments at ring 2)",
     .parameters = parameters,
+    .one_sided = true,
     .build = build,
     .expect = expect,
 };
