@@ -208,7 +208,8 @@ constexpr std::array reproducibles = {
         "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
     Reproducible{"paper", "paper", {first_figure, whole_paper}},
     Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}, "stiffness_page.py"}}},
-    Reproducible{"stability", "stability", {PageStage{{"stability", "one_pin"}, "stability_page.py"}}},
+    Reproducible{
+        "stability", "stability", {PageStage{{"stability", "one_pin", "methods"}, "stability_page.py"}}},
     Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
     Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
 };

@@ -298,7 +298,8 @@ constexpr std::array shared_by_methods = {
               .meaning = "Precision of the solver's numbers. auto: single, but double if an effect moves "
                          "vertices itself (an obstacle, tethers, …) and what gravity adds to a speed in a "
                          "substep h is too small for single precision (g h against the rounding of a "
-                         "position over h); the run's provenance says which was used",
+                         "position over h), or if quasi_newton has a membrane whose strain under its "
+                         "weight a rounded position hides; the run's provenance says which was used",
               .choices = precisions},
     Parameter{.name = "threads", .type = integer, .unit = "1", .default_value = 1,
               .meaning = "Threads of one run; their number does not change a bit of the result",

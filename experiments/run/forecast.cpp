@@ -33,6 +33,7 @@ constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of
 constexpr double bent_sheet_less = 1e7;
 constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
 constexpr double metric_per_vertex = 1500, metric_growth = 100;  // of `quasi_newton`, likewise; its pairs
+constexpr double levels_per_vertex = 330;
 constexpr double file = 57e3, file_per_vertex = 39;
 constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 1200;
 }  // namespace bytes
@@ -48,6 +49,7 @@ constexpr double bent_sheet = 7e-6, bent_sheet_factor = 1e-7, fitted_by_reach = 
 constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
 constexpr double effect_per_vertex = 3e-9;
 constexpr double triangle = 6e-9, pair = 2.2e-9, hinge = 9e-9;  // a projection
+constexpr double levels_per_vertex = 3.5e-5, spans_per_vertex = 4e-9;  // once; an iteration
 constexpr double frame_per_triangle = 1.2e-7;
 constexpr double equilibrium_per_vertex = 4e-4;
 constexpr double factor_per_vertex = 1e-6, factor_growth = 3e-7;  // of blocks; + growth · √V
@@ -137,10 +139,13 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   if (method->factorised == Factorised::blocks)
     parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
                    fill(bending, vertices);
+  const bool levels = method->reads("levels") && solver.integer("levels") > 0;
+  if (levels) parts.mesh += vertices * bytes::levels_per_vertex;
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
   needs.advice = advice_for(parts, config, fitted && pairs > 0);
+  const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
   needs.disk_bytes = bytes::file + vertices * bytes::file_per_vertex +
-                     frames * (bytes::frame + vertices * bytes::frame_per_vertex +
+                     frames * (bytes::frame + vertices * bytes::frame_per_vertex * (in_double ? 2 : 1) +
                                mesh->triangles * bytes::frame_per_triangle);
 
   const auto count = [&](const char* name) {
@@ -160,6 +165,9 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   else if (fitted)
     needs.cpu_s += bending.hinges * seconds::fitted_hinge;
   double step = count("substeps") * substep;
+  if (levels)
+    needs.cpu_s += vertices * seconds::levels_per_vertex,
+        step += count("substeps") * count("iterations") * vertices * seconds::spans_per_vertex;
   if (method->factorised == Factorised::scalars)
     needs.cpu_s += vertices * seconds::metric_per_vertex,
         step += count("substeps") * count("iterations") * vertices * seconds::iteration_per_vertex;

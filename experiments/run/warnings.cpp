@@ -324,6 +324,12 @@ Message weaker_push(const WarningInput& input) {
 // A sheet on tethers, or on a plane, in single precision: see precision.cpp.
 Message single_precision(const WarningInput& input) {
   if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
+  const RoundingStrain strain = rounding_strain(input.scene);
+  if (!strain.single_suffices())
+    return fmt::format(
+        "the membrane is so stiff that its weight strains it by {:.2g}, and each rounding of a position in "
+        "single precision by {:.2g}. Set /solver/precision to auto, which takes double here",
+        strain.of_weight, strain.rounded);
   const RoundingSpeed speed = rounding_speed(input.scene);
   if (speed.single_suffices()) return std::nullopt;
   return fmt::format(
@@ -359,7 +365,7 @@ constexpr std::array kinds = {
     WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as stated", true,
                 membrane_courant},
     WarningKind{"k_overshoot", "bending springs with this k stretch the sheet", true, k_overshoot},
-    WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity", true,
+    WarningKind{"single_precision", "single precision is asked for where it does not resolve gravity or the membrane's strain", true,
                 single_precision},
     WarningKind{"weaker_push", "prestressed springs push with a smaller excess than stated", false,
                 weaker_push},

@@ -272,7 +272,7 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
 Precision precision_of(const Scene& scene, const std::string& asked) {
   if (scene.input.method->make_float == nullptr) return Precision::double_precision;
   if (asked != "auto") return named<Precision>(asked, precision_names);
-  return rounding_speed(scene).single_suffices() ? Precision::single_precision : Precision::double_precision;
+  return single_suffices(scene) ? Precision::single_precision : Precision::double_precision;
 }
 
 template <class Real>

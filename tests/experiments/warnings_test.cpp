@@ -241,6 +241,28 @@ TEST_CASE("auto takes double where an effect's rounding hides gravity", "[scene]
   CHECK(precision_with(R"(, {"type": "tethers"})", 1) == Precision::single_precision);
 }
 
+TEST_CASE("auto takes double where rounded positions hide the strain that quasi_newton needs", "[scene]") {
+  // ε Y / (ρ g l): l = 1/12 m, Y = 10⁴ N/m: 0.007; a thousandth of the size: 7; Y = 10⁶: 0.7.
+  const auto scene_of = [](double size, double compliance, const std::string& solver) {
+    return R"("mesh": {"width": )" + std::to_string(size) + R"(, "height": )" + std::to_string(size) +
+           R"(, "cells": 12}, "material": {"density": 0.2, "strain": {"stiffness": "compliance", "compliance": )" +
+           std::to_string(compliance) + R"(}}, "bending": {"model": "none"}, "effects": [{"type": "gravity"}],
+           "solver": {)" + solver + "}";
+  };
+  const std::string implicit = R"("method": "quasi_newton")";
+  const auto precision_of = [&](double size, double compliance, const std::string& solver) {
+    return build_scene(experiment_of(scene_of(size, compliance, solver)).runs.front()).precision;
+  };
+  CHECK(precision_of(1, 1e-4, implicit) == Precision::single_precision);
+  CHECK(precision_of(1e-3, 1e-4, implicit) == Precision::double_precision);
+  CHECK(precision_of(1, 1e-6, implicit) == Precision::double_precision);
+  CHECK(precision_of(1, 1e-6, implicit + R"(, "membrane": "auto")") == Precision::single_precision);
+  CHECK(precision_of(1e-3, 1e-4, "") == Precision::single_precision);  // pbd keeps moves apart
+  const std::string single = implicit + R"(, "precision": "single")";
+  CHECK(codes_of(scene_of(1, 1e-6, single)) == Codes{"single_precision"});
+  CHECK(codes_of(scene_of(1, 1e-4, single)).empty());
+}
+
 TEST_CASE("single precision keeps a substep's moves apart where rounding is a hundredth of gravity's",
           "[scene]") {
   // ε d 60² s² / (9.81 × h s), d = √2 m: 0.0062 with 10 substeps, 0.014 with 15.

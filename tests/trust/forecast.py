@@ -30,11 +30,15 @@ WITHIN = 0.2
 ABOVE = 0.8  # of the memory of this machine: larger runs are left out
 
 
-def config(cells, model, stiffness, diagonal="same"):
+SOLVERS = [{"levels": 12}, {"method": "quasi_newton"}, {"method": "newton", "iterations": 1}]
+
+
+def config(cells, model, stiffness, diagonal="same", solver=None):
     bending = {"model": model, **({} if stiffness == "physical" else {"stiffness": stiffness})}
+    strain = {"strain": {"stiffness": "compliance", "compliance": 1e-4}} if solver else {}
     return {"name": "forecast", "duration": 0.04, "allow": ["implausible"],
-            "mesh": {"cells": cells, "diagonal": diagonal}, "bending": bending,
-            "pins": {"vertices": ["upper_right"]}}
+            "mesh": {"cells": cells, "diagonal": diagonal}, "bending": bending, "material": strain,
+            "pins": {"vertices": ["upper_right"]}, "solver": solver or {}}
 
 
 def planned(program, folder):
@@ -67,6 +71,7 @@ def main(program, sizes):
                  for stiffness in ("k", "physical")]
         cases += [(sizes[0], model, "k", diagonal) for model in ("adaptive", "dihedral")
                   for diagonal in ("alternating", "both")]
+        cases += [(cells, "dihedral", "physical", "same", solver) for cells in sizes for solver in SOLVERS]
         for case in cases:
             (folder / "run.json").write_text(json.dumps(config(*case)), encoding="utf-8")
             needs = planned(program, folder)

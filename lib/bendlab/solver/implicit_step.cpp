@@ -54,6 +54,10 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
   this->append_effects(before_, effect_passes, Stage::damp);
   add(before_, "target", [this](auto& c) { aim(c.substep); });
   this->append_effects(before_, effect_passes, Stage::predicted);
+  if (preparation_.action)
+    add(before_, preparation_.name, [this](auto&) {
+      if (has_unknowns_) preparation_.action();
+    });
   add_contact_passes(effect_passes);
   add(iteration_, "iterate", [this](auto&) {
     last_move_ = has_unknowns_ ? iterate() : Real(0);

@@ -22,7 +22,9 @@
 #pragma once
 
 #include <array>
+#include <functional>
 #include <string_view>
+#include <utility>
 
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -68,6 +70,14 @@ class ImplicitStep : public TimeStep<Real> {
 
   /// Call it once, when the derived class is complete. Contacts push with κ = `per_weight` w + `least` (N/m).
   void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double least);
+
+  /// A pass before the iterations of a substep.
+  struct Preparation {
+    const char* name = "";
+    std::function<void()> action;
+  };
+  /// Call it before compile_plan().
+  void prepare_by(Preparation preparation) { preparation_ = std::move(preparation); }
 
   /// One iteration towards the minimum, from state_.position. Returns the longest move of a vertex, m.
   virtual Real iterate() = 0;
@@ -116,6 +126,7 @@ class ImplicitStep : public TimeStep<Real> {
   Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
   Points<Real> whole_, contact_force_;        // positions while passes change them
   Passes before_, iteration_, contact_, after_;
+  Preparation preparation_;
 };
 
 }  // namespace bendlab

@@ -63,8 +63,13 @@ constexpr std::array parameters = {
 };
 // clang-format on
 
-constexpr std::array<MethodPass, 4> own_passes =
-    implicit_passes("quasi_newton: gradient, metric and pairs, move");
+constexpr std::array own_passes = [] {
+  const auto [start, target, iterate, update] =
+      implicit_passes("quasi_newton: gradient, metric and pairs, move");
+  return std::array{start, target,
+                    MethodPass{"factorise", "the constant metric, once, when the first forces are known"},
+                    iterate, update};
+}();
 
 template <class Real>
 class QuasiNewtonStep final : public ImplicitStep<Real> {
@@ -87,6 +92,9 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     gradient_ = direction_ = force_;
     free_direction_.resize(metric_.vertices.size());
     for (int& v : metric_.vertices) v = static_cast<int>(this->permuted(static_cast<std::size_t>(v)));
+    this->prepare_by({"factorise", [this] {
+                        if (!factor_) prepare(needed_softness());
+                      }});
     this->compile_plan(std::move(effect_passes), contact_per_weight, 0);
   }
 
@@ -111,7 +119,6 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
 
  private:
   Real iterate() override {
-    if (!factor_) prepare(needed_softness());
     // G has another W from BDF2's second substep on, and gradients change with pins, too.
     if (this->gamma() != gamma_of_pairs_) pairs_.clear(), pairs_.forget_last();
     gamma_of_pairs_ = this->gamma();
