@@ -28,7 +28,8 @@ COLUMNS, DPI, TEXT = 4, 100, 8
 def main(results, out):
     """Draws the matrix and a sheet of pictures per section. The section gets cells and stills."""
     section = Section("What is stable", "stability")
-    section.cells, section.stills = cells_of(results, section), {}
+    section.cells, section.stills = cells_of(results, section, CASES, FOLDER, _model_and_precision), {}
+    explain(section.cells)
     if section.cells:
         section.pictures.append((_matrix(section.cells, out), caption(section.cells)))
         for title, cases in SECTIONS.items():
@@ -38,20 +39,24 @@ def main(results, out):
     return section
 
 
-def cells_of(results, section):
-    """(case name, model, precision) → judged cell, for every run that exists."""
+def cells_of(results, section, cases, folder, key_of):
+    """(case name, *key_of(run)) → judged cell, for every run of these cases in configs/<folder> that exists.
+    A run is compared with the undisturbed one of the same key."""
     cells, experiments = {}, {}
-    for case in CASES:
+    for case in cases:
         for config in (case.config, case.control_config or case.config):
             if config not in experiments:
-                experiments[config] = load_experiment(results, f"{FOLDER}/{config}")
+                experiments[config] = load_experiment(results, f"{folder}/{config}")
                 section.uses(experiments[config])
-        runs = _at(experiments[case.config], case.where)
-        controls = _at(experiments[case.control_config or case.config], case.control)
+        runs = _at(experiments[case.config], case.where, key_of)
+        controls = _at(experiments[case.control_config or case.config], case.control, key_of)
         for key, run in runs.items():
             cells[case.name, *key] = judge(run, controls.get(key), case)
-    explain(cells)
     return cells
+
+
+def _model_and_precision(run):
+    return run.model, run.get("/solver/precision")
 
 
 def _swept(experiment, pointer, value):
@@ -59,12 +64,11 @@ def _swept(experiment, pointer, value):
     return experiment.sweep[pointer][value] if pointer == "/effects" else value
 
 
-def _at(experiment, where):
-    """(model, precision) → the run at a point of the sweep."""
+def _at(experiment, where, key_of):
+    """key_of(run) → the run, for those at a point of the sweep."""
     here = lambda run: all(run.point.get(pointer) == _swept(experiment, pointer, value)
                            for pointer, value in where.items())
-    return {(run.model, run.get("/solver/precision")): run for run in experiment.runs
-            if run.over and here(run)}
+    return {key_of(run): run for run in experiment.runs if run.over and here(run)}
 
 
 def count(cells, verdict, model=None):

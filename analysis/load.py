@@ -113,6 +113,10 @@ class Run:
         return self.get("/bending/model")
 
     @property
+    def method(self):
+        return method_name(self.config["solver"])
+
+    @property
     def frames(self):
         return self.metrics.frames if isinstance(self.metrics, Metrics) else len(self.metrics["time"])
 
@@ -218,6 +222,12 @@ def at(config, pointer, default=None):
         else:
             return default
     return node
+
+
+def method_name(solver):
+    """The method of a config's /solver, with its integrator if that is backward Euler: "newton, euler"."""
+    name = solver.get("method", "pbd")
+    return f"{name}, euler" if solver.get("integrator") == "euler" else name
 
 
 def load_run(path):

@@ -1,10 +1,12 @@
 """The hard cases: their runs, the undisturbed runs they are compared with, and the rules for passing."""
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 
 GREEN, AMBER, RED = "green", "amber", "red"
 FOLDER = "stability"  # below configs/
+METHODS = "methods"  # below configs/: some of the cases again, by other solver methods
+BY_NEWTON = "_newton_slow"  # ends the name of a config there whose runs take long
 
 # Lengths in sizes (diagonal of the rest box). Reach: largest distance of a vertex from the cloth's middle.
 NEAR = 0.01  # RMS distance from the rest shape; a cloth that is nearer has recovered
@@ -255,6 +257,16 @@ SECTIONS = {
              energy=True, creep=True)],
 }
 CASES = [case for cases in SECTIONS.values() for case in cases]
+
+
+def _by_methods(case):
+    """The case as the two configs of configs/methods have it. Their sheet has 16 columns."""
+    where = {"/initial": {"creases": 15}} if case.name == "start: creased" else case.where
+    return [replace(case, config=case.config + end, where=where) for end in ("", BY_NEWTON)]
+
+
+REPEATED = ("start", "pins", "gust", "mass_hanging", "time_step", "iterations", "falling")
+METHOD_CASES = [each for case in CASES if case.config in REPEATED for each in _by_methods(case)]
 
 # What a title means by it.
 MOVES_LIMITED = ("Moves limited: /solver/flight_limit cuts a time step into parts if its forces would deform "

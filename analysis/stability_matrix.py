@@ -23,8 +23,13 @@ NUMBERS = {"recovered_s": ("recovered at", "s", "when the cloth was last away fr
 
 
 def id_of(run):
-    """Its address in the page: start-creased.adaptive.single."""
-    return f"{address(run['case'])}.{run['model']}.{run['precision']}"
+    """Its address in the page: start-creased.adaptive.single, or with its method, if it has one."""
+    return f"{address(run['case'])}.{run['model']}.{address(_kind(run))}"
+
+
+def _kind(run):
+    """What tells apart the runs of a case and a model: the solver method, or the precision."""
+    return run.get("method") or run["precision"]
 
 
 def models_of(runs):
@@ -89,13 +94,20 @@ def key_html():
 def cases_html(runs):
     """(the cases that tell runs apart, those that tell most first; the other cases, by their colour)."""
     by_case = group(runs, lambda run: run["case"])
+    telling, alike = folded(by_case)
+    return _matrix(telling, by_case, models_of(runs)), alike
+
+
+def folded(by_case):
+    """(names of the cases that tell runs apart, those that tell most first; the other cases as HTML, by their
+    colour), from name → runs."""
     telling = [name for name in by_case if len({run["verdict"] for run in by_case[name]}) > 1]
     telling.sort(key=lambda name: -discrimination(by_case[name]))
     alike = {}
     for name in by_case:
         if name not in telling:
             alike.setdefault(by_case[name][0]["verdict"], []).append(name)
-    return _matrix(telling, by_case, models_of(runs)), _alike_html(alike)
+    return telling, _alike_html(alike)
 
 
 def discrimination(runs):
@@ -113,12 +125,16 @@ def _matrix(names, by_case, models):
         own = {(run["model"], run["precision"]): run for run in by_case[name]}
         cells = "".join(f"<td>{''.join(_button(own.get((model, precision))) for precision in PRECISIONS)}"
                         "</td>" for model in models)
-        case = CASE[name]
-        rows += (f"<tr><th scope='row' class='t'><a href='#{address(GROUP[name])}'>"
-                 f"{escape(GROUP[name])}</a>: {escape(case.title)}</th>{cells}</tr>\n")
+        rows += f"<tr>{row_head(name)}{cells}</tr>\n"
     return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Cases and models'><table "
             f"class='cases'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
             "</table></div>")
+
+
+def row_head(name):
+    """The head of a case's row: its group, and its title."""
+    return (f"<th scope='row' class='t'><a href='#{address(GROUP[name])}'>{escape(GROUP[name])}</a>: "
+            f"{escape(CASE[name].title)}</th>")
 
 
 def _button(run):
@@ -150,7 +166,7 @@ def _alike_html(alike):
 def data(runs):
     """What the page's scripts read: runs, the configs that they begin with, texts, numbers."""
     texts = list(dict.fromkeys(run["why"] for run in runs if run["why"]))
-    configs = list(dict.fromkeys(CASE[run["case"]].config for run in runs))
+    configs = list(dict.fromkeys(map(_config, runs)))
     models = tuple(dict.fromkeys(run["model"] for run in runs))
     bases = [_base(config, models) for config in configs]
     about = [_about(run, texts, configs, bases, models) for run in runs]
@@ -158,23 +174,27 @@ def data(runs):
     return {"runs": about, "settings": bases, "texts": texts, "summary": numbers}
 
 
+def _config(run):
+    """The path of its config below configs/."""
+    return run.get("config") or f"{FOLDER}/{CASE[run['case']].config}"
+
+
 def _about(run, texts, configs, bases, models):
-    case, worst = CASE[run["case"]], known(run["worst"])
-    place = configs.index(case.config)
-    point, flat = _place(case, run["model"], run["precision"], models)
-    told = {"id": id_of(run), "title": f"{case.title}: {run['model']}, {run['precision']}",
+    case, worst, config = CASE[run["case"]], known(run["worst"]), _config(run)
+    place = configs.index(config)
+    point = run.get("point") or _point(case, run["model"], run["precision"], models)
+    told = {"id": id_of(run), "title": f"{case.title}: {run['model']}, {_kind(run)}",
             "status": run["verdict"], "worst": {
                 "label": worst["what"], "value": worst["value"], "limit": worst["limit"],
                 "unit": worst["unit"], "held": run["verdict"] == GREEN},
-            "command": repeat.command(f"configs/{FOLDER}/{case.config}.json", point,
-                                      _axes(case.config, models)),
+            "command": repeat.command(f"configs/{config}.json", point, _axes(config, models)),
             "summary": {name: run[name] for name in NUMBERS if run.get(name) is not None},
-            "base": place, "changes": differing(bases[place], flat)}
+            "base": place, "changes": differing(bases[place], _stated(read_config(config), point))}
     if worst["value"] != worst["value"] or abs(worst["value"]) == float("inf"):
         told["worst"] |= {"value": None, "text": "not a number" if worst["value"] != worst["value"] else "∞"}
     if run["why"]:
         told["why"] = texts.index(run["why"])
-    if run["verdict"] != GREEN:
+    if run["verdict"] != GREEN and "method" not in run:
         told["stills"] = f"#{address(GROUP[run['case']])}"
     return told
 
@@ -183,7 +203,7 @@ def _about(run, texts, configs, bases, models):
 def _axes(config, models):
     """The sweep of a config with its values; "all" written out."""
     choices = {"/bending/model": list(models), "/solver/precision": list(PRECISIONS)}
-    sweep = read_config(f"{FOLDER}/{config}")["sweep"]
+    sweep = read_config(config)["sweep"]
     return {pointer: choices.get(pointer, []) if values == "all" else values
             for pointer, values in sweep.items()}
 
@@ -191,7 +211,7 @@ def _axes(config, models):
 @lru_cache(maxsize=None)
 def _base(config, models):
     """Pointer → value of a config at the first place of its sweep."""
-    settings = read_config(f"{FOLDER}/{config}")
+    settings = read_config(config)
     points = planned_points(settings, _axes(config, models))
     return _stated(settings, points[0])
 
@@ -201,9 +221,10 @@ def _stated(settings, point):
     return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
 
 
-def _place(case, model, precision, models):
-    """(place on the sweep, pointer → value of the config there) of a run."""
-    settings, axes = read_config(f"{FOLDER}/{case.config}"), _axes(case.config, models)
+def _point(case, model, precision, models):
+    """The place on the sweep of a run of configs/stability."""
+    config = f"{FOLDER}/{case.config}"
+    settings, axes = read_config(config), _axes(config, models)
     wanted = {pointer: axes[pointer][value] if pointer == "/effects" else value
               for pointer, value in case.where.items()}
     for point in planned_points(settings, axes):
@@ -211,5 +232,5 @@ def _place(case, model, precision, models):
         if (own == model and point.get("/solver/precision", precision) == precision
                 and all(point_key({key: point[key]}) == point_key({key: value})
                         for key, value in wanted.items())):
-            return point, _stated(settings, point)
-    raise ValueError(f"no run of configs/{FOLDER}/{case.config}.json is {case.name}, {model}, {precision}")
+            return point
+    raise ValueError(f"no run of configs/{config}.json is {case.name}, {model}, {precision}")

@@ -7,6 +7,7 @@ import fig_stability_pin
 import numpy as np
 import page_frames
 import stability_matrix
+import stability_methods
 import style
 from html_parts import Part, address, escape, folded, number_text, picture_html, section_part, table_html
 from load import group
@@ -35,7 +36,7 @@ def draw(results, out):
     out.mkdir(parents=True, exist_ok=True)
     section = fig_stability.main(results, out)
     write_objects(out / "summary.json", [as_json(cell) for cell in section.cells.values()])
-    keep(out, [section, fig_stability_pin.main(results, out)])
+    keep(out, [section, fig_stability_pin.main(results, out), stability_methods.main(results, out)])
     return section
 
 
@@ -62,7 +63,7 @@ def stills(cells):
 def lay_out(out, shown=None):
     """Writes index.html of what is kept. `shown`: frames; None: those that the page there has."""
     shown = shown or page_frames.taken_from(out / "index.html")
-    (section, pin), runs = kept(out), summary(out)
+    (section, pin, *others), runs, by_method = kept(out), summary(out), stability_methods.kept_runs(out)
     matrix, alike = stability_matrix.cases_html(runs) if runs else ("", "")
     print_version = "".join(folded("The matrix as a picture, for print", picture_html(*picture))
                             for picture in section.pictures)
@@ -74,11 +75,19 @@ def lay_out(out, shown=None):
         link="Cases")
     parts = [evidence, *(part for title, cases in SECTIONS.items()
                          if (part := section_of(title, cases, runs, out))),
+             *(stability_methods.part(other, by_method, EVERYTHING) for other in others),
              section_part(pin, EVERYTHING, link="One pin"), Part("rules", "The rules", rules(), "Rules"),
-             Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
+             Part("data", "As data", data_html(by_method), "Data")]
     top = stability_matrix.groups_html(runs) if runs else ""
-    content = Content("What is stable?", answer(runs), top, parts, stability_matrix.data(runs), shown)
-    write(out, "stability", content, made_of([section, pin], COMMAND))
+    content = Content("What is stable?", answer(runs), top, parts,
+                      stability_matrix.data([*runs, *by_method]), shown)
+    write(out, "stability", content, made_of([section, pin, *others], COMMAND))
+
+
+def data_html(by_method):
+    """The links to the page's data."""
+    also = f", <a href='{stability_methods.FILE}'>{stability_methods.FILE}</a>: those by other methods"
+    return f"<p><a href='summary.json'>summary.json</a>: every run{also if by_method else ''}.</p>"
 
 
 def answer(runs):

@@ -39,6 +39,7 @@ import plain_page  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_matrix  # noqa: E402
+import stability_methods  # noqa: E402
 import stability_page  # noqa: E402
 import stability_reasons  # noqa: E402
 import stiffness_page  # noqa: E402
@@ -818,17 +819,79 @@ class StabilityTest(unittest.TestCase):
 
         def places(sweep):
             swept = {pointer: values for pointer, values in sweep.items() if pointer not in
-                     ("/bending/model", "/bending", "/solver/precision", "/solver/order")}
+                     ("/bending/model", "/bending", "/solver/precision", "/solver/order", "/solver")}
             return [(pointer, canonical(index if pointer == "/effects" else value))
                     for pointer, values in swept.items() for index, value in enumerate(values)]
 
-        for config in sorted(sweeps.CONFIGS.glob("stability/*.json")):
-            used = {(pointer, canonical(value)) for case in stability_cases.CASES
-                    for of, wanted in ((case.config, case.where),
-                                       (case.control_config or case.config, case.control))
-                    if of == config.stem for pointer, value in wanted.items()}
-            there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
-            self.assertEqual(used, there, config.stem)
+        for folder, cases in ((stability_cases.FOLDER, stability_cases.CASES),
+                              (stability_cases.METHODS, stability_cases.METHOD_CASES)):
+            for config in sorted(sweeps.CONFIGS.glob(f"{folder}/*.json")):
+                used = {(pointer, canonical(value)) for case in cases
+                        for of, wanted in ((case.config, case.where),
+                                           (case.control_config or case.config, case.control))
+                        if of == config.stem for pointer, value in wanted.items()}
+                there = set(places(json.loads(config.read_text(encoding="utf-8"))["sweep"]))
+                self.assertEqual(used, there, config)
+
+    def test_cases_by_methods_are_the_scenes_of_the_hard_cases(self):
+        read = lambda place: json.loads((sweeps.CONFIGS / f"{place}.json").read_text(encoding="utf-8"))
+        scene = ("pins", "effects", "initial")
+        for name in stability_cases.REPEATED:
+            by_hand = read(f"stability/{name}")
+            for end in ("", stability_cases.BY_NEWTON):
+                config = read(f"methods/{name}{end}")
+                self.assertEqual(config["name"], f"methods_{name}{end}")
+                self.assertEqual(config["output"], by_hand["output"])
+                self.assertEqual([config.get(key) for key in scene], [by_hand.get(key) for key in scene])
+                self.assertEqual(set(config["sweep"]) - {"/solver"},
+                                 set(by_hand["sweep"]) - {"/solver/precision"})
+        self.assertEqual(len(list((sweeps.CONFIGS / "methods").glob("*.json"))),
+                         2 * len(stability_cases.REPEATED))
+
+    @staticmethod
+    def by_method(case, model, method, verdict, value=2.0):
+        config = "methods/" + next(one.config for one in stability_cases.METHOD_CASES if one.name == case)
+        solver = {"method": method.split(",")[0]} | ({"integrator": "euler"} if "euler" in method else {})
+        run = hard_run(case, model, "", verdict, {"what": "reach", "value": value, "limit": 1, "unit": "1"})
+        del run["precision"]
+        return run | {"method": method, "config": config,
+                      "point": {"/solver": solver, "/initial": {"random": 1}, "/bending/model": model}}
+
+    def test_a_cell_of_methods_has_its_worst_models_and_how_many_of_how_many(self):
+        case = "start: random"
+        runs = [self.by_method(case, "none", "pbd", "red", 3), self.by_method(case, "lod", "pbd", "red", 9),
+                self.by_method(case, "dihedral", "pbd", "green"),
+                self.by_method(case, "none", "newton, euler", "amber"),
+                self.by_method("start: mirrored", "none", "pbd", "green", 0.5),
+                self.by_method("start: mirrored", "none", "newton, euler", "green", 0.5)]
+        table, alike = stability_methods.table_html(runs)
+        self.assertIn("data-run='start-random.lod.pbd start-random.none.pbd'", table)  # the worst first
+        self.assertIn("status red' title='red'>2 of 3<", table)
+        self.assertIn("status amber' title='amber'>1 of 1<", table)
+        self.assertNotIn("mirrored", table)
+        self.assertIn("all green</span>: start poses: mirrored<", alike)
+        self.assertEqual(stability_methods.answer(runs), "Unstable with at least one model: newton, euler in "
+                         "0 of 2; pbd in 1 of 2 cases.")
+
+    def test_a_run_by_a_method_opens_beside_those_by_precision(self):
+        runs = [hard_run("start: random", "none", "single", "green"),
+                self.by_method("start: random", "none", "newton, euler", "red")]
+        told = stability_matrix.data(runs)
+        one, other = told["runs"]
+        self.assertEqual([one["id"], other["id"]],
+                         ["start-random.none.single", "start-random.none.newton-euler"])
+        self.assertIn("./bendlab run configs/methods/start.json --set '/solver=", other["command"])
+        self.assertTrue(other["title"].endswith("none, newton, euler"))
+        settings = told["settings"][other["base"]] | {pointer: value[0] for pointer, value
+                                                      in other["changes"].items() if value}
+        self.assertEqual((settings["/solver/integrator"], settings["/initial/random"]), ("euler", 1))
+        self.assertNotIn("stills", other)  # there is no picture of it
+
+    def test_a_method_has_its_integrator_only_if_that_is_backward_euler(self):
+        self.assertEqual([load.method_name(solver) for solver in
+                          ({}, {"method": "newton", "integrator": "bdf2"},
+                           {"method": "quasi_newton", "integrator": "euler"})],
+                         ["pbd", "newton", "quasi_newton, euler"])
 
     def test_the_overview_counts_shares_and_says_what_its_control_is(self):
         cells = {(name, model, precision): SimpleNamespace(verdict=verdict, model=model)
