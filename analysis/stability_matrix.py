@@ -125,16 +125,15 @@ def _matrix(names, by_case, models):
         own = {(run["model"], run["precision"]): run for run in by_case[name]}
         cells = "".join(f"<td>{''.join(_button(own.get((model, precision))) for precision in PRECISIONS)}"
                         "</td>" for model in models)
-        rows += f"<tr>{row_head(name)}{cells}</tr>\n"
+        rows += f"<tr><th scope='row' class='t'>{full_title_html(name)}</th>{cells}</tr>\n"
     return ("<div class='scroll tall' tabindex='0' role='region' aria-label='Cases and models'><table "
             f"class='cases'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
             "</table></div>")
 
 
-def row_head(name):
-    """The head of a case's row: its group, and its title."""
-    return (f"<th scope='row' class='t'><a href='#{address(GROUP[name])}'>{escape(GROUP[name])}</a>: "
-            f"{escape(CASE[name].title)}</th>")
+def full_title_html(name):
+    """A case with its group, which links to the group's section."""
+    return f"<a href='#{address(GROUP[name])}'>{escape(GROUP[name])}</a>: {escape(CASE[name].title)}"
 
 
 def _button(run):

@@ -9,7 +9,7 @@ from html_parts import escape, folded, section_part
 from load import group
 from report import Section, known, rounded, write_objects
 from stability_cases import METHOD_CASES, METHODS, RED
-from stability_matrix import VERDICTS, id_of
+from stability_matrix import VERDICTS, full_title_html, id_of
 
 TITLE = "The same with other methods"
 FILE = "methods.json"
@@ -19,7 +19,7 @@ CELLS = ("A cell has the verdict of its worst model, and how many of its models 
 SCENES = ("The same cases on a coarser sheet, of 16 cells. Its membrane has a compliance and its bending a "
           "physical stiffness, because implicit methods need energies. pbd has its default substeps, and one "
           "in the case of one iteration; the others have one, and at most 10 (quasi_newton) or 20 iterations "
-          "(newton). newton has fewer models, because it takes long. Energy is that of the stated "
+          "(newton). newton has one model, because it takes long. Energy is that of the stated "
           "compliance: where the substeps of pbd are too few for it, cloth that they leave stretched has "
           "gained energy.")
 
@@ -75,9 +75,11 @@ def table_html(runs):
     methods = list(group(runs, lambda run: run["method"]))
     telling, alike = stability_matrix.folded(by_case)
     head = "".join(f"<th class='t'>{escape(method)}</th>" for method in methods)
-    rows = "".join(f"<tr>{stability_matrix.row_head(name)}" + "".join(
-        _cell([run for run in by_case[name] if run["method"] == method]) for method in methods) + "</tr>\n"
-        for name in telling)
+    rows = ""
+    for name in telling:
+        cells = "".join(_cell([run for run in by_case[name] if run["method"] == method])
+                        for method in methods)
+        rows += f"<tr><th scope='row' class='t'><span>{full_title_html(name)}</span></th>{cells}</tr>\n"
     return ("<div class='scroll' tabindex='0' role='region' aria-label='Cases and methods'><table "
             f"class='shares cards'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
             f"</table></div>{_key_html()}", alike)
