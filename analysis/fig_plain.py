@@ -7,7 +7,7 @@ import numpy as np
 
 import style
 from load import group, models
-from plain_cases import ALARM, AXES, CONFIGS, FOLDER, SILENT, SOUND, TOLD, TWINS, judge
+from plain_cases import ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, figure_main
 from sweeps import load_experiment
 
@@ -15,14 +15,17 @@ COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3
 NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
-MIXED = ("metres", "millimetres")  # covering arrays: with each value the other settings are mixed evenly
-ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
+MIXED = ("metres", "millimetres", "methods")  # covering arrays: their values are mixed evenly
+ORDER = {"method": ["pbd", "quasi_newton", "quasi_newton, euler", "newton", "newton, euler", "vbd"],
+         "mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
          "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
          "height / width": ["0.25", "1", "4"],
          "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"],
          "strain form": ["normalised", "green", "angle"],
-         "substeps × iterations": ["1 × 10", "4 × 10", "64 × 1"], "order": ["colour", "mesh", "pins"],
+         "substeps × iterations": ["1 × 1", "1 × 3", "1 × 10", "1 × 20", "1 × 100", "4 × 10", "8 × 1",
+                                   "64 × 1"],
+         "order": ["colour", "mesh", "pins", NOT_READ], "sweep": ["forward", "symmetric", NOT_READ],
          "precision": ["single", "double"]}
 FEWEST = 4  # runs; a pair of values is listed if at least this many broke a bound
 TWICE = 2.0  # and if they are at least this many times the number expected from its two values
@@ -112,7 +115,8 @@ def _caption(judged):
     return (f"{len(judged)} runs of the covering arrays: {parts}. A bar is the share of the runs with that "
             "value that broke a bound (red: without a warning; yellow: with one), or that were reported "
             "without breaking one (blue). Beside the bar: this share, and the number of runs with the value. "
-            "The values of all other settings are mixed evenly.")
+            "In each array the values of all other settings are mixed evenly; that over methods has no "
+            "stiffness as k.")
 
 
 def values_of(judged, axis):

@@ -929,7 +929,8 @@ class PlainTest(unittest.TestCase):
                                     np.stack([corner, corner + cells + 2, corner + cells + 1], axis=1)])
         pinned = np.isin(np.arange(len(rest)), pins)
         scene = SimpleNamespace(rest=rest, triangles=triangles, pins=np.flatnonzero(pinned), size=np.sqrt(2),
-                                gravity=np.array([0, 0, -9.81]), h=0.01, frames=rest[None], time=np.zeros(1),
+                                gravity=np.array([0, 0, -9.81]), h=0.01, second_order=False,
+                                frames=rest[None], time=np.zeros(1),
                                 velocity=np.tile(np.array(velocity, float), (len(rest), 1)),
                                 run=SimpleNamespace(pinned=pinned))
         scene.velocity[scene.pins] = 0
@@ -951,6 +952,27 @@ class PlainTest(unittest.TestCase):
         # Gravity 9.81, thrown up by 1: would be lower by 0.18
         scene.frames = np.repeat(scene.rest[None], 4, axis=0)
         self.assertGreater(plain_cases.fall_error(scene), 0.1)
+
+    def test_steps_of_bdf2_fall_as_their_closed_form(self):
+        h, g = 0.02, -9.81
+        place, speed = [0, g * h ** 2], [0, g * h]  # the first step is one of backward Euler
+        for _ in range(20):
+            speed.append((4 * speed[-1] - speed[-2] + 2 * h * g) / 3)
+            place.append((4 * place[-1] - place[-2] + 2 * h * speed[-1]) / 3)
+        times = h * np.arange(len(place))
+        np.testing.assert_allclose(g * plain_cases.fallen(times, h, True), place, rtol=1e-12, atol=1e-15)
+        scene = self.sheet()
+        scene.frames = scene.rest + np.array(place)[:, None, None] * [0, 0, 1]
+        scene.time, scene.h, scene.second_order = times, h, True
+        self.assertLess(plain_cases.fall_error(scene), 1e-12)
+        scene.second_order = False
+        self.assertGreater(plain_cases.fall_error(scene), 0.01)
+
+    def test_a_method_without_order_and_precision_says_so(self):
+        config = {"solver": {"method": "newton", "integrator": "bdf2", "substeps": 1, "iterations": 20}}
+        read = {axis: plain_cases.AXES[axis](config) for axis in ("method", "order", "sweep", "precision")}
+        self.assertEqual(read, {"method": "newton", "order": plain_cases.NOT_READ,
+                                "sweep": plain_cases.NOT_READ, "precision": "double"})
 
     def test_masses_are_thirds_of_areas(self):
         scene = self.sheet(1)
