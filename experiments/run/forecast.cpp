@@ -168,6 +168,7 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   if (levels)
     needs.cpu_s += vertices * seconds::levels_per_vertex,
         step += count("substeps") * count("iterations") * vertices * seconds::spans_per_vertex;
+  step += count("substeps") * count("iterations") * vertices * method->vertex_seconds;
   if (method->factorised == Factorised::scalars)
     needs.cpu_s += vertices * seconds::metric_per_vertex,
         step += count("substeps") * count("iterations") * vertices * seconds::iteration_per_vertex;

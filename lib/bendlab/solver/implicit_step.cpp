@@ -6,6 +6,7 @@
 
 #include "bendlab/constraints/batches.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/memory.hpp"
 
 namespace bendlab {
@@ -186,6 +187,29 @@ std::size_t ImplicitStep<Real>::memory_bytes() const {
   return TimeStep<Real>::memory_bytes() + bytes_of(drag_) + bytes_of(weight_) + bytes_of(target_) +
          bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(whole_) +
          bytes_of(contact_force_);
+}
+
+template <class Real>
+Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
+  Positions positions(static_cast<Eigen::Index>(weight_.size()), 3);
+  for (std::size_t v = 0; v < weight_.size(); ++v)
+    positions.row(static_cast<Eigen::Index>(v)) =
+        (points[v].vector().template cast<double>() + state_.origin).transpose();
+  return positions;
+}
+
+template <class Real>
+void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
+  double inertia = 0;  // there, minus at the guess
+  for (std::size_t v = 0; v < weight_.size(); ++v)
+    inertia += 0.5 * static_cast<double>(
+                         weight_[v] * ((state_.previous[v].vector() - target_[v].vector()).squaredNorm() -
+                                       (state_.position[v].vector() - target_[v].vector()).squaredNorm()));
+  Points<Real> last = state_.position;
+  for (std::size_t v = 0; v < weight_.size(); ++v)
+    if (weight_[v] > 0) last[v].set(state_.previous[v].vector());
+  if (inertia + system.energy(in_world(last)) < system.energy(in_world(state_.position)))
+    state_.position = std::move(last);
 }
 
 template <class Real>

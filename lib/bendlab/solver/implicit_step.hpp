@@ -57,6 +57,8 @@ constexpr std::array<MethodPass, 4> implicit_passes(const char (&iteration)[N]) 
           MethodPass{"iterate", iteration}, MethodPass{"update", "v from x; looks for divergence"}};
 }
 
+class ElasticSystem;
+
 template <class Real>
 class ImplicitStep : public TimeStep<Real> {
  public:
@@ -96,6 +98,11 @@ class ImplicitStep : public TimeStep<Real> {
   /// Σ |m a| over free vertices by the forces of this substep, N.
   double total_force() const { return total_force_; }
   bool is_first_iteration() const { return is_first_; }  ///< of a substep
+  /// state_.position in the world, #V by 3, m. This and the next are for methods that do not permute vertices.
+  Positions in_world(const Points<Real>& points) const;
+  /// A long step's first guess flies far from the cloth: starts where the last substep ended, if the minimum's
+  /// function is lower there. Without it cloth of few iterations may gain energy.
+  void start_lower(const ElasticSystem& system);
   /// Whether a pinned vertex was put elsewhere in this substep.
   bool pins_moved() const;
 

@@ -64,8 +64,8 @@ class NewtonStep final : public ImplicitStep<double> {
 
  private:
   double iterate() override {
-    for (std::size_t v = 0; v < weights().size(); ++v) positions_.row(row(v)) = in_world(state_.position[v]);
-    if (is_first_iteration() && !has_contacts()) start_lower();
+    if (is_first_iteration() && !has_contacts()) start_lower(system_);
+    positions_ = in_world(state_.position);
     if (multipliers_.size() == 0) multipliers_ = system_.multipliers(positions_);
     const VectorXd elastic = -system_.gradient(positions_);
     VectorXd residual = elastic, diagonal(system_.unknowns());
@@ -115,29 +115,6 @@ class NewtonStep final : public ImplicitStep<double> {
     throw std::runtime_error(
         "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
         "pose, or take quasi_newton");
-  }
-
-  // A long step's first guess flies far from the cloth: starts where the last substep ended, if that is
-  // lower.
-  void start_lower() {
-    Positions last = positions_;
-    double inertia = 0;  // there, minus at the guess
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      if (system_.free_index()[v] >= 0) {
-        last.row(row(v)) = in_world(state_.previous[v]);
-        inertia += 0.5 * weights()[v] *
-                   ((state_.previous[v].vector() - target()[v].vector()).squaredNorm() -
-                    (state_.position[v].vector() - target()[v].vector()).squaredNorm());
-      }
-    if (!(inertia + system_.energy(last) < system_.energy(positions_))) return;
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      if (system_.free_index()[v] >= 0) state_.position[v].set(state_.previous[v].vector());
-    positions_ = last;
-  }
-
-  static Eigen::Index row(std::size_t v) { return static_cast<Eigen::Index>(v); }
-  Eigen::RowVector3d in_world(const Point<double>& p) const {
-    return (p.vector() + state_.origin).transpose();
   }
 
   // What a direction d does beside the elastic energy: inertia and contacts are quadratic along it.

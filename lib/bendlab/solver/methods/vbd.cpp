@@ -56,9 +56,8 @@ class VbdStep final : public ImplicitStep<double> {
 
  private:
   double iterate() override {
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      positions_.row(static_cast<Eigen::Index>(v)) =
-          (state_.position[v].vector() + state_.origin).transpose();
+    if (is_first_iteration() && !has_contacts()) start_lower(system_);
+    positions_ = in_world(state_.position);
     const Positions start = positions_;
     double longest = 0;
     for (std::size_t v = 0; v < weights().size(); ++v)
@@ -128,6 +127,7 @@ extern constinit const Method vbd{
     .parameters = parameters,
     .shared = shared,
     .passes = own_passes,
+    .vertex_seconds = 6.6e-6,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes = effects_of_iterations,
     .default_substeps = 1,
