@@ -44,7 +44,7 @@ bool RoundingStrain::single_suffices() const {
   // from double precision by 0.0008 of its size where the ratio is 0.15, and by 0.005 to 0.01 where it is
   // 0.36 to 1.5. A cloth of 0.2 mm (ratio 38) does not move at all.
   constexpr double most = 0.2;
-  return !matters || !(rounded > most * of_weight) || of_weight == 0;
+  return !matters || !(rounded > most * of_weight);
 }
 
 RoundingStrain rounding_strain(const Scene& scene) {
@@ -53,12 +53,13 @@ RoundingStrain rounding_strain(const Scene& scene) {
   const double size = scene.rest.size(), compliance = input.strain_stiffness.compliance;
   const auto sum = [](const std::vector<double>& some) { return std::reduce(some.begin(), some.end()); };
   const double area_density = sum(input.mass) / sum(scene.rest.areas());
+  const double stated = gravity_of(scene.effects).norm(), g = stated > 0 ? stated : 9.81;
   // A membrane that is softened for an error is strained by more than a hundred roundings.
   const std::span own = method.parameters;
   const bool softened = std::ranges::find(own, "membrane", &Parameter::name) != own.end() &&
                         own_settings(input).text("membrane") == "auto";
   return {.rounded = double{std::numeric_limits<float>::epsilon()} * size / scene.rest.mean_edge_length(),
-          .of_weight = compliance * area_density * gravity_of(scene.effects).norm() * size,
+          .of_weight = compliance * area_density * g * size,
           .matters = method.make_float != nullptr && !method.keeps_moves_apart && compliance > 0 &&
                      method.membrane == Membrane::triangles && !method.needs_compliance.empty() && !softened};
 }

@@ -30,7 +30,7 @@ RoundingSpeed rounding_speed(const Scene& scene);
 /// A method that finds forces from rounded positions (quasi_newton) sees strains that are not there.
 struct RoundingStrain {
   double rounded = 0;    ///< ε d / l: one rounding of a coordinate as large as the cloth, over a mean edge
-  double of_weight = 0;  ///< α ρ g d: what its own weight strains the membrane; 0 without gravity
+  double of_weight = 0;  ///< α ρ g d: what its own weight strains the membrane; on earth, without gravity
   bool matters = false;  ///< the method is such a one, and has a membrane of stated stiffness
 
   /// Whether single precision resolves the membrane's strain.
