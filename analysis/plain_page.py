@@ -135,8 +135,7 @@ def coverage_text(section):
         unknown = [combination for combination in absent if not refused(combination)]
         if len(absent) > len(unknown):
             line += (f"; {len(absent) - len(unknown)} are refused by the program (a tube needs at least "
-                     "three cells around; springs have a known rigidity on flat sheets only; the force of "
-                     "choi_ko jumps, which quasi_newton cannot follow)")
+                     "three cells around; springs have a known rigidity on flat sheets only)")
         if unknown:
             line += f"; {len(unknown)} are missing, first " + ", ".join(f"{pointer} {value}"
                                                                         for pointer, value in unknown[0])
@@ -150,8 +149,6 @@ def refused(combination):
     generator = values.get("/mesh", {}).get("generator")
     springs = ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "prestressed")
     return ((generator == "tube" and values.get("/mesh/cells") == 2)
-            or (values.get("/solver", {}).get("method") == "quasi_newton"
-                and values.get("/bending/model") == "choi_ko")
             or (generator in ("tube", "sphere") and values.get("/bending", {}).get("stiffness") == "physical"
                 and values.get("/bending/model") in springs))
 

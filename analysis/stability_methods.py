@@ -79,7 +79,7 @@ def table_html(runs):
     for name in telling:
         cells = "".join(_cell([run for run in by_case[name] if run["method"] == method])
                         for method in methods)
-        rows += f"<tr><th scope='row' class='t'><span>{full_title_html(name)}</span></th>{cells}</tr>\n"
+        rows += f"<tr><td class='t text'>{full_title_html(name)}</td>{cells}</tr>\n"
     return ("<div class='scroll' tabindex='0' role='region' aria-label='Cases and methods'><table "
             f"class='shares cards'><thead><tr><th class='t'>case</th>{head}</tr></thead><tbody>{rows}</tbody>"
             f"</table></div>{_key_html()}", alike)
