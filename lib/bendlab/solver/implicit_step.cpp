@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "bendlab/constraints/batches.hpp"
@@ -196,6 +197,19 @@ Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
     positions.row(static_cast<Eigen::Index>(v)) =
         (points[v].vector().template cast<double>() + state_.origin).transpose();
   return positions;
+}
+
+template <class Real>
+void ImplicitStep<Real>::keep_momentum() {
+  if (has_contacts() || std::ranges::any_of(weight_, [](Real w) { return !(w > 0); })) return;
+  Vector3 unbalanced = Vector3::Zero();
+  double whole = 0;
+  for (std::size_t v = 0; v < weight_.size(); ++v) {
+    unbalanced += (weight_[v] * (state_.position[v].vector() - target_[v].vector())).template cast<double>();
+    whole += static_cast<double>(weight_[v]);
+  }
+  const Vector3Of<Real> move = (unbalanced / whole).template cast<Real>();
+  for (auto& p : state_.position) p.set(p.vector() - move);
 }
 
 template <class Real>

@@ -39,7 +39,8 @@ inline constexpr std::array<std::string_view, 2> integrator_names = {"euler", "b
 inline constexpr Parameter integrator_parameter{
     .name = "integrator", .type = ParameterType::text, .unit = "", .default_value = "bdf2",
     .meaning = "How a substep goes on in time. euler: backward Euler, of first order, which damps motion; "
-               "bdf2: of second order, which hardly does",
+               "bdf2: of second order, which hardly does, and gains energy where iterations are too few. "
+               "quasi_newton begins with euler, the others with bdf2",
     .choices = integrator_names};
 inline constexpr Parameter tolerance_parameter{
     .name = "tolerance", .type = ParameterType::number, .unit = "1", .default_value = 1e-7,
@@ -98,11 +99,14 @@ class ImplicitStep : public TimeStep<Real> {
   /// Σ |m a| over free vertices by the forces of this substep, N.
   double total_force() const { return total_force_; }
   bool is_first_iteration() const { return is_first_; }  ///< of a substep
-  /// state_.position in the world, #V by 3, m. This and the next are for methods that do not permute vertices.
+  /// #V by 3, m. This and the next are for methods that do not permute vertices.
   Positions in_world(const Points<Real>& points) const;
-  /// A long step's first guess flies far from the cloth: starts where the last substep ended, if the minimum's
-  /// function is lower there. Without it cloth of few iterations may gain energy.
+  /// A long step's first guess flies far from the cloth: starts where the last substep ended, if what is
+  /// minimised is lower there. Without it cloth of few iterations may gain energy.
   void start_lower(const ElasticSystem& system);
+  /// If nothing is pinned or touched, moves the cloth as a whole to its minimum: elastic forces sum to zero,
+  /// but what solves for them is rounded, or carries the cloth's weight from vertex to vertex.
+  void keep_momentum();
   /// Whether a pinned vertex was put elsewhere in this substep.
   bool pins_moved() const;
 

@@ -89,19 +89,8 @@ class NewtonStep final : public ImplicitStep<double> {
       share = lowering(share, {direction, residual.dot(direction), (residual - elastic).dot(direction),
                                direction.dot(diagonal.cwiseProduct(direction))});
     move(direction, share);
-    if (system_.unknowns() == 3 * positions_.rows() && !has_contacts()) keep_momentum();
+    keep_momentum();
     return longest;
-  }
-
-  // Nothing is pinned: elastic forces sum to zero, but the solution is rounded.
-  void keep_momentum() {
-    Vector3 unbalanced = Vector3::Zero();
-    double whole = 0;
-    for (std::size_t v = 0; v < weights().size(); ++v) {
-      unbalanced += weights()[v] * (state_.position[v].vector() - target()[v].vector());
-      whole += weights()[v];
-    }
-    for (auto& p : state_.position) p.set(p.vector() - unbalanced / whole);
   }
 
   // The gradients of a triangle that has almost collapsed are huge, and so is their rounding: the matrix is
