@@ -16,7 +16,7 @@ NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
 MIXED = ("metres", "millimetres", "methods")  # covering arrays: their values are mixed evenly
-ORDER = {"method": ["pbd", "quasi_newton", "quasi_newton, euler", "newton", "newton, euler", "vbd"],
+ORDER = {"method": ["pbd", "quasi_newton", "quasi_newton, bdf2", "newton", "newton, euler", "vbd"],
          "mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
          "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],

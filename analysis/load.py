@@ -225,9 +225,10 @@ def at(config, pointer, default=None):
 
 
 def method_name(solver):
-    """The method of a config's /solver, with its integrator if that is backward Euler: "newton, euler"."""
-    name = solver.get("method", "pbd")
-    return f"{name}, euler" if solver.get("integrator") == "euler" else name
+    """The method of a config's /solver, with its integrator if that is not its default: "newton, euler"."""
+    name, integrator = solver.get("method", "pbd"), solver.get("integrator")
+    usual = "euler" if name == "quasi_newton" else "bdf2"
+    return name if integrator in (None, usual) else f"{name}, {integrator}"
 
 
 def load_run(path):

@@ -75,7 +75,9 @@ Variant variant_of(const RunConfig& scene) {
                               : 0,
           .method = scene.section("/solver").text("method"),
           .softened = scene.section("/solver").has("membrane") &&
-                      scene.section("/solver").text("membrane") == "auto"};
+                      scene.section("/solver").text("membrane") == "auto",
+          .second_order = scene.section("/solver").has("membrane") &&
+                          scene.section("/solver").text("integrator") == "bdf2"};
 }
 
 bool is_held(const RunConfig& scene) {
@@ -303,8 +305,10 @@ std::vector<std::string> Question::changes(const Setting& setting) const {
   if (variant.method != own_.method) changes.insert(changes.begin(), "/solver/method=" + variant.method);
   if (method.reads("precision"))
     changes.push_back(fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single"));
-  if (method.reads("membrane"))
+  if (method.reads("membrane")) {
     changes.push_back(fmt::format("/solver/membrane={}", variant.softened ? "auto" : "stated"));
+    changes.push_back(fmt::format("/solver/integrator={}", variant.second_order ? "bdf2" : "euler"));
+  }
   if (method.projects && variant.tethers != own_.tethers)
     changes.push_back(set("/effects", effects_with(variant.tethers)));
   if (variant.shear != own_.shear) changes.push_back("/material/strain/form=" + variant.shear);
@@ -344,6 +348,7 @@ RunConfig Question::run_with(const Setting& setting, const Json& accuracy,
   run.point.emplace_back("/effects/tethers", variant.tethers);
   run.point.emplace_back("/material/strain/form", variant.shear);
   if (variant.softened) run.point.emplace_back("/solver/membrane", "auto");
+  if (variant.second_order) run.point.emplace_back("/solver/integrator", "bdf2");
   if (variant.flight_limit != own_.flight_limit)
     run.point.emplace_back("/solver/flight_limit", variant.flight_limit);
   if (variant.radius > 0)

@@ -17,6 +17,7 @@ bool softens(std::string_view method) {
 Variant in_method(Variant variant, std::string_view method, bool softened) {
   variant.method = method;
   variant.softened = softened && softens(method);
+  variant.second_order &= softens(method);
   if (!find_method(method)->projects) variant.tethers = false, variant.flight_limit = 0;
   return variant;
 }
@@ -33,7 +34,10 @@ std::vector<Variant> neighbours(const Variant& variant, const VariantChoices& ch
     if (choices.tethers) with(&Variant::tethers, !variant.tethers);
     with(&Variant::flight_limit, variant.flight_limit > 0 ? 0 : limit);
   }
-  if (softens(variant.method)) with(&Variant::softened, !variant.softened);
+  if (softens(variant.method)) {
+    with(&Variant::softened, !variant.softened);
+    with(&Variant::second_order, !variant.second_order);
+  }
   for (const std::string_view form : strain_form_names) with(&Variant::shear, std::string(form));
   for (const double radius : choices.radii) with(&Variant::radius, radius);
   if (variant.radius > 0) with(&Variant::radius, 0.0);
@@ -50,6 +54,7 @@ std::vector<Variant> neighbours(const Variant& variant, const VariantChoices& ch
 std::string variant_text(const Variant& variant) {
   std::string text = variant.tethers ? "tethers, " : variant.softened ? "softened membrane, " : "";
   text += variant.shear + " shear";
+  if (variant.second_order) text += ", bdf2";
   if (variant.flight_limit > 0) text += fmt::format(", moves limited to {:.3g}", variant.flight_limit);
   if (variant.radius > 0) text += fmt::format(", springs of {:.3g} m", variant.radius);
   return text;

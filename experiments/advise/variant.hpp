@@ -16,6 +16,7 @@ struct Variant {
   double radius = 0;            ///< of the model's springs, m; 0: as the config has it
   std::string method = "pbd";   ///< /solver/method
   bool softened = false;        ///< /solver/membrane of quasi_newton: auto; else stated
+  bool second_order = false;    ///< /solver/integrator of quasi_newton: bdf2; else euler
 
   auto operator<=>(const Variant&) const = default;
 };

@@ -9,6 +9,7 @@
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/pointers.hpp"
+#include "experiments/config/resolve.hpp"
 
 namespace bendlab {
 namespace {
@@ -76,6 +77,8 @@ void state_steps(Json& settings) {
     solver["substeps"] = method->default_substeps;
   if (method->default_iterations > 0 && !given(solver, "iterations"))
     solver["iterations"] = method->default_iterations;
+  for (const Parameter& row : method->parameters)
+    if (!given(solver, row.name.data())) solver[std::string(row.name)] = json_of(default_of(row));
 }
 
 // A build may lack an effect.

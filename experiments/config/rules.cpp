@@ -194,8 +194,8 @@ class MethodRules {
       refuse_model();
     else if (method_.factorised == Factorised::scalars && model_.one_sided)
       report("/bending/model",
-             fmt::format("the force of {} jumps where it is straight, so that no constant matrix resembles it: "
-                         "choose the method newton, or another model",
+             fmt::format("the force of {} jumps where it is straight, so that no constant matrix resembles "
+                         "it: choose the method newton, or another model",
                          model_.name));
     else if (!why.empty() && model_.name != "none")
       check_compliance("/bending", why);

@@ -43,8 +43,8 @@ constexpr double largest_way_stretch = 1.5;
 constexpr double whip = 4;
 
 // A share of the energy scale. PBD's energy may rise: forward sweeps at small steps leave speeds up to 1 m/s
-// (0.04 of weight times size for a sheet of 1 m).
-constexpr double largest_energy_gain = 0.25;
+// (0.04 of weight times size for a sheet of 1 m). An implicit step that finds its minimum gains none.
+constexpr double largest_energy_gain = 0.25, largest_implicit_gain = 0.02;
 
 // A share of g t, v0 and the speed of the fastest vertex. With gravity there is no further allowance for
 // rounding: gravity must not be lost to rounding.
@@ -531,7 +531,8 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
     energy += input.mass[v] * (0.5 * velocities.row(vertex).squaredNorm() -
                                (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
   }
-  const double gain = energy - energy_at_start_, limit = largest_energy_gain * energy_scale_;
+  const double share = input.method->projects ? largest_energy_gain : largest_implicit_gain;
+  const double gain = energy - energy_at_start_, limit = share * energy_scale_;
   if (!(gain > limit)) return std::nullopt;
   Eigen::Index fastest = 0;
   velocities.rowwise().squaredNorm().maxCoeff(&fastest);

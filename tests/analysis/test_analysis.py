@@ -887,11 +887,13 @@ class StabilityTest(unittest.TestCase):
         self.assertEqual((settings["/solver/integrator"], settings["/initial/random"]), ("euler", 1))
         self.assertNotIn("stills", other)  # there is no picture of it
 
-    def test_a_method_has_its_integrator_only_if_that_is_backward_euler(self):
+    def test_a_method_has_its_integrator_only_if_that_is_not_its_default(self):
         self.assertEqual([load.method_name(solver) for solver in
                           ({}, {"method": "newton", "integrator": "bdf2"},
-                           {"method": "quasi_newton", "integrator": "euler"})],
-                         ["pbd", "newton", "quasi_newton, euler"])
+                           {"method": "newton", "integrator": "euler"},
+                           {"method": "quasi_newton", "integrator": "euler"},
+                           {"method": "quasi_newton", "integrator": "bdf2"})],
+                         ["pbd", "newton", "newton, euler", "quasi_newton", "quasi_newton, bdf2"])
 
     def test_the_overview_counts_shares_and_says_what_its_control_is(self):
         cells = {(name, model, precision): SimpleNamespace(verdict=verdict, model=model)

@@ -443,10 +443,11 @@ TEST_CASE("advise: a variant in another method has nothing that the method lacks
   CHECK(implicit == Variant{.shear = "green", .radius = 0.02, .method = "quasi_newton", .softened = true});
   CHECK(in_method(implicit, "newton", true) == Variant{.shear = "green", .radius = 0.02, .method = "newton"});
   CHECK(variant_text(implicit) == "softened membrane, green shear, springs of 0.02 m");
-  // Beside it: its membrane as stated, the other shears and radius, the other methods; nothing of pbd's own.
+  // Beside it: its membrane as stated, the other integrator, shears and radius, the other methods; nothing of
+  // pbd's own.
   const std::vector<Variant> beside =
       neighbours(implicit, {.tethers = true, .methods = {"pbd", "quasi_newton", "newton"}});
-  CHECK(beside.size() == 6);
+  CHECK(beside.size() == 7);
   CHECK(std::ranges::count(beside, Variant{.tethers = true, .shear = "green", .radius = 0.02}) == 1);
   CHECK(std::ranges::count(beside, in_method(implicit, "quasi_newton")) == 1);
   for (const Variant& each : beside) CHECK((each.method == "pbd") == each.tethers);

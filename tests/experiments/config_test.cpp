@@ -376,6 +376,18 @@ TEST_CASE("config: a force that jumps has no constant matrix") {
   CHECK(problems_of(with(head + bending + R"("solver": {"method": "newton"})")).empty());
 }
 
+TEST_CASE("config: each method has its own defaults") {
+  const std::string head =
+      R"("material": {"strain": {"stiffness": "compliance", "compliance": 1e-3}},
+         "bending": {"model": "none"}, "solver": )";
+  const auto integrator_of = [&](const std::string& solver) {
+    return std::string(single_run(with(head + solver)).section("/solver").text("integrator"));
+  };
+  CHECK(integrator_of(R"({"method": "quasi_newton"})") == "euler");
+  CHECK(integrator_of(R"({"method": "quasi_newton", "integrator": "bdf2"})") == "bdf2");
+  CHECK(integrator_of(R"({"method": "newton"})") == "bdf2");
+}
+
 TEST_CASE("config: coarse levels need a membrane that resists in every direction") {
   using Catch::Matchers::ContainsSubstring;
   const auto with_strain = [](const std::string& strain) {

@@ -259,6 +259,35 @@ TEST_CASE("plausible: symmetric sweeps are advised for many substeps that sweep 
   CHECK_THAT(remedies(R"("substeps": 10, "sweep": "forward")"), !ContainsSubstring("/solver/sweep"));
 }
 
+TEST_CASE("plausible: implicit steps may gain a fiftieth of the energy scale, projections a quarter",
+          "[plausibility]") {
+  const auto with_method = [](const std::string& solver) {
+    return scene_of(on_a_corner + R"(, "bending": {"model": "none"},
+        "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}},
+        "solver": {)" + solver + "}");
+  };
+  // The whole sheet rises by 0.1 m and falls at the speed that this gives: 0.2 m of its weight, of 1.41 m.
+  const auto risen = [&](const std::string& solver) {
+    const Scene scene = with_method(solver);
+    Positions positions = scene.input.positions, velocities = still(scene);
+    positions.col(2).array() += 0.1, positions.row(24) = scene.input.positions.row(24);
+    velocities.col(2).setConstant(-std::sqrt(2 * g * 0.1));
+    return after(scene, 1, positions, velocities);
+  };
+  CHECK_FALSE(risen(R"("method": "pbd")"));
+  for (const char* method : {"quasi_newton", "newton", "vbd"})
+    CHECK(bound_of(risen(std::string(R"("method": ")") + method + '"')) == Bound::energy);
+
+  const auto remedies = [&](const std::string& solver) {
+    return remedies_for(Bound::energy, with_method(R"("method": "quasi_newton", )" + solver));
+  };
+  CHECK_THAT(remedies(R"("iterations": 3)"), ContainsSubstring("/solver/iterations: 30"));
+  CHECK_THAT(remedies(R"("iterations": 3)"), !ContainsSubstring("euler"));
+  CHECK_THAT(remedies(R"("iterations": 30, "integrator": "bdf2")"),
+             ContainsSubstring("/solver/integrator: euler"));
+  CHECK(remedies(R"("iterations": 30)").empty());
+}
+
 TEST_CASE("plausible: the correction of a vertex, by hand", "[plausibility]") {
   // A spring over the edge of two triangles, 0.3 m too long: each end moves half of it. A pinned end moves
   // nothing.

@@ -244,10 +244,11 @@ TEST_CASE("auto takes double where an effect's rounding hides gravity", "[scene]
 TEST_CASE("auto takes double where rounded positions hide the strain that quasi_newton needs", "[scene]") {
   // ε Y / (ρ g l): l = 1/12 m, Y = 10⁴ N/m: 0.007; a thousandth of the size: 7; Y = 10⁶: 0.7.
   const auto scene_of = [](double size, double compliance, const std::string& solver) {
-    return R"("mesh": {"width": )" + std::to_string(size) + R"(, "height": )" + std::to_string(size) +
-           R"(, "cells": 12}, "material": {"density": 0.2, "strain": {"stiffness": "compliance", "compliance": )" +
-           std::to_string(compliance) + R"(}}, "bending": {"model": "none"}, "effects": [{"type": "gravity"}],
-           "solver": {)" + solver + "}";
+    return R"("mesh": {"cells": 12, "scale": )" + std::to_string(size) +
+           R"(}, "material": {"density": 0.2, "strain": {"stiffness": "compliance", "compliance": )" +
+           std::to_string(compliance) +
+           R"(}}, "bending": {"model": "none"}, "effects": [{"type": "gravity"}], "solver": {)" + solver +
+           "}";
   };
   const std::string implicit = R"("method": "quasi_newton")";
   const auto precision_of = [&](double size, double compliance, const std::string& solver) {

@@ -45,7 +45,7 @@ struct Method {
   std::span<const MethodPass> passes = {};        ///< besides "bending" and those of effects
   Membrane membrane = Membrane::triangles;
   Factorised factorised = Factorised::nothing;
-  double vertex_seconds = 0;  ///< CPU time of a vertex and iteration where it is far above that of projections
+  double vertex_seconds = 0;  ///< of CPU, of a vertex and iteration; 0: about that of projections
   bool springs_only = false;  ///< only takes bending models that are made of springs
   /// Why every stiffness has to be a compliance above 0; empty: it may also be k.
   std::string_view needs_compliance = {};

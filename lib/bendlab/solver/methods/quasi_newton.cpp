@@ -45,9 +45,16 @@ constexpr std::array<std::string_view, 3> shared = {"substeps", "iterations", "p
 enum class MembraneChoice { stated, automatic };
 constexpr std::array<std::string_view, 2> membrane_names = {"stated", "auto"};
 
+// BDF2 gains energy where iterations have not converged.
+constexpr Parameter euler_parameter = [] {
+  Parameter parameter = integrator_parameter;
+  parameter.default_value = "euler";
+  return parameter;
+}();
+
 // clang-format off
 constexpr std::array parameters = {
-    integrator_parameter,
+    euler_parameter,
     tolerance_parameter,
     Parameter{.name = "history", .type = ParameterType::integer, .unit = "", .default_value = 10,
               .meaning = "Pairs of moves and gradients that are kept (m of L-BFGS); 0: the metric alone",
