@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "bendlab/mesh/connected_parts.hpp"
+#include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/config/defaults.hpp"
@@ -258,8 +259,10 @@ Message membrane_courant(const WarningInput& input) {
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
   if (!scene.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
-      compliance == 0 || own_settings(scene).integer("levels") > 0)
+      compliance == 0)
     return std::nullopt;
+  const bool reach = levels_are_worthwhile(scene);
+  if (reach && own_settings(scene).integer("levels") > 0) return std::nullopt;
   const std::vector<double>& areas = input.scene.rest.areas();
   const double area = std::accumulate(areas.begin(), areas.end(), 0.0);
   const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area;
@@ -275,7 +278,7 @@ Message membrane_courant(const WarningInput& input) {
       "{} /solver/substeps would leave 1.1{}",
       courant, counted(solver.projections_per_substep(), "projection"), 1 + excess,
       static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
-      excess > worth_levels ? ", and /solver/levels: 12 leaves a fifth or less in a tenth more time" : "");
+      reach && excess > worth_levels ? ", and /solver/levels: 12 leaves a fifth or less in a tenth more time" : "");
 }
 
 // ---- k_overshoot

@@ -164,6 +164,17 @@ CoarseLevels<Real>::CoarseLevels(const SimulationInput& input, int most_levels) 
   }
 }
 
+bool levels_are_worthwhile(const SimulationInput& input) {
+  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
+  double length = 0;
+  for (const auto& [a, b, c] : input.strain.vertices)
+    length += ((rest.row(a) - rest.row(b)).norm() + (rest.row(b) - rest.row(c)).norm() +
+               (rest.row(c) - rest.row(a)).norm()) /
+              3;
+  const double mean_edge = length / static_cast<double>(input.strain.size());
+  return input.strain.size() > 0 && input.settings.substeps * mean_edge < input.size;
+}
+
 template <class Real>
 void CoarseLevels<Real>::begin_substep() {
   for (Level& level : levels_)

@@ -73,7 +73,8 @@ constexpr std::array parameters = {
     Parameter{.name = "levels", .type = ParameterType::integer, .unit = "", .default_value = 0,
               .meaning = "Most coarse levels before the constraints of each iteration: spans between "
                          "ever fewer vertices that are slack up to their length along the cloth at rest. "
-                         "The cloth stretches less for few substeps; 12: as many as the mesh has. 0: none",
+                         "The cloth stretches less for few substeps; 12: as many as the mesh has. 0: none, "
+                         "as where there are as many substeps as edges across the cloth",
               .minimum = 0, .maximum = 12},
 };
 // clang-format on
@@ -155,7 +156,8 @@ class PbdStep final : public TimeStep<Real> {
       put_.resize(pinned_.size());
     }
     constraints_ = ordered_constraints<Real>(input, this->rest_points(), &tiles_);
-    if (const auto most = static_cast<int>(own_settings(input).integer("levels")); most > 0)
+    if (const auto most = static_cast<int>(own_settings(input).integer("levels"));
+        most > 0 && levels_are_worthwhile(input))
       levels_.emplace(input, most);
     compile_plan(std::move(effect_passes));
   }
