@@ -278,7 +278,9 @@ Message membrane_courant(const WarningInput& input) {
       "{} /solver/substeps would leave 1.1{}",
       courant, counted(solver.projections_per_substep(), "projection"), 1 + excess,
       static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
-      reach && excess > worth_levels ? ", and /solver/levels: 12 leaves a fifth or less in a tenth more time" : "");
+      reach && excess > worth_levels
+          ? ", and /solver/levels: 12 leaves a fifth or less in a tenth more time"
+          : "");
 }
 
 // ---- k_overshoot
