@@ -23,8 +23,8 @@
 
 namespace bendlab {
 
-/// Whether there are fewer substeps than edges across the cloth. More of them reach everywhere alone, and with
-/// levels gained energy: 0.04 to 0.4 of its scale in plain scenes of 6 to 24 cells in 64 substeps.
+/// Whether there are fewer substeps than edges across the cloth. More of them reach everywhere alone, and
+/// with levels gained energy: 0.04 to 0.4 of its scale in plain scenes of 6 to 24 cells in 64 substeps.
 bool levels_are_worthwhile(const SimulationInput& input);
 
 template <class Real>
