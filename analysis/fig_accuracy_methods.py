@@ -101,7 +101,9 @@ def _fronts(runs, out, name, of_panel, ylabel, title):
         axes.set_xscale("log"), axes.set_yscale("log")
         axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_title(panel.strip())
     panels[0][0].set_ylabel(ylabel)
-    panels[0][0].legend(loc="lower left", fontsize=7)
+    named = {label: handle for axes in panels[0] for handle, label in
+             zip(*axes.get_legend_handles_labels())}  # each kind once, whichever panel has it
+    panels[0][0].legend(named.values(), named.keys(), loc="lower left", fontsize=7)
     figure.suptitle(title, x=0.01, ha="left", fontsize=11)
     return style.save(figure, out, name)
 

@@ -1,9 +1,7 @@
 #include "experiments/scene/precision.hpp"
 
-#include <algorithm>
 #include <limits>
 #include <numeric>
-#include <span>
 #include <vector>
 
 #include "bendlab/solver/method.hpp"
@@ -55,9 +53,7 @@ RoundingStrain rounding_strain(const Scene& scene) {
   const double area_density = sum(input.mass) / sum(scene.rest.areas());
   const double stated = gravity_of(scene.effects).norm(), g = stated > 0 ? stated : 9.81;
   // A membrane that is softened for an error is strained by more than a hundred roundings.
-  const std::span own = method.parameters;
-  const bool softened = std::ranges::find(own, "membrane", &Parameter::name) != own.end() &&
-                        own_settings(input).text("membrane") == "auto";
+  const bool softened = method.reads("membrane") && own_settings(input).text("membrane") == "auto";
   return {.rounded = double{std::numeric_limits<float>::epsilon()} * size / scene.rest.mean_edge_length(),
           .of_weight = compliance * area_density * g * size,
           .matters = method.make_float != nullptr && !method.keeps_moves_apart && compliance > 0 &&

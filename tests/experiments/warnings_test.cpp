@@ -1,6 +1,7 @@
 // Every warning is given where it is due, with its number, and nowhere else.
 #include "experiments/run/warnings.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -143,7 +144,7 @@ TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
   const double critical = 1.0 / 3600 / (0.2 * 0.0625 * 10);
   const auto with = [](double compliance, const std::string& solver) {
     return R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": )" +
-           std::to_string(compliance) + R"(}}, "solver": {"iterations": 10, )" + solver + "}";
+           fmt::format("{}", compliance) + R"(}}, "solver": {"iterations": 10, )" + solver + "}";
   };
   CHECK(codes_of(with(1.05 * critical, R"("substeps": 1)")).empty());
   CHECK(codes_of(with(0.95 * critical, R"("substeps": 1)")) == Codes{"membrane_courant"});
@@ -151,6 +152,12 @@ TEST_CASE("warnings: a membrane whose waves outrun the solver", "[warnings]") {
   CHECK(codes_of(with(0.6 * critical, R"("substeps": 1, "sweep": "symmetric")")).empty());
   const std::string message = message_of("membrane_courant", with(critical / 9, R"("substeps": 1)"));
   CHECK_THAT(message, ContainsSubstring("about 10 times") && ContainsSubstring("10 /solver/substeps"));
+  // Levels help where there are fewer substeps than the sheet's √2 / 0.285 = 5 mean edges across.
+  const double stiff = critical / 1e4;
+  CHECK_THAT(message_of("membrane_courant", with(stiff, R"("substeps": 4)")), ContainsSubstring("levels: 12"));
+  CHECK_THAT(message_of("membrane_courant", with(stiff, R"("substeps": 5)")), !ContainsSubstring("levels"));
+  CHECK(codes_of(with(stiff, R"("substeps": 4, "levels": 12)")).empty());
+  CHECK(codes_of(with(stiff, R"("substeps": 5, "levels": 12)")) == Codes{"membrane_courant"});
 }
 
 TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") {

@@ -201,12 +201,17 @@ Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
 
 template <class Real>
 void ImplicitStep<Real>::keep_momentum() {
-  if (has_contacts() || std::ranges::any_of(weight_, [](Real w) { return !(w > 0); })) return;
+  if (std::ranges::any_of(weight_, [](Real w) { return !(w > 0); })) return;
   Vector3 unbalanced = Vector3::Zero();
   double whole = 0;
   for (std::size_t v = 0; v < weight_.size(); ++v) {
-    unbalanced += (weight_[v] * (state_.position[v].vector() - target_[v].vector())).template cast<double>();
-    whole += static_cast<double>(weight_[v]);
+    const auto weight = static_cast<double>(weight_[v]);
+    whole += weight;
+    unbalanced += weight * (state_.position[v].vector() - target_[v].vector()).template cast<double>();
+    if (!has_contacts()) continue;
+    const Vector3Of<Real> push = contact_force_[v].vector();
+    unbalanced -= push.template cast<double>();
+    if (push.squaredNorm() > 0) whole += static_cast<double>(contact_stiffness(v));
   }
   const Vector3Of<Real> move = (unbalanced / whole).template cast<Real>();
   for (auto& p : state_.position) p.set(p.vector() - move);

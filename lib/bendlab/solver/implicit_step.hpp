@@ -104,8 +104,8 @@ class ImplicitStep : public TimeStep<Real> {
   /// A long step's first guess flies far from the cloth: starts where the last substep ended, if what is
   /// minimised is lower there. Without it cloth of few iterations may gain energy.
   void start_lower(const ElasticSystem& system);
-  /// If nothing is pinned or touched, moves the cloth as a whole to its minimum: elastic forces sum to zero,
-  /// but what solves for them is rounded, or carries the cloth's weight from vertex to vertex.
+  /// If nothing is pinned, moves the cloth as a whole to its minimum: elastic forces sum to zero, but what
+  /// solves for them is rounded, or carries the cloth's weight from vertex to vertex.
   void keep_momentum();
   /// Whether a pinned vertex was put elsewhere in this substep.
   bool pins_moved() const;

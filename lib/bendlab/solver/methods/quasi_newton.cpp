@@ -209,27 +209,12 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
 
   Real move(Real longest) {
     const Real share = longest > longest_move_ ? longest_move_ / longest : Real(1);
-    Vector3 unbalanced = Vector3::Zero();
-    double whole = 0;
     for (const int free : metric_.vertices) {
       const auto v = static_cast<std::size_t>(free);
       Point<Real>& p = state_.position[v];
       p.set(p.vector() - share * direction_[v].vector());
-      const auto weight = static_cast<double>(weights()[v]);
-      whole += weight;
-      unbalanced += weight * (p.vector() - target()[v].vector()).template cast<double>();
-      if (!this->has_contacts()) continue;
-      const Vector3Of<Real> push = this->contact_forces()[v].vector();
-      unbalanced -= push.template cast<double>();
-      if (push.squaredNorm() > 0) whole += static_cast<double>(this->contact_stiffness(v));
     }
-    if (metric_.vertices.size() == weights().size()) {  // nothing is pinned
-      const Vector3Of<Real> shift = (unbalanced / whole).template cast<Real>();
-      for (const int v : metric_.vertices) {
-        Point<Real>& p = state_.position[static_cast<std::size_t>(v)];
-        p.set(p.vector() - shift);
-      }
-    }
+    this->keep_momentum();
     return share * longest;
   }
 
