@@ -279,6 +279,26 @@ TEST_CASE("what contacts push is in a free sheet's momentum", "[solver]") {
   CHECK_THAT(momentum, WithinRel(6 * input.mass[0] * d / h, 1e-6));
 }
 
+// A flat sheet falls onto a plane: the first iteration finds where inertia and the contacts' force are in
+// balance, so that few of the 50 are needed.
+TEST_CASE("an iteration of newton knows how stiff contacts are", "[solver]") {
+  const RestMesh rest(grid(1, 1, 3, 3));
+  SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {}, 0), "none"), "newton", 1e-2, 1);
+  input.velocities = Positions::Zero(rest.vertex_count(), 3);
+  input.velocities.col(2).setConstant(-1);
+  int calls = 0;
+  std::vector<Pass<double>> plane(1);
+  plane[0].name = "plane", plane[0].stage = Stage::project;
+  plane[0].run = [&calls](PassContext<double>& c) {
+    ++calls;
+    for (std::size_t v = 0; v < static_cast<std::size_t>(c.state.vertex_count); ++v)
+      c.state.position[v].z = std::max(0.0, c.state.position[v].z);
+  };
+  const double h = 1.0 / 60;
+  moved(input, "newton", "euler", h, h, std::move(plane), 50);
+  CHECK(calls <= 5);  // one for each iteration, and one at the end of the step
+}
+
 TEST_CASE("a membrane is softened as far as the error asks for, and not beyond", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 8, Rows::parallel));
   const Pins pins = make_pins(rest, {0, 8}, 0);

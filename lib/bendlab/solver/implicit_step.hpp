@@ -105,7 +105,8 @@ class ImplicitStep : public TimeStep<Real> {
   /// minimised is lower there. Without it cloth of few iterations may gain energy.
   void start_lower(const ElasticSystem& system);
   /// If nothing is pinned, moves the cloth as a whole to its minimum: elastic forces sum to zero, but what
-  /// solves for them is rounded, or carries the cloth's weight from vertex to vertex.
+  /// solves for them is rounded, or carries the cloth's weight from vertex to vertex. The forces of contacts
+  /// are those before the iteration: a method whose iterations know how stiff contacts are would overshoot.
   void keep_momentum();
   /// Whether a pinned vertex was put elsewhere in this substep.
   bool pins_moved() const;

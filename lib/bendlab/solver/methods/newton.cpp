@@ -89,7 +89,7 @@ class NewtonStep final : public ImplicitStep<double> {
       share = lowering(share, {direction, residual.dot(direction), (residual - elastic).dot(direction),
                                direction.dot(diagonal.cwiseProduct(direction))});
     move(direction, share);
-    keep_momentum();
+    if (!has_contacts()) keep_momentum();  // the matrix knows how stiff contacts are
     return longest;
   }
 

@@ -66,7 +66,7 @@ class VbdStep final : public ImplicitStep<double> {
     for (std::size_t v = 0; v < weights().size(); ++v)
       if (system_.free_index()[v] >= 0)
         state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
-    keep_momentum();
+    if (!has_contacts()) keep_momentum();  // each vertex knows how stiff its contact is
     return longest;
   }
 
