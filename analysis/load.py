@@ -32,6 +32,17 @@ def _opened(path):
     return h5py.File(path, "r")
 
 
+def _has_table(metrics):
+    """False for files of older programs, which have a dataset for every metric."""
+    return "values" in metrics
+
+
+def _metric_names(file):
+    """Of the columns of /metrics."""
+    metrics = file["metrics"]
+    return list(map(_text, metrics["names"][()])) if _has_table(metrics) else list(metrics)
+
+
 class Metrics(Mapping):
     """Name → (F) array of a run file. Each array is read on first use."""
 
@@ -41,7 +52,11 @@ class Metrics(Mapping):
     def __getitem__(self, name):
         if self._found[name] is None:
             with _opened(self._path) as file:
-                self._found[name] = file[f"metrics/{name}"][:self.frames]
+                if _has_table(file["metrics"]):
+                    values = file["metrics/values"][:self.frames].T.copy()
+                    self._found.update(zip(_metric_names(file), values))
+                else:
+                    self._found[name] = file[f"metrics/{name}"][:self.frames]
         return self._found[name]
 
     def __iter__(self):
@@ -53,7 +68,11 @@ class Metrics(Mapping):
     def about(self, name):
         """(unit, meaning) of a metric."""
         with _opened(self._path) as file:
-            attributes = file[f"metrics/{name}"].attrs
+            metrics = file["metrics"]
+            if _has_table(metrics):
+                column = list(self).index(name)
+                return _text(metrics["units"][column]), _text(metrics["meanings"][column])
+            attributes = metrics[name].attrs
             return _text(attributes.get("unit", "1")), _text(attributes.get("meaning", ""))
 
 
@@ -249,9 +268,9 @@ def _read(path):
             "id": _text(file.attrs["id"]),
             "name": _text(file.attrs["name"]),
             "status": _text(file.attrs["status"]),
-            "frames": len(file["metrics/time"]),
+            "frames": len(file["metrics/values" if _has_table(file["metrics"]) else "metrics/time"]),
             **{name: number(times.get(name, 0)) for name in ("wall_s", "cpu_s", "step_cpu_s")},
-            "metrics": list(file["metrics"]),
+            "metrics": _metric_names(file),
             "constraints": {kind: int(np.ravel(data.attrs["count"])[0])
                             for kind, data in group("constraints").items()},
             "passes": [[_text(name), number(seconds), *map(int, [*counts, 0, 0][:2])]

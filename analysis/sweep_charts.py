@@ -211,7 +211,7 @@ def time_chart(runs, labels, run_looks, command, name):
         if len(times) < 2:
             continue
         every = np.unique(np.linspace(0, len(times) - 1, MOST_TIMES).round().astype(int))
-        own = [metric for metric in [*TIMES, *(m for m in run.metrics if m not in TIMES)]
+        own = [metric for metric in [*TIMES, *sorted(m for m in run.metrics if m not in TIMES)]
                if metric in run.metrics and metric != "time" and not _is_quality(metric)][:MOST_NUMBERS]
         names += [metric for metric in own if metric not in names]
         series.append({"label": labels[run.id], "look": run_looks[run.id], "run": run.id,

@@ -34,8 +34,8 @@ constexpr double bent_sheet_less = 1e7;
 constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
 constexpr double metric_per_vertex = 1500, metric_growth = 100;  // of `quasi_newton`, likewise; its pairs
 constexpr double levels_per_vertex = 330;
-constexpr double file = 57e3, file_per_vertex = 39;
-constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 1200;
+constexpr double file = 36e3, file_per_vertex = 39;
+constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 560;
 }  // namespace bytes
 
 // Seconds of CPU time, on the processor of results/performance: fitted to the models on grids of 32 to 256

@@ -72,8 +72,10 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
         file["rest/triangles"] = TRIANGLES.astype("i4")
         file["rest/pinned"] = np.array([0, 0, 1, 0], "u1")
         file["rest/pin_seeds"] = np.array([2], "i4")
-        file["metrics/time"] = 0.5 * np.arange(committed)
-        file["metrics/pin_max_stretch"] = 1.0 + np.arange(frames)
+        file["metrics/names"] = np.array([b"time", b"pin_max_stretch"])
+        file["metrics/units"] = np.array([b"s", b"1"])
+        file["metrics/meanings"] = np.array([b"simulated time", b"largest stretch at the pin"])
+        file["metrics/values"] = np.stack([0.5 * np.arange(committed), 1.0 + np.arange(committed)], axis=1)
         file.create_group("constraints/distance").attrs["count"] = 7
         file["provenance/config"] = json.dumps(config)
         for name, value in (summary or {}).items():

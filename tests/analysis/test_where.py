@@ -120,6 +120,7 @@ class WholeRun(unittest.TestCase):
             file["VTKHDF/Points"] = self.trajectory.reshape(-1, 3)
             file["rest/positions"], file["rest/triangles"] = self.rest, self.triangles.astype("i4")
             file["rest/pinned"] = pinned.astype("u1")
+            # Metrics as older programs wrote them.
             file["metrics/time"] = np.arange(self.frames) / 10  # 1.5 s: the last second is frames 6 … 15
             file["metrics/max_stretch"] = self.told.max(axis=1)
             file["provenance/config"] = json.dumps({"mesh": {"cells": self.cells, "width": 1}})

@@ -25,8 +25,10 @@ class Run:
             self.triangles = file["rest/triangles"][()]
             count = len(file["rest/positions"])
             self.points = file["VTKHDF/Points"][()].reshape(-1, count, 3)
-            self.metrics = {name: column[()] for name, column in file["metrics"].items()}
-            self.units = {name: column.attrs["unit"] for name, column in file["metrics"].items()}
+            metrics = file["metrics"]
+            names = metrics["names"].asstr()[()]
+            self.metrics = dict(zip(names, metrics["values"][()].T))
+            self.units = dict(zip(names, metrics["units"].asstr()[()]))
             self.summary = dict(file["summary"].attrs)
             self.config = json.loads(file["provenance/config"][0])
             self.id, self.name = file.attrs["id"], file.attrs["name"]

@@ -16,6 +16,7 @@
 #include "bendlab/parameters/archive.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "experiments/config/config.hpp"
+#include "experiments/run/broken_bound.hpp"
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"

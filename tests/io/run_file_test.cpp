@@ -75,6 +75,35 @@ TEST_CASE("run file: positions keep the digits that were asked for", "[io]") {
   CHECK((stored == 0.1) == wide);
 }
 
+TEST_CASE("run file: metrics of an older program's file are read", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", old = folder / "old.vtkhdf";
+  write_square_run(path, 3);
+  REQUIRE(h5py_accepts(path, R"(
+with h5py.File(sys.argv[1].replace('run', 'old'), 'w') as old:
+    old.attrs.update(run.attrs)
+    for name in set(run) - {'metrics'}:
+        run.copy(name, old)
+    table = run['metrics']
+    for i, name in enumerate(table['names'].asstr()):
+        old[f'metrics/{name}'] = table['values'][:, i]
+        unit, meaning = table['units'].asstr()[i], table['meanings'].asstr()[i]
+        old[f'metrics/{name}'].attrs.update(unit=unit, meaning=meaning)
+)"));
+  seal(old);
+  CHECK(read_run(old).frames == 3);
+  CHECK(read_metric(old, "energy") == std::vector<double>{0, 1, 4});
+  const std::vector<MetricRecord> mine = read_metrics(path), found = read_metrics(old);
+  REQUIRE(found.size() == 3);
+  for (std::size_t i = 0; i < 3; ++i) {
+    CHECK(found[i].column.name == mine[i].column.name);
+    CHECK(found[i].column.unit == mine[i].column.unit);
+    CHECK(found[i].column.meaning == mine[i].column.meaning);
+    CHECK(found[i].values == mine[i].values);
+  }
+  CHECK(differing_parts(path, old).empty());
+}
+
 TEST_CASE("run file: the rest state is read back", "[io]") {
   const TemporaryFolder folder;
   const RunHeader header = square_header();
@@ -133,9 +162,10 @@ for name in 'CellOffsets', 'ConnectivityIdOffsets':
 assert list(steps['CellDataOffsets/stretch']) == [0, 2, 4]
 assert list(steps['CellDataOffsets/shape']) == [0, 2, 4]
 assert list(steps['PointDataOffsets/pinned']) == [0, 0, 0]
-assert sorted(run['metrics']) == ['drop', 'energy', 'time']
-assert run['metrics/time'].shape == (3,) and run['metrics/time'].attrs['unit'] == 's'
-assert run['metrics/drop'].attrs['unit'] == 'm'
+columns = [list(run['metrics'][name].asstr()) for name in ('names', 'units', 'meanings')]
+assert columns == [['time', 'drop', 'energy'], ['s', 'm', 'J'],
+                   ['simulated time', 'how far it hangs', 'kinetic energy']]
+assert run['metrics/values'][:].tolist() == [[0, 0, 0], [0.25, 1, 1], [0.5, 2, 4]]
 assert run['rest/positions'].shape == (4, 3) and run['rest/triangles'].shape == (2, 3)
 assert list(run['rest/pin_seeds']) == [0]
 assert run['constraints/strain'].attrs['count'] == 2 and len(run['constraints/strain']) == 0
@@ -203,7 +233,7 @@ TEST_CASE("run file: a writer keeps others off its file", "[io]") {
   CHECK(read_run(folder / "run.vtkhdf").frames == 2);
 }
 
-TEST_CASE("run file: a short run's file has the same, in less than half of the space", "[io]") {
+TEST_CASE("run file: a short run's file has the same, in less than two thirds of the space", "[io]") {
   constexpr InMemory second{.bytes = 1 << 20, .seconds = 100};
   const TemporaryFolder folder;
   const auto growing = folder / "growing.vtkhdf", small = folder / "small.vtkhdf";
@@ -222,7 +252,7 @@ TEST_CASE("run file: a short run's file has the same, in less than half of the s
   CHECK(read_run(small).summary == read_run(growing).summary);
   CHECK(read_run(small).provenance == read_run(growing).provenance);
   CHECK(read_run(small).config == read_run(growing).config);
-  if (frames == 3) CHECK(fs::file_size(small) * 2 < fs::file_size(growing));
+  if (frames == 3) CHECK(fs::file_size(small) * 3 < fs::file_size(growing) * 2);
   CHECK(h5py_accepts(small, R"(
 other = h5py.File(sys.argv[1].replace('small', 'growing'))
 names = []
@@ -317,7 +347,7 @@ TEST_CASE("run file: what is no run file is refused", "[io]") {
   CHECK_THAT(refusal(folder / "cut.vtkhdf"), ContainsSubstring("can't be read as a run file"));
 
   CHECK_THAT(error_text<RunFileError>([&] { read_metric(path, "dorp"); }),
-             ContainsSubstring("it has no metric 'dorp', but drop, energy, time"));
+             ContainsSubstring("it has no metric 'dorp', but time, drop, energy"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, 3); }),
              ContainsSubstring("it has no frame 3; it has 3 frames"));
   CHECK_THAT(error_text<RunFileError>([&] { read_positions(path, -4); }), ContainsSubstring("no frame -4"));

@@ -24,6 +24,7 @@ def of_file(file):
     with h5py.File(file, "r") as data:
         one = lambda value: value.reshape(-1)[0] if isinstance(value, np.ndarray) else value
         text = lambda value: one(value).decode() if isinstance(one(value), bytes) else str(one(value))
+        metrics = dict(zip(map(text, data["metrics/names"][()]), data["metrics/values"][()].T))
         return {"id": text(data.attrs["id"]), "status": text(data.attrs["status"]),
                 "summary": {name: float(one(value)) for name, value in data["summary"].attrs.items()},
                 "cells": json.loads(text(data["provenance/config"][()]))["mesh"]["cells"],
@@ -31,7 +32,7 @@ def of_file(file):
                 "passes": dict(zip(map(text, data["timing/pass"][()]), data["timing/seconds"][()])),
                 "counts": {kind: int(one(group.attrs["count"]))
                            for kind, group in data["constraints"].items()},
-                "frames": len(data["metrics/time"]), "drop": list(data["metrics/drop"][()])}
+                "frames": len(metrics["time"]), "drop": list(metrics["drop"])}
 
 
 def of_scripts(folder):

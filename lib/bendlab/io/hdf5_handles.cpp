@@ -20,11 +20,20 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-Handle text_type() {
-  Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  check(H5Tset_size(type, H5T_VARIABLE));
-  check(H5Tset_cset(type, H5T_CSET_UTF8));
+// Types and creation lists that hundreds of writes share are made once.
+const Handle& text_type() {
+  static const Handle type = [] {
+    Handle made(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(made, H5T_VARIABLE));
+    check(H5Tset_cset(made, H5T_CSET_UTF8));
+    return made;
+  }();
   return type;
+}
+
+const Handle& scalar_space() {
+  static const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  return space;
 }
 
 Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = nullptr) {
@@ -53,6 +62,11 @@ Failure system_failure(int code) {
 Handle dataset_creation() {
   Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(creation, false));
+  return creation;
+}
+
+const Handle& plain_dataset() {
+  static const Handle creation = dataset_creation();
   return creation;
 }
 
@@ -91,7 +105,7 @@ void write_attribute(hid_t object, const std::string& name, hid_t type, hid_t sp
 }
 
 void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
-  write_attribute(object, name, type, Handle(H5Screate(H5S_SCALAR), H5Sclose), value);
+  write_attribute(object, name, type, scalar_space(), value);
 }
 
 Handle open_attribute(hid_t object, const std::string& name) {
@@ -202,6 +216,10 @@ bool has_link(hid_t parent, const std::string& name) {
   return check(H5Lexists(parent, name.c_str(), H5P_DEFAULT)) > 0;
 }
 
+void add_link(hid_t parent, const std::string& object, const std::string& name) {
+  check(H5Lcreate_hard(parent, object.c_str(), parent, name.c_str(), H5P_DEFAULT, H5P_DEFAULT));
+}
+
 std::vector<std::string> links(hid_t group) {
   std::vector<std::string> names;
   const auto collect = [](hid_t, const char* name, const H5L_info_t*, void* out) -> herr_t {
@@ -290,29 +308,31 @@ Handle write_dataset(hid_t parent, const std::string& name, hid_t type, const vo
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape) {
   constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
-  const Handle creation = dataset_creation();
-  if (shape[0] > 1024) {  // shorter ones are not worth an index
-    std::vector<hsize_t> chunk(shape.begin(), shape.end());
-    chunk[0] = std::min(chunk[0], rows_per_chunk);
-    check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
-    check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
-    check(H5Pset_deflate(creation, 1));
+  if (shape[0] <= 1024) {                    // not worth an index
+    write_dataset(parent, name, type, values, shape, plain_dataset());
+    return;
   }
+  const Handle creation = dataset_creation();
+  std::vector<hsize_t> chunk(shape.begin(), shape.end());
+  chunk[0] = std::min(chunk[0], rows_per_chunk);
+  check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
+  check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
+  check(H5Pset_deflate(creation, 1));
   write_dataset(parent, name, type, values, shape, creation);
 }
 
 Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                          std::span<const hsize_t> shape) {
-  return write_dataset(parent, name, type, values, shape, dataset_creation());
+  return write_dataset(parent, name, type, values, shape, plain_dataset());
 }
 
 void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {
   std::vector<const char*> values;
   for (const auto& text : texts) values.push_back(text.c_str());
   const hsize_t shape[] = {texts.size()};
-  const Handle type = text_type(), creation = dataset_creation();
+  const Handle& type = text_type();
   const Handle dataset(
-      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, plain_dataset(), H5P_DEFAULT),
       H5Dclose);
   // The library clears a buffer of 1 MiB for every write of texts, unless it is told that less will do.
   const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
@@ -341,13 +361,29 @@ std::vector<hsize_t> shape_of(hid_t dataset) {
   return shape;
 }
 
-void read_rows(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* values) {
-  auto shape = shape_of(dataset);
-  const std::array<hsize_t, 2> start = {first, 0};
-  shape[0] = count;
+namespace {
+
+// A block of a dataset of one or two dimensions.
+void read_block(hid_t dataset, hid_t type, const std::array<hsize_t, 2>& start,
+                std::span<const hsize_t> shape, void* values) {
   const Handle in_file(H5Dget_space(dataset), H5Sclose);
   check(H5Sselect_hyperslab(in_file, H5S_SELECT_SET, start.data(), nullptr, shape.data(), nullptr));
   check(H5Dread(dataset, type, simple_space(shape), in_file, H5P_DEFAULT, values));
+}
+
+}  // namespace
+
+void read_rows(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* values) {
+  auto shape = shape_of(dataset);
+  shape[0] = count;
+  read_block(dataset, type, {first, 0}, shape, values);
+}
+
+std::vector<double> read_column(hid_t dataset, hsize_t column, hsize_t count) {
+  std::vector<double> values(count);
+  if (count > 0)
+    read_block(dataset, H5T_NATIVE_DOUBLE, {0, column}, std::array<hsize_t, 2>{count, 1}, values.data());
+  return values;
 }
 
 Series::Series(hid_t parent, const std::string& name, const Layout& layout)

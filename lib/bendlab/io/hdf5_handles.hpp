@@ -106,6 +106,8 @@ Handle create_group(hid_t parent, const std::string& name);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
+/// Gives parent/object a second name, parent/name, where a copy would hold the same values.
+void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
 // Attributes. Texts are UTF-8 of variable length, which h5py reads as str; writing replaces what is there.
@@ -157,6 +159,9 @@ std::vector<T> read_rows(hid_t dataset, hsize_t first, hsize_t count) {
   return values;
 }
 
+/// The first `count` rows of one column of a matrix.
+std::vector<double> read_column(hid_t dataset, hsize_t column, hsize_t count);
+
 template <class T>
 std::vector<T> read_all(hid_t parent, const std::string& name) {
   const Handle dataset = open_dataset(parent, name);
@@ -172,7 +177,7 @@ class Series {
     hid_t type = H5T_NATIVE_DOUBLE;  ///< in the file
     hsize_t rows = 1;                ///< per frame
     hsize_t columns = 0;             ///< 0: a vector, not a matrix
-    hsize_t frames_per_chunk = 1;    ///< more than one only if a frame is a number or two
+    hsize_t frames_per_chunk = 1;    ///< more than one only if a frame is small
   };
   Series() = default;
   Series(hid_t parent, const std::string& name, const Layout& layout);

@@ -107,7 +107,8 @@ Handle create_vtkhdf(hid_t file) {
 void write_static_part(hid_t vtk, const RunHeader& header) {
   const auto vertices = static_cast<std::int64_t>(header.rest_positions.size() / 3);
   hdf5::write_array(vtk, "NumberOfPoints", std::vector{vertices});
-  for (const char* absent : {"Vertices", "Lines", "Strips"}) write_cells(vtk, absent, {}, 1);
+  write_cells(vtk, "Vertices", {}, 1);
+  for (const char* absent : {"Lines", "Strips"}) hdf5::add_link(vtk, "Vertices", absent);  // none of these
   write_cells(vtk, "Polygons", header.triangles, 3);
   hdf5::write_array(hdf5::create_group(vtk, "PointData"), "pinned", header.pinned);
 }
@@ -122,11 +123,15 @@ void write_steps(hid_t file, const ParaViewShape& shape) {
   hdf5::write_array(steps, "NumberOfParts", std::vector<std::int64_t>(frames, 1));
   hdf5::write_array(steps, "PointOffsets", offsets(frames, shape.vertices));
   hdf5::write_array(steps, "CellOffsets", offsets(4 * frames, 0), 4);
-  hdf5::write_array(steps, "ConnectivityIdOffsets", offsets(4 * frames, 0), 4);
-  hdf5::write_array(hdf5::create_group(steps, "PointDataOffsets"), "pinned", offsets(frames, 0));
+  hdf5::add_link(steps, "CellOffsets", "ConnectivityIdOffsets");
+  hdf5::create_group(steps, "PointDataOffsets");
+  hdf5::add_link(steps, "PartOffsets", "PointDataOffsets/pinned");
   const Handle cell_data = hdf5::create_group(steps, "CellDataOffsets");
-  for (const auto& field : shape.cell_fields)
-    hdf5::write_array(cell_data, field, offsets(frames, shape.triangles));
+  for (std::size_t i = 0; i < shape.cell_fields.size(); ++i)
+    if (i == 0)
+      hdf5::write_array(cell_data, shape.cell_fields[0], offsets(frames, shape.triangles));
+    else
+      hdf5::add_link(cell_data, shape.cell_fields[0], shape.cell_fields[i]);
 }
 
 std::string xdmf_text(const std::string& run_file, const ParaViewShape& shape,

@@ -3,8 +3,8 @@
 //
 //   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
-//   /metrics/<name>         (F) one value per recorded frame; attributes `unit`, `meaning`; `time` is one of
-//                           them
+//   /metrics                values (F, C): a row per recorded frame; names, units and meanings (C) of the
+//                           columns, of which `time` is one
 //   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
 //   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
 //   /provenance             attributes (commit, compiler, …; as JSON `point`, the place on the sweep, and
@@ -13,7 +13,9 @@
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
-// The number of committed frames is the length of /metrics/time, which is written last in every frame.
+// The number of committed frames is that of the rows of /metrics/values, written last in every frame. After a
+// power cut the last row may be torn. Files of older programs have a dataset /metrics/<name> for every metric
+// instead, and are read as well.
 #pragma once
 
 #include <array>

@@ -22,7 +22,7 @@ void collect(hid_t group, const std::string& path, std::set<std::string>& datase
 
 std::set<std::string> datasets_in(hid_t file) {
   std::set<std::string> datasets;
-  for (const char* group : {"VTKHDF", "rest", "metrics", "constraints"})
+  for (const char* group : {"VTKHDF", "rest", "constraints"})
     if (hdf5::has_link(file, group)) collect(hdf5::open_group(file, group), group, datasets);
   return datasets;
 }
@@ -42,12 +42,19 @@ std::string bytes_of(hid_t file, const std::string& path) {
   return bytes;
 }
 
+std::string bytes_of(std::span<const double> numbers) {
+  return {reinterpret_cast<const char*>(numbers.data()), numbers.size_bytes()};
+}
+
 // Everything that is compared at once: texts and numbers by name.
 std::map<std::string, std::string> small_parts(hid_t file) {
   std::map<std::string, std::string> parts = {{"status", hdf5::read_text_attribute(file, "status")}};
+  const std::vector<std::string> names = metric_names(file);
+  const auto columns = read_all_metrics(file, read_shape(file).times.size());
+  for (std::size_t i = 0; i < names.size(); ++i) parts["metrics/" + names[i]] = bytes_of(columns[i]);
   if (!hdf5::has_link(file, "summary")) return parts;
   for (const auto& [name, value] : hdf5::read_number_attributes(hdf5::open_group(file, "summary")))
-    parts["summary/" + name] = std::string(reinterpret_cast<const char*>(&value), sizeof value);
+    parts["summary/" + name] = bytes_of(std::span(&value, 1));
   return parts;
 }
 

@@ -46,7 +46,7 @@ RunRecord read_run(const fs::path& path) {
     const Handle provenance = hdf5::open_group(file, "provenance");
     run.provenance = hdf5::read_text_attributes(provenance);
     run.config = hdf5::read_texts(provenance, "config").at(0);
-    run.metrics = hdf5::links(hdf5::open_group(file, "metrics"));
+    run.metrics = metric_names(file);
     const Handle constraints = hdf5::open_group(file, "constraints");
     for (const std::string& kind : hdf5::links(constraints))
       run.constraints[kind] = static_cast<std::uint64_t>(
@@ -103,30 +103,19 @@ std::string hdf5_version() {
 
 std::vector<double> read_metric(const fs::path& path, const std::string& name) {
   return with_run(path, [&](hid_t file) {
-    const Handle metrics = hdf5::open_group(file, "metrics");
-    if (!hdf5::has_link(metrics, name)) {
-      std::string known;
-      for (const auto& link : hdf5::links(metrics)) known += (known.empty() ? "" : ", ") + link;
-      throw hdf5::Failure(fmt::format("it has no metric '{}', but {}", name, known));
-    }
-    const std::uint64_t frames = read_shape(file).times.size();
-    return hdf5::read_rows<double>(hdf5::open_dataset(metrics, name), 0, frames);
+    return read_metric_rows(file, name, read_shape(file).times.size());
   });
 }
 
 std::vector<MetricRecord> read_metrics(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
-    const Handle metrics = hdf5::open_group(file, "metrics");
-    const std::uint64_t frames = read_shape(file).times.size();
+    std::vector<std::vector<double>> values = read_all_metrics(file, read_shape(file).times.size());
     std::vector<MetricRecord> records;
-    for (const std::string& name : hdf5::links(metrics)) {
-      const Handle dataset = hdf5::open_dataset(metrics, name);
-      std::map<std::string, std::string> texts = hdf5::read_text_attributes(dataset);
-      records.push_back(
-          {{name, texts["unit"], texts["meaning"]}, hdf5::read_rows<double>(dataset, 0, frames)});
-    }
-    std::stable_partition(records.begin(), records.end(),
-                          [](const MetricRecord& each) { return each.column.name == "time"; });
+    for (const Column& column : metric_columns(file))
+      records.push_back({column, std::move(values[records.size()])});
+    std::ranges::sort(records, {}, [](const MetricRecord& each) {
+      return std::pair(each.column.name != "time", each.column.name);
+    });
     return records;
   });
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <optional>
 #include <stdexcept>
 
@@ -88,6 +90,13 @@ void write_footer(hid_t file, const RunFooter& footer) {
   hdf5::write_attribute(file, "status", to_string(footer.status));
 }
 
+// A row of /metrics/values, in the order of create_metrics().
+std::vector<double> metric_row(const Frame& frame) {
+  std::vector<double> row = {frame.time};
+  row.insert(row.end(), frame.metrics.begin(), frame.metrics.end());
+  return row;
+}
+
 void describe(hid_t dataset, const Column& column) {
   hdf5::write_attribute(dataset, "unit", column.unit);
   hdf5::write_attribute(dataset, "meaning", column.meaning);
@@ -119,15 +128,9 @@ void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>&
     describe(hdf5::write_plain_array(cell_data, header.cell_fields[i].name, joined(float{}, field)),
              header.cell_fields[i]);
   }
-  const Handle metrics = hdf5::create_group(file, "metrics");
-  const auto write_metric = [&](const Column& column, const auto& value_of) {
-    std::vector<double> values;
-    for (const Frame& frame : frames) values.push_back(value_of(frame));
-    describe(hdf5::write_plain_array(metrics, column.name, values), column);
-  };
-  for (std::size_t i = 0; i < header.metrics.size(); ++i)
-    write_metric(header.metrics[i], [&](const Frame& frame) { return frame.metrics[i]; });
-  write_metric({"time", "s", "simulated time"}, [](const Frame& frame) { return frame.time; });
+  std::vector<double> values;
+  for (const Frame& frame : frames) std::ranges::copy(metric_row(frame), std::back_inserter(values));
+  hdf5::write_plain_array(create_metrics(file, header), metric_values, values, 1 + header.metrics.size());
 }
 
 void require_size(const char* what, std::size_t size, std::size_t expected) {
@@ -157,13 +160,13 @@ struct RunFileWriter::Impl {
   /// What is open during the run; closed from the last member to the first.
   struct Open {
     Handle file;
-    Series points, time;
-    std::vector<Series> metrics, cell_fields;
+    Series points, metrics;
+    std::vector<Series> cell_fields;
   };
 
   std::filesystem::path path, part;
   ParaViewShape shape;  // grows with the frames
-  std::vector<std::string> metric_names;
+  std::size_t metric_count = 0;  // without the time
   std::vector<float> narrow;  // positions as they are stored
   bool failed = false;
   std::optional<Open> open;
@@ -245,7 +248,7 @@ void RunFileWriter::Impl::write_now(const Frame& frame) {
 }
 
 void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& earlier) {
-  auto& [file, points, time, metrics, cell_fields] = *open;
+  auto& [file, points, metrics, cell_fields] = *open;
   file = hdf5::create_file(part.string());
   write_header(file, header);
   const Handle vtk = create_vtkhdf(file);
@@ -256,18 +259,13 @@ void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& e
     cell_fields.push_back(create_cell_field(cell_data, field, shape));
     shape.cell_fields.push_back(field.name);
   }
-  const Handle group = hdf5::create_group(file, "metrics");
-  for (const auto& metric : header.metrics) {
-    metrics.push_back(create_metric(group, metric));
-    metric_names.push_back(metric.name);
-  }
-  time = create_metric(group, {"time", "s", "simulated time"});
+  metrics = create_metric_values(create_metrics(file, header), 1 + header.metrics.size());
   if (!earlier.file.empty()) copy_frames(earlier);
   hdf5::flush(file);
 }
 
 void RunFileWriter::Impl::copy_frames(const EarlierFrames& earlier) {
-  auto& [file, points, time, metrics, cell_fields] = *open;
+  auto& [file, points, metrics, cell_fields] = *open;
   const Handle from = open_run(earlier.file);
   const ParaViewShape old = read_shape(from);
   if (old.vertices != shape.vertices || old.triangles != shape.triangles || old.times.size() < earlier.frames)
@@ -284,24 +282,21 @@ void RunFileWriter::Impl::copy_frames(const EarlierFrames& earlier) {
     copy(float{}, "/VTKHDF/Points", points, shape.vertices);
   for (std::size_t i = 0; i < cell_fields.size(); ++i)
     copy(float{}, "/VTKHDF/CellData/" + shape.cell_fields[i], cell_fields[i], shape.triangles);
-  for (std::size_t i = 0; i < metrics.size(); ++i)
-    copy(double{}, "/metrics/" + metric_names[i], metrics[i], 1);
-  copy(double{}, "/metrics/time", time, 1);
+  copy(double{}, "/metrics/" + std::string(metric_values), metrics, 1);
   shape.times.assign(old.times.begin(), old.times.begin() + static_cast<std::ptrdiff_t>(earlier.frames));
 }
 
 void RunFileWriter::Impl::append(const Frame& frame) {
-  auto& [file, points, time, metrics, cell_fields] = *open;
+  auto& [file, points, metrics, cell_fields] = *open;
   hdf5::require_room(file, frame_bytes());
   if (shape.double_positions)
     points.append(frame.positions);
   else
     points.append(narrow);
   for (std::size_t i = 0; i < cell_fields.size(); ++i) cell_fields[i].append(frame.cell_fields[i]);
-  for (std::size_t i = 0; i < metrics.size(); ++i) metrics[i].append(std::span(&frame.metrics[i], 1));
-  // A frame counts once its time is written, and its time is written after everything else is flushed.
+  // A frame counts once its metrics are written, and they are written after everything else is flushed.
   hdf5::flush(file);
-  time.append(std::span(&frame.time, 1));
+  metrics.append(metric_row(frame));
   hdf5::flush(file);
 }
 
@@ -309,7 +304,7 @@ std::uint64_t RunFileWriter::Impl::frame_bytes() const {
   const std::uint64_t position = 3 * (shape.double_positions ? sizeof(double) : sizeof(float));
   const std::uint64_t fields = open->cell_fields.size();
   return shape.vertices * position + fields * shape.triangles * sizeof(float) +
-         (1 + fields + open->metrics.size()) * index_bytes;
+         (2 + fields) * index_bytes + metric_rows_per_chunk * (1 + metric_count) * sizeof(double);
 }
 
 // Writes the whole file of a run whose frames were all kept.
@@ -331,8 +326,8 @@ void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
 }
 
 void RunFileWriter::Impl::close(const RunFooter& footer) {
-  // Steps has at most 16 numbers a frame beside its offsets of cell fields; the footer is small.
-  hdf5::require_room(open->file, footer_bytes + 8 * (16 + shape.cell_fields.size()) * shape.times.size());
+  // Steps has at most 16 numbers a frame; the footer is small.
+  hdf5::require_room(open->file, footer_bytes + 8 * 16 * shape.times.size());
   write_steps(open->file, shape);
   write_footer(open->file, footer);
   hdf5::flush(open->file);
@@ -342,10 +337,9 @@ void RunFileWriter::Impl::close(const RunFooter& footer) {
 }
 
 void RunFileWriter::Impl::require_matching(const Frame& frame) const {
-  const std::size_t metrics = kept ? kept->header.metrics.size() : open->metrics.size();
   const std::size_t fields = kept ? kept->header.cell_fields.size() : open->cell_fields.size();
   require_size("Frame::positions", frame.positions.size(), 3 * shape.vertices);
-  require_size("Frame::metrics", frame.metrics.size(), metrics);
+  require_size("Frame::metrics", frame.metrics.size(), metric_count);
   require_size("Frame::cell_fields", frame.cell_fields.size(), fields);
   for (const auto& field : frame.cell_fields) require_size("a cell field", field.size(), shape.triangles);
 }
@@ -357,6 +351,7 @@ RunFileWriter::RunFileWriter(const std::filesystem::path& path, const RunHeader&
   require_consistent(header);
   impl_->path = path;
   impl_->part = part.empty() ? part_path(path) : part;
+  impl_->metric_count = header.metrics.size();
   impl_->shape = {.vertices = header.rest_positions.size() / 3,
                   .triangles = header.triangles.size() / 3,
                   .times = {},

@@ -1,5 +1,7 @@
 #include "bendlab/io/run_series.hpp"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -15,6 +17,15 @@ std::uint64_t rows(hid_t parent, const std::string& name) {
   return hdf5::shape_of(hdf5::open_dataset(parent, name)).at(0);
 }
 
+// Files of older programs have a dataset for every metric.
+bool has_table(hid_t metrics) {
+  return hdf5::has_link(metrics, metric_values);
+}
+
+std::vector<std::string> names_in(hid_t metrics) {
+  return has_table(metrics) ? hdf5::read_texts(metrics, "names") : hdf5::links(metrics);
+}
+
 /// Whether every dataset has frame k.
 bool is_readable(hid_t file, const ParaViewShape& shape, std::uint64_t k) {
   const auto read = [&](const std::string& name, std::uint64_t rows_per_frame) {
@@ -23,7 +34,11 @@ bool is_readable(hid_t file, const ParaViewShape& shape, std::uint64_t k) {
   try {
     read("/VTKHDF/Points", shape.vertices);
     for (const auto& field : shape.cell_fields) read("/VTKHDF/CellData/" + field, shape.triangles);
-    for (const auto& metric : hdf5::links(hdf5::open_group(file, "metrics"))) read("/metrics/" + metric, 1);
+    const Handle metrics = hdf5::open_group(file, "metrics");
+    if (has_table(metrics))
+      read("/metrics/" + std::string(metric_values), 1);
+    else
+      for (const auto& metric : hdf5::links(metrics)) read("/metrics/" + metric, 1);
     return std::isfinite(shape.times.at(k));
   } catch (const hdf5::Failure&) {
     return false;
@@ -54,10 +69,68 @@ Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewSha
   return series;
 }
 
-Series create_metric(hid_t metrics, const Column& metric) {
-  Series series(metrics, metric.name, {.type = H5T_NATIVE_DOUBLE, .frames_per_chunk = 256});
-  series.describe(metric.unit, metric.meaning);
-  return series;
+Handle create_metrics(hid_t file, const RunHeader& header) {
+  Handle metrics = hdf5::create_group(file, "metrics");
+  std::vector<std::string> names = {"time"}, units = {"s"}, meanings = {"simulated time"};
+  for (const Column& column : header.metrics) {
+    names.push_back(column.name);
+    units.push_back(column.unit);
+    meanings.push_back(column.meaning);
+  }
+  hdf5::write_texts(metrics, "names", names);
+  hdf5::write_texts(metrics, "units", units);
+  hdf5::write_texts(metrics, "meanings", meanings);
+  return metrics;
+}
+
+Series create_metric_values(hid_t metrics, std::size_t columns) {
+  return {metrics,
+          metric_values,
+          {.type = H5T_NATIVE_DOUBLE, .columns = columns, .frames_per_chunk = metric_rows_per_chunk}};
+}
+
+std::vector<std::string> metric_names(hid_t file) {
+  return names_in(hdf5::open_group(file, "metrics"));
+}
+
+std::vector<Column> metric_columns(hid_t file) {
+  const Handle metrics = hdf5::open_group(file, "metrics");
+  const std::vector<std::string> names = names_in(metrics);
+  std::vector<Column> columns;
+  if (has_table(metrics)) {
+    const auto units = hdf5::read_texts(metrics, "units"), meanings = hdf5::read_texts(metrics, "meanings");
+    for (std::size_t i = 0; i < names.size(); ++i) columns.push_back({names[i], units.at(i), meanings.at(i)});
+  } else {
+    for (const std::string& name : names) {
+      auto texts = hdf5::read_text_attributes(hdf5::open_dataset(metrics, name));
+      columns.push_back({name, texts["unit"], texts["meaning"]});
+    }
+  }
+  return columns;
+}
+
+std::vector<double> read_metric_rows(hid_t file, const std::string& name, std::uint64_t count) {
+  const Handle metrics = hdf5::open_group(file, "metrics");
+  const std::vector<std::string> names = names_in(metrics);
+  const auto found = std::ranges::find(names, name);
+  if (found == names.end())
+    throw hdf5::Failure(fmt::format("it has no metric '{}', but {}", name, fmt::join(names, ", ")));
+  if (!has_table(metrics)) return hdf5::read_rows<double>(hdf5::open_dataset(metrics, name), 0, count);
+  const auto column = static_cast<hsize_t>(found - names.begin());
+  return hdf5::read_column(hdf5::open_dataset(metrics, metric_values), column, count);
+}
+
+std::vector<std::vector<double>> read_all_metrics(hid_t file, std::uint64_t count) {
+  const Handle metrics = hdf5::open_group(file, "metrics");
+  const std::vector<std::string> names = names_in(metrics);
+  std::vector<std::vector<double>> columns(names.size());
+  if (!has_table(metrics)) {
+    for (std::size_t i = 0; i < names.size(); ++i) columns[i] = read_metric_rows(file, names[i], count);
+    return columns;
+  }
+  const auto values = hdf5::read_rows<double>(hdf5::open_dataset(metrics, metric_values), 0, count);
+  for (std::size_t at = 0; at < values.size(); ++at) columns[at % names.size()].push_back(values[at]);
+  return columns;
 }
 
 Handle open_run(const std::filesystem::path& path) {
@@ -83,10 +156,10 @@ ParaViewShape read_shape(hid_t file) {
                       .times = {},
                       .cell_fields = hdf5::links(cell_data),
                       .double_positions = H5Tget_size(type) == sizeof(double)};
-  const std::uint64_t frames = rows(metrics, "time");
-  shape.times = hdf5::read_rows<double>(hdf5::open_dataset(metrics, "time"), 0, frames);
+  shape.times = read_metric_rows(file, "time", rows(metrics, has_table(metrics) ? metric_values : "time"));
   if (read_status(file) != RunStatus::running) return shape;
-  // Times are written last, so no frame should be lost here; but a power cut may have lost pages of the disk.
+  // Metrics are written last, so no frame should be lost here; but a power cut may have lost pages of the
+  // disk.
   while (!shape.times.empty() && !is_readable(file, shape, shape.times.size() - 1)) shape.times.pop_back();
   return shape;
 }

@@ -13,7 +13,19 @@ namespace bendlab {
 
 hdf5::Series create_points(hid_t vtk, const ParaViewShape& shape);
 hdf5::Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape);
-hdf5::Series create_metric(hid_t metrics, const Column& metric);
+/// Creates /metrics with names, units and meanings of its columns: `time`, then those of the header.
+hdf5::Handle create_metrics(hid_t file, const RunHeader& header);
+hdf5::Series create_metric_values(hid_t metrics, std::size_t columns);
+inline constexpr const char* metric_values = "values";
+inline constexpr hsize_t metric_rows_per_chunk = 32;
+
+std::vector<std::string> metric_names(hid_t file);
+std::vector<Column> metric_columns(hid_t file);
+
+/// The first `count` rows of a column of /metrics. Throws hdf5::Failure if there is none of that name.
+std::vector<double> read_metric_rows(hid_t file, const std::string& name, std::uint64_t count);
+/// The same of every column, in the order of metric_names().
+std::vector<std::vector<double>> read_all_metrics(hid_t file, std::uint64_t count);
 
 /// Opens a run file for reading. Throws hdf5::Failure if it is something else.
 hdf5::Handle open_run(const std::filesystem::path& path);

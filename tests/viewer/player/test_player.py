@@ -53,12 +53,13 @@ def expected(run):
         points = file["VTKHDF/Points"][()].reshape(-1, vertices, 3)
         cell = lambda name: file[f"VTKHDF/CellData/{name}"][()].reshape(-1, triangles)
         springs = file["constraints/distance"]
-        return {"id": run.id, "times": file["metrics/time"][()].tolist(),
+        metrics = dict(zip(file["metrics/names"].asstr()[()], file["metrics/values"][()].T.tolist()))
+        return {"id": run.id, "times": metrics["time"],
                 "positions": points.astype(float).ravel().tolist(),
                 "max_stretch": cell("max_stretch").astype(float).ravel().tolist(),
                 "min_stretch": cell("min_stretch").astype(float).ravel().tolist(),
                 "shape": shapes(points.astype(float), file["rest/triangles"][()]).ravel().tolist(),
-                "shape_median": file["metrics/shape_median"][()].tolist(),
+                "shape_median": metrics["shape_median"],
                 "triangles": file["rest/triangles"][()].ravel().tolist(),
                 "springs": springs["vertices"][()].ravel().tolist() if "vertices" in springs else None,
                 "pinned": np.flatnonzero(file["rest/pinned"][()]).tolist()}
