@@ -125,8 +125,9 @@ bool is_object(const Json& given, const std::string& pointer, ConfigProblems& pr
 }
 
 Json read_section(const Json& given, const ConfigSection& section, ConfigProblems& problems) {
+  static const Json nothing = Json::object();
   const std::string pointer(section.pointer);
-  const Json object = is_object(given, pointer, problems) ? given : Json::object();
+  const Json& object = is_object(given, pointer, problems) ? given : nothing;
   const std::vector<const ConfigSection*> children = child_sections(pointer);
   std::vector<std::string_view> keys;
   for (const ConfigSection* child : children) keys.push_back(section_key(*child));
@@ -135,7 +136,8 @@ Json read_section(const Json& given, const ConfigSection& section, ConfigProblem
   Json canonical = read_settings(object, pointer, section.parameters, keys, problems);
   for (const ConfigSection* child : children) {
     const std::string key(section_key(*child));
-    canonical[key] = read_section(object.contains(key) ? object[key] : Json::object(), *child, problems);
+    const auto found = object.find(key);
+    canonical[key] = read_section(found != object.end() ? *found : nothing, *child, problems);
   }
   return canonical;
 }

@@ -200,7 +200,7 @@ SolverSettings solver_settings(const ParameterValues& values, const Method& meth
                           .first = named<FirstConstraint>(values.text("first"), first_constraint_names),
                           .threads = static_cast<int>(values.integer("threads"))};
   for (const Parameter& row : method.parameters)
-    settings.own.set(row.name, values.all().find(row.name)->second);
+    settings.own.set(row.name, values.value(row.name));
   return settings;
 }
 

@@ -187,7 +187,7 @@ TEST_CASE("Every obstacle that there is is exported", "[export]") {
     INFO(effect->name);
     EffectSettings settings = effect_of(std::string(effect->name));
     std::vector<InputFile> inputs;
-    if (settings.values.all().contains("file")) {
+    if (std::ranges::find(effect->parameters, "file", &Parameter::name) != effect->parameters.end()) {
       settings.values.set("file", std::string("ramp.obj"));
       inputs.push_back({"/effects/0/file", "ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n"});
     }

@@ -5,10 +5,10 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <map>
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -86,6 +86,7 @@ class ParameterValues {
 
   void set(std::string_view name, Value value);
   bool has(std::string_view name) const;  ///< known and not `std::monostate`
+  const Value& value(std::string_view name) const;
 
   bool boolean(std::string_view name) const;
   std::int64_t integer(std::string_view name) const;
@@ -94,11 +95,10 @@ class ParameterValues {
   const std::vector<double>& numbers(std::string_view name) const;
   const std::vector<std::string>& texts(std::string_view name) const;
 
-  const std::map<std::string, Value, std::less<>>& all() const { return values_; }
+  const std::vector<std::pair<std::string, Value>>& all() const { return values_; }
 
  private:
-  const Value& at(std::string_view name) const;
-  std::map<std::string, Value, std::less<>> values_;
+  std::vector<std::pair<std::string, Value>> values_;  // sorted by name
 };
 
 }  // namespace bendlab
