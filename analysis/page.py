@@ -25,8 +25,10 @@ from frames import place_html
 from html_parts import Part, address, escape, picture_html, section_part
 from load import at, group, statuses, summary_spread
 from project_pages import KEPT, Content, keep, kept, made_of, renew_start, write
+from repeat import runs_of
 from report import print_option, rounded, write_objects
-from sweeps import CONFIGS, load_experiment
+from run_facts import differing, stated
+from sweeps import CONFIGS, load_experiment, read_config
 from verdicts_html import cards_html, claim_html, map_cells, map_html, map_mark, mark
 
 COMMAND = "./bendlab reproduce"
@@ -103,13 +105,32 @@ def lay_out(out, shown=None):
                    "href='reference.csv'>reference.csv</a>: medians and ranges of every group of runs.</p>",
                    "Data")]
     cells = [cell for each in maps for cell in map_cells(each, names[id(each)])]
+    settings = with_configs(cells)
     parts[:0] = motion(shown)
     top = first_picture(sections) + overview(maps, claims)
     played = [{"id": name, "label": label, "name": label, "status": "complete", "title": label}
               for label in fig_promise.ROWS if (name := address(label)) in shown.heads]
-    content = Content("The paper, repeated", answer(maps, claims), top, parts, {"runs": cells + played},
-                      shown)
+    content = Content("The paper, repeated", answer(maps, claims), top, parts,
+                      {"runs": cells + played, "settings": settings}, shown)
     write(out, "paper", content, made_of(sections, COMMAND))
+
+
+def with_configs(cells):
+    """Gives each cell `base` and `changes`, which tell the config of the first run of its commands: an entry
+    of the list that is returned, and what differs from it."""
+    bases = {}
+    for cell in cells:
+        lines = cell["command"].splitlines()
+        if not lines[0].startswith("./bendlab run configs/"):
+            continue
+        config, points = runs_of(lines[0])
+        own = stated(read_config(config), points[0])
+        base = bases.setdefault(config, own)
+        cell |= {"base": list(bases).index(config), "changes": differing(base, own)}
+        if len(lines) > 1 or len(points) > 1:
+            first = "the config below is that of its first run"
+            cell["told"] = f"{cell['told']}; {first}" if cell["told"] else first
+    return list(bases.values())
 
 
 def motion(shown):

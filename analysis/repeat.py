@@ -26,6 +26,27 @@ def command(config, point, axes=None, overrides=()):
     return " ".join(["./bendlab run", shlex.quote(str(config)), *told, *_changes(axes, chosen)])
 
 
+def runs_of(line):
+    """The config below configs/ and the places on its sweep of the runs that a command computes."""
+    words = shlex.split(line)
+    config = words[2].removeprefix("configs/").removesuffix(".json")
+    settings = read_config(config)
+    axes = dict(settings.get("sweep", {}))
+    for option, text in zip(words[3::2], words[4::2]):
+        pointer, _, value = text.partition("=")
+        values = _value(value)
+        if option == "--set" and pointer in axes:
+            axes[pointer] = values if isinstance(values, list) and values not in axes[pointer] else [values]
+    return config, planned_points(settings, axes)
+
+
+def _value(text):
+    try:
+        return json.loads(text)
+    except ValueError:
+        return text
+
+
 def _chosen_axes(settings, points):
     """The fewest sweeps that have exactly these points: list of pointer → values.
 

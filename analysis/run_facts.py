@@ -10,6 +10,7 @@ from collected import flattened
 from expectations import check
 from sweep_charts import cpu_ms, shortened, simulated_s
 from html_parts import number_text as number
+from sweeps import settings_at
 
 
 def worst(run, sweep):
@@ -116,6 +117,12 @@ class Settings:
         if own is None:
             return None
         return differing(self.base, own)
+
+
+def stated(settings, point):
+    """Pointer → value of a config as it is written, at a place on its sweep."""
+    whole = settings_at(settings, point)
+    return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
 
 
 def differing(base, own):

@@ -4,13 +4,12 @@ from collections import Counter
 from functools import lru_cache
 
 import repeat
-from collected import flattened
 from html_parts import address, escape
 from load import group
 from report import known
-from run_facts import differing
+from run_facts import differing, stated
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS
-from sweeps import planned_points, point_key, read_config, settings_at
+from sweeps import planned_points, point_key, read_config
 
 VERDICTS = (RED, AMBER, GREEN)
 SIGNS = {RED: "×", AMBER: "–", GREEN: "✓"}
@@ -188,7 +187,7 @@ def _about(run, texts, configs, bases, models):
                 "unit": worst["unit"], "held": run["verdict"] == GREEN},
             "command": repeat.command(f"configs/{config}.json", point, _axes(config, models)),
             "summary": {name: run[name] for name in NUMBERS if run.get(name) is not None},
-            "base": place, "changes": differing(bases[place], _stated(read_config(config), point))}
+            "base": place, "changes": differing(bases[place], stated(read_config(config), point))}
     if worst["value"] != worst["value"] or abs(worst["value"]) == float("inf"):
         told["worst"] |= {"value": None, "text": "not a number" if worst["value"] != worst["value"] else "∞"}
     if run["why"]:
@@ -212,12 +211,7 @@ def _base(config, models):
     """Pointer → value of a config at the first place of its sweep."""
     settings = read_config(config)
     points = planned_points(settings, _axes(config, models))
-    return _stated(settings, points[0])
-
-
-def _stated(settings, point):
-    whole = settings_at(settings, point)
-    return flattened({key: value for key, value in whole.items() if key not in ("sweep", "description")})
+    return stated(settings, points[0])
 
 
 def _point(case, model, precision, models):

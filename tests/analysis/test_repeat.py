@@ -9,7 +9,7 @@ ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
 from made_up_runs import made_up, planned_by, points_of  # noqa: E402
-from repeat import commands  # noqa: E402
+from repeat import commands, runs_of as runs_of_command  # noqa: E402
 from sweeps import load_experiment, planned_points, planned_runs, read_config  # noqa: E402
 
 
@@ -72,6 +72,12 @@ class Commands(unittest.TestCase):
                 if run.get("/bending/adaptive/m_rounding", "round") == "round" and run.get("/pins/ring") == 1]
         self.assertEqual({run.model for run in runs}, {"crossover", "adaptive"})
         self.check(runs, 1)
+
+    def test_the_runs_of_a_command_are_found_again(self):
+        for run in runs_of("paper/map", "paper/map_seeds", "paper/map_n")[::7]:
+            self.assertEqual(runs_of_command(commands([run])[0]), (run.experiment, [run.point]))
+        some = [run for run in runs_of("paper/map_n") if run.get("/initial/seed") in (2, 3)]
+        self.assertEqual(runs_of_command(commands(some)[0])[1], [run.point for run in some])
 
     def test_runs_that_are_no_sweep_are_divided(self):
         setting = lambda run: (run.get("/bending/adaptive/n_multiplier"), run.get("/initial/seed"))
