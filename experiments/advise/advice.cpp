@@ -6,137 +6,23 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <memory>
 #include <set>
 #include <stdexcept>
 #include <thread>
 
-#include "bendlab/io/run_file.hpp"
-#include "bendlab/metrics/shape_error.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/advise/ladder.hpp"
+#include "experiments/advise/measured.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/config/counted.hpp"
-#include "experiments/measures/trajectory.hpp"
 #include "experiments/run/forecast.hpp"
-#include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 #include "experiments/terminal/signals.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr double frames_per_second = 60;
 constexpr double share_of_search = 0.7;  // of the time limit; the rest is for running what predictions advise
-
-// What a run says about its setting.
-struct Measured {
-  std::optional<double> error, gap, strain;
-  double cpu_s = 0;   // per frame
-  double wall_s = 0;  // of the run itself; 0 if it was complete before
-  std::string why;    // why there is no error
-  bool failed = false, diverged = false;
-  double kinetic_energy = 0;  // at the end, J
-  double stretch = 1;         // largest of a triangle, in the motion or at the end
-  bool implausible = false;
-  std::string unconverged;  // what the run warns of, if it does
-};
-
-// What is not finite counts as stretched without bound.
-double or_endless(double value) {
-  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
-}
-
-// Root mean square of the Green strain at the end of a run, or its mean over the frames.
-double strain_in(const std::filesystem::path& file, bool over_time) {
-  const Trajectory end = read_last_pose(file);
-  if (!over_time) return or_endless(strain_error(end.rest, end.poses.back()));
-  const std::size_t frames = read_metric(file, "time").size();
-  double sum = 0;
-  for (std::size_t f = 0; f < frames; ++f) {
-    const std::vector<double> numbers = read_positions(file, static_cast<std::int64_t>(f));
-    const Positions pose = as_rows(numbers);
-    sum += strain_error(end.rest, pose);
-  }
-  return or_endless(sum / static_cast<double>(frames));
-}
-
-double stretch_in(const std::filesystem::path& file, bool over_time) {
-  const std::vector<double> stretches = read_metric(file, "max_stretch");
-  const double largest = over_time ? *std::ranges::max_element(stretches) : stretches.back();
-  return std::max(1.0, or_endless(largest));
-}
-
-// CPU seconds of the steps of a run, simulated again without recording until it took long enough to stand out
-// from noise.
-double steps_again(const RunConfig& config, double simulated) {
-  constexpr double long_enough = 0.05, rounding = 1e-9;  // s
-  constexpr int most = 20;
-  double seconds = 0;
-  int repeats = 0;
-  for (; seconds < long_enough && repeats < most; ++repeats) {
-    const Scene scene = build_scene(config);
-    const std::unique_ptr<Simulation> simulation = simulation_of(scene);
-    const double before = thread_cpu_s();
-    while (simulation->time() < simulated - rounding && simulation->step()) {
-    }
-    seconds += thread_cpu_s() - before + simulation->helper_seconds();
-  }
-  return seconds / repeats;
-}
-
-// A pass's own seconds are wall time, which other programs stretch.
-double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome) {
-  constexpr double least = 1e-9, short_s = 0.05;  // s
-  const double simulated = read_metric(outcome.file, "time").back();
-  if (!(simulated > 0)) return least;
-  const bool repeat = outcome.step_cpu_s < short_s && is_whole(outcome.status);
-  const double seconds = repeat ? steps_again(config, simulated) : outcome.step_cpu_s;
-  return std::max(least, seconds / simulated / frames_per_second);
-}
-
-std::optional<double> number_in(const RunOutcome& outcome, const std::string& name) {
-  const auto found = outcome.summary.find("error_physical_" + name);
-  return found == outcome.summary.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::string on_a_line(std::string text) {
-  std::ranges::replace(text, '\n', ' ');
-  const auto both_spaces = [](char a, char b) { return a == ' ' && b == ' '; };
-  text.erase(std::unique(text.begin(), text.end(), both_spaces), text.end());
-  return text;
-}
-
-std::string unconverged_in(const RunOutcome& outcome) {
-  const auto found = std::ranges::find(outcome.warnings, "unconverged", &Warning::code);
-  return found == outcome.warnings.end() ? "" : found->message;
-}
-
-Measured measured_by(const CampaignRun& run) {
-  if (!run.outcome) return {.why = on_a_line(run.error), .failed = true};
-  const RunOutcome& outcome = *run.outcome;
-  Measured measured{.error = number_in(outcome, "rms"),
-                    .gap = number_in(outcome, "reference_gap"),
-                    .strain = number_in(outcome, "strain"),
-                    .cpu_s = cpu_per_frame(*run.config, outcome),
-                    .wall_s = outcome.reused ? 0 : outcome.wall_s,
-                    .why = outcome.message,
-                    .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
-                    .implausible = outcome.status == RunStatus::implausible,
-                    .unconverged = unconverged_in(outcome)};
-  if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
-    measured.error.reset();
-  measured.diverged = outcome.status == RunStatus::diverged;
-  if (measured.diverged) {
-    measured.why = "diverged";
-    return measured;
-  }
-  const bool over_time = run.config->section("/accuracy").boolean("over_time");
-  measured.strain = measured.strain ? or_endless(*measured.strain) : strain_in(outcome.file, over_time);
-  measured.stretch = stretch_in(outcome.file, over_time);
-  return measured;
-}
 
 class Advisor {
  public:

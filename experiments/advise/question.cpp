@@ -305,7 +305,7 @@ std::vector<std::string> Question::changes(const Setting& setting) const {
   if (variant.method != own_.method) changes.insert(changes.begin(), "/solver/method=" + variant.method);
   if (method.reads("precision"))
     changes.push_back(fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single"));
-  if (method.reads("membrane")) {
+  if (softens(variant.method)) {
     changes.push_back(fmt::format("/solver/membrane={}", variant.softened ? "auto" : "stated"));
     changes.push_back(fmt::format("/solver/integrator={}", variant.second_order ? "bdf2" : "euler"));
   }

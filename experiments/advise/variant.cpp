@@ -6,13 +6,10 @@
 #include "bendlab/solver/method.hpp"
 
 namespace bendlab {
-namespace {
 
 bool softens(std::string_view method) {
   return find_method(method)->reads("membrane");
 }
-
-}  // namespace
 
 Variant in_method(Variant variant, std::string_view method, bool softened) {
   variant.method = method;

@@ -28,6 +28,9 @@ struct VariantChoices {
   std::vector<std::string> methods{};
 };
 
+/// Whether a method's membrane and its integrator vary: of quasi_newton.
+bool softens(std::string_view method);
+
 /// The variant in that method, without what the method does not have: only one that projects has tethers and
 /// a limit on moves, only quasi_newton softens a membrane.
 Variant in_method(Variant variant, std::string_view method, bool softened = false);

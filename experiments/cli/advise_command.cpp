@@ -215,14 +215,14 @@ Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   const auto strain = strain_of(*point, advice);
   const Unfit why = unfit(*point);
   const Variant& variant = point->setting.variant;
-  const bool of_either_order = find_method(variant.method)->reads("membrane");  // quasi_newton alone
   return {{"model", point->setting.model},
           {"tethers", variant.tethers},
           {"shear", variant.shear},
           {"flight_limit", variant.flight_limit},
           {"method", variant.method},
           {"membrane", variant.softened ? "auto" : "stated"},
-          {"integrator", of_either_order ? Json(variant.second_order ? "bdf2" : "euler") : Json(nullptr)},
+          {"integrator",
+           softens(variant.method) ? Json(variant.second_order ? "bdf2" : "euler") : Json(nullptr)},
           {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
           {"substeps", point->setting.substeps},
           {"iterations", point->setting.iterations},

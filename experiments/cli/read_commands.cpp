@@ -15,7 +15,7 @@
 #include "experiments/config/counted.hpp"
 #include "experiments/config/json_text.hpp"
 #include "experiments/config/pointers.hpp"
-#include "experiments/run/plausibility.hpp"
+#include "experiments/run/broken_bound.hpp"
 #include "experiments/run/warnings.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"

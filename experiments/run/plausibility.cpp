@@ -1,14 +1,10 @@
 #include "experiments/run/plausibility.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numeric>
 
-#include "bendlab/constraints/corners.hpp"
-#include "bendlab/constraints/oracle.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/geodesics.hpp"
 #include "bendlab/metrics/motion.hpp"
@@ -61,10 +57,6 @@ constexpr double projections_per_vertex_and_look = 1000;
 constexpr double roundings = 100;            // by which a projected sheet at rest jitters, of its size
 constexpr double strained = 0.01;            // a start pose with more has elastic energy, unknown with k
 constexpr double unstrained_bending = 1e-3;  // of an edge: smaller corrections come from a perturbation
-
-constexpr std::array<std::string_view, 8> bound_names = {"finite", "stretch",  "mean_strain", "reach",
-                                                         "speed",  "momentum", "fall",        "energy"};
-constexpr std::array<std::string_view, 8> bound_units = {"1", "1", "1", "m", "m/s", "m/s", "m", "J"};
 
 Vector3 row(const Positions& rows, Eigen::Index index) {
   return rows.row(index).transpose();
@@ -128,167 +120,7 @@ double share_per_step(const StrainStiffness& strain, double k, const SolverSetti
   return 1 - std::pow(1 - k, rounds);
 }
 
-template <std::size_t N>
-double correction_length(const SimulationInput& input, const std::array<int, N>& vertices, int vertex,
-                         const ConstraintValue<double, N>& c) {
-  if (!c.defined) return 0;
-  double sum = 0, own = 0;
-  for (std::size_t i = 0; i < N; ++i) {
-    const auto v = static_cast<std::size_t>(vertices[i]);
-    const double w = input.is_pinned[v] ? 0 : 1 / input.mass[v];
-    sum += w * c.gradient[i].squaredNorm();
-    if (vertices[i] == vertex) own = w * c.gradient[i].norm();
-  }
-  return sum > 0 ? std::abs(c.value) * own / sum : 0;
-}
-
-// Calls visit(kind, correction length) for every constraint of `vertex`; if that is -1, for every vertex of
-// every constraint.
-template <class Visit>
-void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
-                     Visit visit) {
-  const auto each = [&](std::string_view kind, const auto& vertices, const auto& value) {
-    for (const int v : vertices)
-      if (vertex < 0 || v == vertex) visit(kind, correction_length(input, vertices, v, value));
-  };
-  const auto concerns = [&](const auto& vertices) {
-    return vertex < 0 || std::ranges::find(vertices, vertex) != vertices.end();
-  };
-  const auto springs = [&](std::string_view kind, const DistanceConstraints& list) {
-    for (std::size_t c = 0; c < list.size(); ++c)
-      if (concerns(list.vertices[c]))
-        each(kind, list.vertices[c],
-             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]));
-  };
-  const StrainForm form = input.strain_stiffness.form;
-  for (std::size_t c = 0; membrane && c < input.strain.size(); ++c) {
-    const auto& vertices = input.strain.vertices[c];
-    if (!concerns(vertices)) continue;
-    const auto p = corners(positions, vertices);
-    const std::array<double, 4>& q = input.strain.inverse_rest[c];
-    each("strain", vertices, stretch_constraint(p, q, 0, form));
-    each("strain", vertices, stretch_constraint(p, q, 1, form));
-    each("strain", vertices, shear_constraint(p, q, form));
-  }
-  if (membrane) springs("edge", input.edges);
-  springs("distance", input.distance);
-  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
-    for (std::size_t c = 0; c < list.size(); ++c)
-      if (concerns(list.vertices[c]))
-        each(Kind::name, list.vertices[c],
-             Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
-  });
-}
-
-// Which bound, by how much and where.
-std::string what_broke(const BrokenBound& broken) {
-  const auto& [bound, measured, limit, time, vertex, correction, advice] = broken;
-  switch (bound) {
-    case Bound::finite:
-      if (vertex < 0) return "the summary has numbers that are not finite";
-      return fmt::format("vertex {} has no finite position or velocity", vertex);
-    case Bound::stretch:
-      return fmt::format(
-          "the most stretched triangle, at vertex {}, is {:.3g} times as long as at rest, but the cloth "
-          "cannot stretch more than {:.3g} times",
-          vertex, measured, limit);
-    case Bound::mean_strain:
-      return fmt::format("the mean strain is {:.3g}, but the cloth cannot have more than {:.3g}", measured,
-                         limit);
-    case Bound::reach:
-      return fmt::format(
-          "vertex {} is {:.3g} m away from its nearest pin, but the cloth between them is at most {:.3g} m "
-          "long, stretched",
-          vertex, measured, limit);
-    case Bound::speed:
-      return fmt::format("vertex {} moves at {:.3g} m/s, but falling as deep as it can gives at most {:.3g}",
-                         vertex, measured, limit);
-    case Bound::momentum:
-      return fmt::format(
-          "the velocity of the centre of mass is {:.3g} m/s away from v0 + g t, but rounding explains at "
-          "most {:.3g}",
-          measured, limit);
-    case Bound::fall:
-      return fmt::format(
-          "the centre of mass is {:.3g} m away from v0 t + g t²/2, but rounding explains at most {:.3g}",
-          measured, limit);
-    case Bound::energy:
-      return fmt::format(
-          "kinetic energy plus energy of weight is {:.3g} J above its value at the start, but errors of "
-          "the solver explain at most {:.3g}",
-          measured, limit);
-  }
-  return std::string();
-}
-
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
-double number_in(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_number() ? found->get<double>()
-                                                   : std::numeric_limits<double>::quiet_NaN();
-}
-
 }  // namespace
-
-std::string_view name_of(Bound bound) {
-  return bound_names.at(static_cast<std::size_t>(bound));
-}
-
-std::string_view unit_of(Bound bound) {
-  return bound_units.at(static_cast<std::size_t>(bound));
-}
-
-Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex) {
-  Correction worst;
-  if (vertex < 0) return worst;
-  for_corrections(input, positions, vertex, true, [&](std::string_view kind, double length) {
-    if (length > worst.length) worst = {std::string(kind), length};
-  });
-  return worst;
-}
-
-std::string text_of(const BrokenBound& broken) {
-  const Correction& correction = broken.correction;
-  const std::string cause = correction.kind.empty()
-                                ? ""
-                                : fmt::format(
-                                      "; of the constraints there, one of kind {} asks for the largest "
-                                      "correction, {:.3g} m",
-                                      correction.kind, correction.length);
-  return fmt::format("at t = {:.6g} s {}{}{}{}", broken.time, what_broke(broken), cause,
-                     broken.advice.empty() ? "" : ". Measured to help: ", broken.advice);
-}
-
-Json to_json(const BrokenBound& broken) {
-  return {
-      {"bound", name_of(broken.bound)},
-      {"measured", number(broken.measured)},
-      {"limit", number(broken.limit)},
-      {"unit", unit_of(broken.bound)},
-      {"time", number(broken.time)},
-      {"vertex", broken.vertex},
-      {"constraint", {{"kind", broken.correction.kind}, {"correction", number(broken.correction.length)}}},
-      {"advice", broken.advice}};
-}
-
-std::optional<BrokenBound> broken_bound_of(const Json& json) try {
-  const auto name = std::ranges::find(bound_names, json.at("bound").get<std::string>());
-  const Json& vertex = json.at("vertex");  // 1e300 would fit into no int
-  if (name == bound_names.end() || !vertex.is_number_integer()) return std::nullopt;
-  return BrokenBound{.bound = static_cast<Bound>(name - bound_names.begin()),
-                     .measured = number_in(json, "measured"),
-                     .limit = number_in(json, "limit"),
-                     .time = number_in(json, "time"),
-                     .vertex = vertex.get<int>(),
-                     .correction = {json.at("constraint").at("kind").get<std::string>(),
-                                    number_in(json.at("constraint"), "correction")},
-                     .advice = json.at("advice").get<std::string>()};
-} catch (const Json::exception&) {
-  return std::nullopt;
-}
 
 Plausibility::Plausibility(const Scene& scene)
     : scene_(scene),
@@ -337,11 +169,8 @@ void Plausibility::find_start() {
       input.strain_stiffness.kind == StiffnessKind::compliance && input.strain_stiffness.compliance > 0;
   const bool bending_has_energy =
       input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0;
-  double largest_correction = 0;
-  if (!bending_has_energy)
-    for_corrections(input, input.positions, -1, false, [&](std::string_view, double length) {
-      largest_correction = std::max(largest_correction, length);
-    });
+  const double largest_correction =
+      bending_has_energy ? 0 : largest_bending_correction(input, input.positions);
   // A membrane of springs along edges (kang_cho) has an energy that elastic_energy() does not sum up.
   energy_known_ = (largest <= strained || (membrane_has_energy && input.edges.size() == 0)) &&
                   largest_correction <= unstrained_bending * scene_.rest.mean_edge_length();

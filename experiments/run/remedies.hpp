@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "experiments/run/plausibility.hpp"
+#include "experiments/run/broken_bound.hpp"
+#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 

@@ -11,7 +11,7 @@
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "experiments/config/config.hpp"
-#include "experiments/run/plausibility.hpp"
+#include "experiments/run/broken_bound.hpp"
 #include "experiments/run/warnings.hpp"
 #include "experiments/scene/scene.hpp"
 #include "experiments/scene/start_after.hpp"

@@ -1,0 +1,84 @@
+#include "experiments/run/correction.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+#include "bendlab/constraints/corners.hpp"
+#include "bendlab/constraints/oracle.hpp"
+
+namespace bendlab {
+namespace {
+
+template <std::size_t N>
+double correction_length(const SimulationInput& input, const std::array<int, N>& vertices, int vertex,
+                         const ConstraintValue<double, N>& c) {
+  if (!c.defined) return 0;
+  double sum = 0, own = 0;
+  for (std::size_t i = 0; i < N; ++i) {
+    const auto v = static_cast<std::size_t>(vertices[i]);
+    const double w = input.is_pinned[v] ? 0 : 1 / input.mass[v];
+    sum += w * c.gradient[i].squaredNorm();
+    if (vertices[i] == vertex) own = w * c.gradient[i].norm();
+  }
+  return sum > 0 ? std::abs(c.value) * own / sum : 0;
+}
+
+// Calls visit(kind, correction length) for every constraint of `vertex`; if that is -1, for every vertex of
+// every constraint.
+template <class Visit>
+void for_corrections(const SimulationInput& input, const Positions& positions, int vertex, bool membrane,
+                     Visit visit) {
+  const auto each = [&](std::string_view kind, const auto& vertices, const auto& value) {
+    for (const int v : vertices)
+      if (vertex < 0 || v == vertex) visit(kind, correction_length(input, vertices, v, value));
+  };
+  const auto concerns = [&](const auto& vertices) {
+    return vertex < 0 || std::ranges::find(vertices, vertex) != vertices.end();
+  };
+  const auto springs = [&](std::string_view kind, const DistanceConstraints& list) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (concerns(list.vertices[c]))
+        each(kind, list.vertices[c],
+             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]));
+  };
+  const StrainForm form = input.strain_stiffness.form;
+  for (std::size_t c = 0; membrane && c < input.strain.size(); ++c) {
+    const auto& vertices = input.strain.vertices[c];
+    if (!concerns(vertices)) continue;
+    const auto p = corners(positions, vertices);
+    const std::array<double, 4>& q = input.strain.inverse_rest[c];
+    each("strain", vertices, stretch_constraint(p, q, 0, form));
+    each("strain", vertices, stretch_constraint(p, q, 1, form));
+    each("strain", vertices, shear_constraint(p, q, form));
+  }
+  if (membrane) springs("edge", input.edges);
+  springs("distance", input.distance);
+  for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    for (std::size_t c = 0; c < list.size(); ++c)
+      if (concerns(list.vertices[c]))
+        each(Kind::name, list.vertices[c],
+             Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
+  });
+}
+
+}  // namespace
+
+Correction worst_correction(const SimulationInput& input, const Positions& positions, int vertex) {
+  Correction worst;
+  if (vertex < 0) return worst;
+  for_corrections(input, positions, vertex, true, [&](std::string_view kind, double length) {
+    if (length > worst.length) worst = {std::string(kind), length};
+  });
+  return worst;
+}
+
+double largest_bending_correction(const SimulationInput& input, const Positions& positions) {
+  double largest = 0;
+  for_corrections(input, positions, -1, false,
+                  [&](std::string_view, double length) { largest = std::max(largest, length); });
+  return largest;
+}
+
+}  // namespace bendlab
