@@ -315,8 +315,8 @@ Scene build_scene(const RunConfig& config) {
   input.size = rest.size();
   input.mass = masses_of(material, rest);
   input.is_pinned = scene.pins.is_pinned;
-  input.permutation = local_numbering(rest);
   input.method = find_method(solver.text("method"));
+  if (!input.method->mesh_order) input.permutation = local_numbering(rest);
   input.settings = solver_settings(solver, *input.method);
   if (input.method->membrane == Membrane::edges)
     input.edges = edge_springs(rest, scene.pins);

@@ -58,6 +58,9 @@ struct Method {
   int default_substeps = 0, default_iterations = 0;  ///< 0: what /solver says
   bool has_motion = true;       ///< a step goes on in time; else it goes towards an equilibrium
   bool keeps_momentum = false;  ///< only forces change Σ m v, except for rounding
+  /// Its arrays have the vertices in the mesh's order: SimulationInput::permutation has to be empty, also for
+  /// the effects.
+  bool mesh_order = false;
   /// Single precision keeps the moves of a substep apart from the positions; else it rounds whole positions.
   bool keeps_moves_apart = false;
   MakeSimulation<float> make_float = nullptr;  ///< null: not in single precision

@@ -278,6 +278,7 @@ extern constinit const Method equilibrium{
     .factorised = Factorised::blocks,
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,
+    .mesh_order = true,
     .make_double = make,
 };
 }  // namespace method

@@ -168,6 +168,7 @@ extern constinit const Method newton{
     .default_substeps = 1,
     .default_iterations = 20,
     .keeps_momentum = true,
+    .mesh_order = true,
     .make_double = make,
 };
 }  // namespace method

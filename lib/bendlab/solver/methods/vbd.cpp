@@ -133,6 +133,7 @@ extern constinit const Method vbd{
     .takes = effects_of_iterations,
     .default_substeps = 1,
     .default_iterations = 100,
+    .mesh_order = true,
     .make_double = make,
 };
 }  // namespace method
