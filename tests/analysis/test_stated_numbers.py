@@ -44,7 +44,9 @@ def visible(text):
 
 
 def anchors(path):
-    """GitHub's anchors of the headings of a file."""
+    """GitHub's anchors of the headings of a file, or the ids of a page."""
+    if path.suffix == ".html":
+        return set(re.findall(r"\bid='([^']+)'", path.read_text(encoding="utf-8")))
     headings = re.findall(r"^#+ (.*)$", "\n".join(visible(path.read_text(encoding="utf-8"))), re.MULTILINE)
     return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
 

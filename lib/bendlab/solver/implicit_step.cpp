@@ -90,10 +90,12 @@ void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_pass
 template <class Real>
 void ImplicitStep<Real>::take_contacts() {
   std::swap(state_.position, whole_);
-  for (std::size_t v = 0; v < weight_.size(); ++v)
-    contact_force_[v].set(weight_[v] > 0
-                              ? contact_stiffness(v) * (whole_[v].vector() - state_.position[v].vector())
-                              : Vector3Of<Real>::Zero().eval());
+  if (is_first_) touched_.assign(weight_.size(), 0);
+  for (std::size_t v = 0; v < weight_.size(); ++v) {
+    const Vector3Of<Real> push = whole_[v].vector() - state_.position[v].vector();
+    contact_force_[v].set(weight_[v] > 0 ? contact_stiffness(v) * push : Vector3Of<Real>::Zero().eval());
+    touched_[v] |= contact_force_[v].vector().squaredNorm() > 0;
+  }
 }
 
 // Drag that is linear in the velocity becomes part of the equations, so that no step is too long for it.
@@ -172,12 +174,19 @@ bool ImplicitStep<Real>::pins_moved() const {
   return false;
 }
 
+// Where a contact pushed, motion has a kink, which no formula of second order may reach across: it would throw
+// the cloth back. So there the velocity is that of the substep alone, and the one before counts as the same.
 template <class Real>
 void ImplicitStep<Real>::update() {
-  const auto per_gamma = static_cast<Real>(1 / gamma_);
+  const auto per_gamma = static_cast<Real>(1 / gamma_),
+             per_h = static_cast<Real>(settings_.substeps / settings_.dt);
   this->for_vertices([&](std::size_t first, std::size_t last) {
-    for (std::size_t v = first; v < last; ++v)
+    for (std::size_t v = first; v < last; ++v) {
       state_.velocity[v].set(per_gamma * (state_.position[v].vector() - base_[v].vector()));
+      if (!has_contacts() || !touched_[v]) continue;
+      state_.velocity[v].set(per_h * (state_.position[v].vector() - state_.previous[v].vector()));
+      velocity_[v].set(state_.velocity[v].vector());
+    }
   });
   has_history_ = true;
   this->find_divergence();
@@ -187,7 +196,7 @@ template <class Real>
 std::size_t ImplicitStep<Real>::memory_bytes() const {
   return TimeStep<Real>::memory_bytes() + bytes_of(drag_) + bytes_of(weight_) + bytes_of(target_) +
          bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(whole_) +
-         bytes_of(contact_force_);
+         bytes_of(contact_force_) + bytes_of(touched_);
 }
 
 template <class Real>

@@ -22,6 +22,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <functional>
 #include <string_view>
 #include <utility>
@@ -137,6 +138,7 @@ class ImplicitStep : public TimeStep<Real> {
   Points<Real> target_, base_;                // y and X
   Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
   Points<Real> whole_, contact_force_;        // positions while passes change them
+  std::vector<std::uint8_t> touched_;         // #V, by a contact in this substep
   Passes before_, iteration_, contact_, after_;
   Preparation preparation_;
 };

@@ -76,7 +76,7 @@ struct SimulationInput {
   Positions positions;   ///< #V by 3, m: where the cloth starts
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
   Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
-  Vector3 origin;        ///< coordinates are kept relative to it, m
+  Vector3 origin = Vector3::Zero();  ///< coordinates are kept relative to it, m
   double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;      ///< #V, kg
   std::vector<char> is_pinned;   ///< #V
