@@ -19,7 +19,7 @@ export class Controls {
     this.quantity = html("select", { "aria-label": "Colour", onchange: (event) => player.setQuantity(event.target.value) });
     this.reference = html("select", { "aria-label": "Compare with", onchange: (event) => player.setReference(event.target.value || null) });
     this.bar = new ColourBar(pageData().colours, (low, high) => player.setRange(low, high));
-    this.runs = html("details", { class: "player-runs" });
+    this.runs = html("details", { class: "player-runs", hidden: "" });
     this.compareLabel = html("label", {}, html("span", {}, "Compare with"), this.reference);
     this.top = html("div", { class: "player-top" },
       html("label", {}, html("span", {}, "Colour"), this.quantity), this.compareLabel, this.bar.element);

@@ -1,4 +1,5 @@
-/** Configs of runs as JSON pointers and values. A page has one whole config, and of each run what differs. */
+/** Configs of runs as JSON pointers and values. A page has some whole configs, and of each run what differs
+ * from one of them. */
 import { pageData } from "../page/data.js";
 
 /** Pointer → value of every setting of a run. @returns {Map<string, any>} */
