@@ -174,8 +174,9 @@ bool ImplicitStep<Real>::pins_moved() const {
   return false;
 }
 
-// Where a contact pushed, motion has a kink, which no formula of second order may reach across: it would throw
-// the cloth back. So there the velocity is that of the substep alone, and the one before counts as the same.
+// Where a contact pushed, motion has a kink, which no formula of second order may reach across: it would
+// throw the cloth back. So there the velocity is that of the substep alone, and the one before counts as the
+// same.
 template <class Real>
 void ImplicitStep<Real>::update() {
   const auto per_gamma = static_cast<Real>(1 / gamma_),
