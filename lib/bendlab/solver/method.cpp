@@ -62,7 +62,7 @@ std::unique_ptr<Simulation> make_simulation(const SimulationInput& input,
     throw std::invalid_argument(fmt::format("{}: does not come in {} precision", input.method->name,
                                             std::is_same_v<Real, float> ? "single" : "double"));
   if (input.method->mesh_order && !input.permutation.empty())
-    throw std::invalid_argument(fmt::format("{}: has vertices in the mesh's order, so that none may be permuted",
+    throw std::invalid_argument(fmt::format("{}: keeps the mesh's order, so that no vertex may be permuted",
                                             input.method->name));
   return make(input, std::move(effect_passes));
 }
