@@ -21,8 +21,7 @@ double or_endless(double value) {
   return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
 }
 
-// CPU seconds of the steps of a run, simulated again without recording until it took long enough to stand out
-// from noise.
+// CPU seconds of the steps of a run, simulated again without recording until that took long enough.
 double steps_again(const RunConfig& config, double simulated) {
   constexpr double rounding = 1e-9;  // s
   constexpr int most = 20;

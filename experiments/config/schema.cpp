@@ -303,6 +303,19 @@ std::vector<std::string_view> shared_settings(const Method& method) {
   return shared;
 }
 
+// "dt, substeps (default 1), …": the defaults that are the method's own.
+std::string shared_text(const Method& method) {
+  std::string text;
+  for (const std::string_view name : shared_settings(method)) {
+    const int own = name == "substeps"     ? method.default_substeps
+                    : name == "iterations" ? method.default_iterations
+                                           : 0;
+    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", name,
+                        own > 0 ? fmt::format(" (default {})", own) : "");
+  }
+  return text;
+}
+
 // What the method does with each effect that acts among projections.
 std::string taken_effects(const Method& method) {
   std::vector<std::string_view> refused, idle;
@@ -322,7 +335,7 @@ std::string methods_text() {
     text +=
         (text.empty() ? "" : "\n") +
         entry_text(method->name, method->summary, method->source, method->limits, "", method->parameters) +
-        wrapped(fmt::format("Also reads from /solver: {}", fmt::join(shared_settings(*method), ", ")), 2) +
+        wrapped(fmt::format("Also reads from /solver: {}", shared_text(*method)), 2) +
         wrapped(taken_effects(*method), 2);
   return text;
 }

@@ -103,7 +103,7 @@ assert run['metrics/names'].asstr()[0] == 'time' and run.attrs['status'] == 'int
 
 TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {
   // A limit on the file's size stands in for the disk: writes beyond it fail, as they do on a full disk. The
-  // sizes are spread, so that frames, chunk indices and metrics each meet the limit at least once.
+  // sizes are spread over the growth of several frames.
   for (rlim_t limit = 180000; limit < 210000; limit += 3777) {
     CAPTURE(limit);
     const TemporaryFolder folder;
@@ -146,7 +146,7 @@ TEST_CASE("run file: a run goes on only where there is room for all of its earli
     for (int k = 0; k < frames; ++k) writer.write(square_frame(k));
   }
   REQUIRE(read_run(part).frames == frames);
-  // The disk filled meanwhile. A frame may take 80 KB with the indices of its five datasets, so that 20 may
+  // The disk filled meanwhile. A frame may take 64 KB with the indices of its four datasets, so that 20 may
   // not fit into 1 MB, and one does. It is told before the first is copied.
   const Child child = fork_child([&](int) {
     const rlimit size{1 << 20, 1 << 20};

@@ -108,7 +108,7 @@ void write_static_part(hid_t vtk, const RunHeader& header) {
   const auto vertices = static_cast<std::int64_t>(header.rest_positions.size() / 3);
   hdf5::write_array(vtk, "NumberOfPoints", std::vector{vertices});
   write_cells(vtk, "Vertices", {}, 1);
-  for (const char* absent : {"Lines", "Strips"}) hdf5::add_link(vtk, "Vertices", absent);  // none of these
+  for (const char* absent : {"Lines", "Strips"}) hdf5::add_link(vtk, "Vertices", absent);  // all empty
   write_cells(vtk, "Polygons", header.triangles, 3);
   hdf5::write_array(hdf5::create_group(vtk, "PointData"), "pinned", header.pinned);
 }
