@@ -101,7 +101,8 @@ class Accuracy final : public Measurement {
       if (other.status == RunStatus::implausible) tell("the reference is " + other.message);
       if (!is_whole(other.status)) return std::nullopt;
       if (other.summary.contains("unbalanced") && !other.summary.contains("settled_at")) {
-        tell("the reference: " + other.message);
+        tell(fmt::format("the reference found no equilibrium: its unbalanced forces are {:.2g} of the loads",
+                         other.summary.at("unbalanced")));
         const char* which = coarser ? "coarser_unbalanced" : "unbalanced";
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
             other.summary.at("unbalanced");

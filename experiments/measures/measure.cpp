@@ -88,19 +88,25 @@ double FrameHistory::largest(std::string_view column) const {
   return largest;
 }
 
+double FrameHistory::median_after_start(std::string_view column) const {
+  return rows_.size() < 2 ? 0 : median(column, 1);
+}
+
 double FrameHistory::last_second_median(std::string_view column) const {
   constexpr double rounding = 1e-9;  // s; a frame exactly one second before the end is not in it
+  const auto first = std::ranges::upper_bound(times_, times_.back() - 1 + rounding);
+  return median(column, static_cast<std::size_t>(first - times_.begin()));
+}
+
+double FrameHistory::median(std::string_view column, std::size_t first) const {
   const std::size_t index = index_of(columns_, column);
   std::vector<double> values;
-  for (std::size_t f = 0; f < times_.size(); ++f)
-    if (times_[f] > times_.back() - 1 + rounding || times_.size() == 1) values.push_back(rows_[f][index]);
-  if (std::any_of(values.begin(), values.end(), [](double v) { return std::isnan(v); }))
+  for (std::size_t f = first; f < rows_.size(); ++f) values.push_back(rows_[f][index]);
+  if (std::ranges::any_of(values, [](double v) { return std::isnan(v); }))
     return std::numeric_limits<double>::quiet_NaN();
-  const std::size_t middle = values.size() / 2;
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(middle), values.end());
-  if (values.size() % 2 == 1) return values[middle];
-  return 0.5 * (values[middle] +
-                *std::max_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(middle)));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::ranges::nth_element(values, middle);
+  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
 }
 
 std::span<const Measure* const> measures() {

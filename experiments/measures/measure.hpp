@@ -57,10 +57,13 @@ class FrameHistory {
   /// Of a column, as MeasuredFrame::value() names it.
   double last(std::string_view column) const;
   double largest(std::string_view column) const;
+  double median_after_start(std::string_view column) const;  ///< of all frames but the first; 0 without others
   /// The median over the last simulated second: sheets are chaotic, and one frame misleads.
   double last_second_median(std::string_view column) const;
 
  private:
+  double median(std::string_view column, std::size_t first) const;  // from that frame on
+
   std::span<const Column> columns_;
   std::span<const double> times_;  // s
   std::span<const std::vector<double>> rows_;

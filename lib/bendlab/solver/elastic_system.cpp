@@ -244,6 +244,14 @@ Eigen::VectorXd ElasticSystem::gradient(const Positions& positions) const {
   return sum;
 }
 
+Points<double> ElasticSystem::forces(const Positions& positions) const {
+  const Eigen::VectorXd all = gradient(positions);
+  Points<double> forces(free_index_.size());
+  for (std::size_t v = 0; v < forces.size(); ++v)
+    if (const int at = free_index_[v]; at >= 0) forces[v].set(-all.segment<3>(3 * at));
+  return forces;
+}
+
 Eigen::VectorXd ElasticSystem::multipliers(const Positions& positions) const {
   return predicted_multipliers(positions, {});
 }

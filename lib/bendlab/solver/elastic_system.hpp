@@ -36,6 +36,7 @@ class ElasticSystem {
 
   double energy(const Positions& positions) const;             ///< J; positions #V by 3, m
   Eigen::VectorXd gradient(const Positions& positions) const;  ///< unknowns, N
+  Points<double> forces(const Positions& positions) const;     ///< #V, -∇E, 0 at pinned vertices, N
   /// ψ'(C) of each term, 0 for a collapsed one.
   Eigen::VectorXd multipliers(const Positions& positions) const;
 

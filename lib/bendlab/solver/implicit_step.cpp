@@ -75,12 +75,12 @@ void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_pass
   this->append_effects(contact_, effect_passes, Stage::project);
   this->append_effects(contact_, effect_passes, Stage::contact);
   if (contact_.empty()) return;
-  iteration_ = contact_;
-  contact_force_.resize(state_.position.size());
-  iteration_.front().run = [this, run = std::move(iteration_.front().run)](PassContext<Real>& c) {
+  contact_.front().run = [this, run = std::move(contact_.front().run)](PassContext<Real>& c) {
     whole_ = state_.position;
     run(c);
   };
+  iteration_ = contact_;
+  contact_force_.resize(state_.position.size());
   iteration_.back().run = [this, run = std::move(iteration_.back().run)](PassContext<Real>& c) {
     run(c);
     take_contacts();
@@ -239,6 +239,20 @@ void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
     if (weight_[v] > 0) last[v].set(state_.previous[v].vector());
   if (inertia + system.energy(in_world(last)) < system.energy(in_world(state_.position)))
     state_.position = std::move(last);
+}
+
+template <class Real>
+std::optional<double> ImplicitStep<Real>::step_residual() const {
+  if (!(total_force_ > 0)) return std::nullopt;
+  const Points<Real>& reached = has_contacts() ? whole_ : state_.position;  // before contacts took it back
+  const Points<Real> elastic = elastic_forces(reached);
+  double left = 0;
+  for (std::size_t v = 0; v < weight_.size(); ++v) {
+    if (!(weight_[v] > 0) || (has_contacts() && touched_[v])) continue;
+    const Vector3Of<Real> inertia = weight_[v] * (target_[v].vector() - reached[v].vector());
+    left += static_cast<double>((elastic[v].vector() + inertia).norm());
+  }
+  return left / total_force_;
 }
 
 template <class Real>

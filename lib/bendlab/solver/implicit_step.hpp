@@ -66,6 +66,7 @@ class ImplicitStep : public TimeStep<Real> {
  public:
   std::uint64_t projections() const final { return iterations_done_ * constraint_count_; }
   std::size_t memory_bytes() const override;
+  std::optional<double> step_residual() const final;
   void archive(Archive& state) override;
 
  protected:
@@ -85,6 +86,9 @@ class ImplicitStep : public TimeStep<Real> {
 
   /// One iteration towards the minimum, from state_.position. Returns the longest move of a vertex, m.
   virtual Real iterate() = 0;
+
+  /// -∇E, N, by slot.
+  virtual Points<Real> elastic_forces(const Points<Real>& positions) const = 0;
 
   /// Minimiser's data of this substep, by slot of state_.position.
   const std::vector<Real>& weights() const { return weight_; }  ///< kg/s², 0: pinned
@@ -137,7 +141,7 @@ class ImplicitStep : public TimeStep<Real> {
   std::vector<Real> weight_;
   Points<Real> target_, base_;                // y and X
   Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
-  Points<Real> whole_, contact_force_;        // positions while passes change them
+  Points<Real> whole_, contact_force_;        // positions before passes change them
   std::vector<std::uint8_t> touched_;         // #V, by a contact in this substep
   Passes before_, iteration_, contact_, after_;
   Preparation preparation_;

@@ -57,6 +57,7 @@ struct Method {
   std::span<const std::string_view> takes = {};
   int default_substeps = 0, default_iterations = 0;  ///< 0: what /solver says
   bool has_motion = true;       ///< a step goes on in time; else it goes towards an equilibrium
+  bool steps_implicitly = false;  ///< its iterations go towards the minimum that implicit_step.hpp states
   bool keeps_momentum = false;  ///< only forces change Σ m v, except for rounding
   /// Its arrays have the vertices in the mesh's order: SimulationInput::permutation has to be empty, also for
   /// the effects.

@@ -63,6 +63,9 @@ class NewtonStep final : public ImplicitStep<double> {
   }
 
  private:
+  Points<double> elastic_forces(const Points<double>& positions) const override {
+    return system_.forces(in_world(positions));
+  }
   double iterate() override {
     if (is_first_iteration() && !has_contacts()) start_lower(system_);
     positions_ = in_world(state_.position);
@@ -167,6 +170,7 @@ extern constinit const Method newton{
     .takes = effects_of_iterations,
     .default_substeps = 1,
     .default_iterations = 20,
+    .steps_implicitly = true,
     .keeps_momentum = true,
     .mesh_order = true,
     .make_double = make,

@@ -161,6 +161,14 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     factor_.emplace(matrix);
   }
 
+  Points<Real> elastic_forces(const Points<Real>& positions) const override {
+    Points<Real> forces(positions.size());
+    constraints_.for_each([&](const auto& batch) {
+      add_forces(positions.data(), forces.data(), batch, 0, batch.order.stack_count());
+    });
+    return forces;
+  }
+
   void find_gradient() {
     std::fill(force_.begin(), force_.end(), Point<Real>{});
     constraints_.for_each([&](const auto& batch) {
@@ -253,6 +261,7 @@ extern constinit const Method quasi_newton{
     .takes = effects_of_iterations,
     .default_substeps = 1,
     .default_iterations = 10,
+    .steps_implicitly = true,
     .keeps_momentum = true,
     .make_float = make<float>,
     .make_double = make<double>,

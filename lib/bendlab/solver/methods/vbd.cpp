@@ -55,6 +55,9 @@ class VbdStep final : public ImplicitStep<double> {
   }
 
  private:
+  Points<double> elastic_forces(const Points<double>& positions) const override {
+    return system_.forces(in_world(positions));
+  }
   double iterate() override {
     if (is_first_iteration() && !has_contacts()) start_lower(system_);
     positions_ = in_world(state_.position);
@@ -133,6 +136,7 @@ extern constinit const Method vbd{
     .takes = effects_of_iterations,
     .default_substeps = 1,
     .default_iterations = 100,
+    .steps_implicitly = true,
     .mesh_order = true,
     .make_double = make,
 };

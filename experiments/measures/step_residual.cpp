@@ -1,0 +1,40 @@
+#include "bendlab/solver/method.hpp"
+#include "experiments/measures/measure.hpp"
+
+namespace bendlab {
+namespace {
+
+class StepResidual final : public Measurement {
+ public:
+  void capture(const Simulation& simulation, const Positions&, std::span<double> values) override {
+    values[0] = simulation.step_residual().value_or(0);
+  }
+
+  void finish(const RunEnd& end, Findings& findings) override {
+    if (!end.frames.empty() && end.status != RunStatus::diverged)
+      findings.summary["step_residual"] = end.frames.median_after_start("step_residual");
+  }
+};
+
+}  // namespace
+
+namespace measure {
+extern const Measure step_residual{
+    .name = "step_residual",
+    .summary = "what the iterations of a step leave of its forces",
+    .cost = "as long as an iteration, for each frame",
+    .applies = [](const RunConfig&, const Scene& scene) { return scene.input.method->steps_implicitly; },
+    .when = "with newton, quasi_newton and vbd",
+    .columns = []() -> std::vector<Column> {
+      return {{"step_residual", "1",
+               "forces, inertia among them, that the last substep left unbalanced: the sum of their lengths "
+               "over vertices, relative to that of the effects' forces; 0 without such forces"}};
+    },
+    .gives = []() -> std::vector<Quantity> {
+      return {{"step_residual", "1", "median over all frames but the first"}};
+    },
+    .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
+      return std::make_unique<StepResidual>();
+    }};
+}  // namespace measure
+}  // namespace bendlab
