@@ -81,6 +81,28 @@ TEST_CASE("a buckled segment pushes as the table says", "[constraints]") {
   }
 }
 
+TEST_CASE("an arc's energy has the slope and the curvature that it states", "[constraints]") {
+  const double length = 0.7;
+  for (const Law law : {Law::exact, Law::polynomial})
+    for (const double ratio : {0.0, 0.02, 0.3, 0.7, 0.9, 0.955, 0.97, 0.999}) {
+      CAPTURE(ratio, ArcSpring::law_names[static_cast<std::size_t>(law)]);
+      const double value = (ratio - 1) * length, step = 1e-5 * length;
+      const auto at = [&](double c) { return ArcSpring::potential(c, {length}, law); };
+      if (ratio > 0) {
+        CHECK_THAT(at(value).slope,
+                   WithinRel((at(value + step).energy - at(value - step).energy) / (2 * step), 1e-7));
+        CHECK_THAT(at(value).curvature,
+                   WithinRel((at(value + step).slope - at(value - step).slope) / (2 * step), 1e-6));
+      }
+      CHECK_THAT(-at(value).slope * length * length, WithinRel(ArcSpring::push(ratio, law), 1e-12));
+    }
+  // Straight: P = 12 k_b/L² and rises by 7.2 per unit of r/L (its series: 12 + 6/5 y², r/L = 1 - y²/6).
+  CHECK_THAT(ArcSpring::potential(0, {length}, Law::exact).curvature,
+             WithinRel(7.2 / std::pow(length, 3), 1e-12));
+  CHECK_THAT(ArcSpring::potential(-1e-9 * length, {length}, Law::exact).curvature,
+             WithinRel(7.2 / std::pow(length, 3), 1e-6));
+}
+
 TEST_CASE("the series of the arc's push joins its closed form", "[constraints]") {
   // The first three terms of 1/e with e = 1/3 - z/30 + z²/840, z = y²: 12 + 6 z/5 + (3/25 - 3/70) z² + O(z³).
   for (const double y : {1e-8, 1e-4, 1e-2}) {

@@ -9,6 +9,7 @@
 // change() solves for the multiplier including the jump, and needs no such spring.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -62,6 +63,13 @@ struct ArcSpring {
     return {length - rest[0], {d / length, -d / length}};
   }
 
+  /// U / k_b at C = r - L, 1/m, and its derivatives by C.
+  struct Potential {
+    double energy, slope, curvature;
+  };
+  /// For C ≤ 0. At 0 they are those of the segment that begins to buckle.
+  static Potential potential(double value, const std::array<double, 1>& rest, Law law);
+
   /// U / k_b, 1/m, at C = r - L.
   static double energy(double value, const std::array<double, 1>& rest, Law law);
 
@@ -74,6 +82,7 @@ struct ArcSpring {
  private:
   static double sinc(double y) { return y > 0 ? std::sin(y) / y : 1; }
   static double sinc_minus_cosine(double y);
+  static double push_rise(double y);
   static double bending_of(double ratio, Law law);
 
   // The t in [0, 1], to 2⁻⁶⁰, at which `above(t)` turns from true (at 0) to false.
@@ -93,6 +102,14 @@ inline double ArcSpring::sinc_minus_cosine(double y) {
   return sum;
 }
 
+/// d(P L²/k_b)/dy · (sinc y - cos y)² / 4 = y (3 (sinc y - cos y) - y sin y); for small y by its series.
+inline double ArcSpring::push_rise(double y) {
+  if (y > 0.5) return y * (3 * sinc_minus_cosine(y) - y * std::sin(y));
+  double term = y * y * y * y / 15, sum = 0;  // Σ (-1)ⁿ⁺¹ 4 n (n + 1) y²ⁿ⁺² / (2n + 3)!, n ≥ 1
+  for (int n = 1; n <= 8; ++n) sum += term, term *= -y * y * (n + 2) / (n * (2.0 * n + 4) * (2.0 * n + 5));
+  return y * sum;
+}
+
 inline ArcSpring::Bent ArcSpring::bent(double t, Law law) {
   if (law == Law::exact) {
     const double y = std::numbers::pi * t;
@@ -103,23 +120,44 @@ inline ArcSpring::Bent ArcSpring::bent(double t, Law law) {
   return {1 - t, push};
 }
 
+/// The t at which bent() has that ratio: Newton's method, or a bisection where that leaves the bracket.
 inline double ArcSpring::bending_of(double ratio, Law law) {
-  return bisected([&](double t) { return bent(t, law).ratio > ratio; });
+  if (!(ratio < 1)) return 0;
+  if (law == Law::polynomial || ratio <= 0) return std::min(1 - ratio, 1.0);
+  double low = 0, high = std::numbers::pi;
+  double y = std::min(high, std::sqrt(6 * (1 - ratio) * (1 + 0.3 * (1 - ratio))));
+  constexpr int most = 60;
+  for (int i = 0; i < most && low < high; ++i) {
+    const double above = sinc(y) - ratio;
+    (above > 0 ? low : high) = y;
+    double next = y + above * y / sinc_minus_cosine(y);
+    if (!(next > low && next < high)) next = (low + high) / 2;
+    if (next == y || std::abs(next - y) < 1e-16 * y) break;
+    y = next;
+  }
+  return y / std::numbers::pi;
+}
+
+inline ArcSpring::Potential ArcSpring::potential(double value, const std::array<double, 1>& rest, Law law) {
+  const double length = rest[0], ratio = std::min(1.0, 1 + value / length), squared = length * length;
+  if (law == Law::exact) {
+    const double y = std::numbers::pi * bending_of(ratio, law);
+    if (!(y > 0)) return {0, -12 / squared, 7.2 / (squared * length)};
+    const double below = sinc_minus_cosine(y);
+    return {2 * y * y / length, -4 * y * y / below / squared,
+            4 * push_rise(y) / (below * below) * y / below / (squared * length)};
+  }
+  double energy = 0, push = 0, rise = 0;  // of 1 - ratio, at ratio, and its derivative
+  for (std::size_t n = polynomial.size(); n-- > 0;) {
+    rise = rise * ratio + push;
+    push = push * ratio + polynomial[n];
+    energy += polynomial[n] / static_cast<double>(n + 1) * (1 - std::pow(ratio, n + 1));
+  }
+  return {energy / length, -push / squared, -rise / (squared * length)};
 }
 
 inline double ArcSpring::energy(double value, const std::array<double, 1>& rest, Law law) {
-  const double length = rest[0], ratio = 1 + value / length;
-  if (!(ratio < 1)) return 0;
-  if (law == Law::exact) {
-    const double y = std::numbers::pi * bending_of(ratio, law);
-    return 2 * y * y / length;
-  }
-  double from = 0, to = 0;  // from · ratio and to: the polynomial's integral at `ratio` and at 1
-  for (std::size_t n = polynomial.size(); n-- > 0;) {
-    const double coefficient = polynomial[n] / static_cast<double>(n + 1);
-    from = from * ratio + coefficient, to += coefficient;
-  }
-  return (to - from * ratio) / length;
+  return value < 0 ? potential(value, rest, law).energy : 0;
 }
 
 inline double ArcSpring::change(double value, const std::array<double, 1>& rest, Law law, double w,

@@ -27,19 +27,14 @@ Potential quadratic(double c, double alpha) {
 template <class Kind>
 Potential one_sided(double c, const std::array<double, Kind::rest_values>& rest, typename Kind::Law law,
                     double alpha) {
-  const double length = rest[0], width = ElasticSystem::ramp * length;
-  const double step = 1e-6 * length;
-  const auto slope = [&](double at) {
-    return (Kind::energy(at + step, rest, law) - Kind::energy(at - step, rest, law)) / (2 * step);
-  };
-  if (c > -2 * step) {  // the falling force of the straight segment
-    const double straight = slope(-2 * step), left = std::max(0.0, 1 - (c + 2 * step) / width);
-    const double start = Kind::energy(-2 * step, rest, law), whole = 0.5 * straight * width;
-    return {(start + whole * (1 - left * left)) / alpha, straight * left / alpha,
-            left > 0 ? -straight / width / alpha : 0};
+  if (c < 0) {
+    const auto own = Kind::potential(c, rest, law);
+    return {own.energy / alpha, own.slope / alpha, own.curvature / alpha};
   }
-  return {Kind::energy(c, rest, law) / alpha, slope(c) / alpha,
-          (slope(c + step / 2) - slope(c - step / 2)) / step / alpha};
+  const double straight = Kind::potential(0, rest, law).slope, width = ElasticSystem::ramp * rest[0];
+  const double left = std::max(0.0, 1 - c / width);
+  return {0.5 * straight * width * (1 - left * left) / alpha, straight * left / alpha,
+          left > 0 ? -straight / width / alpha : 0};
 }
 
 // ∇²C, 3N by 3N, by central differences of ∇C, made symmetric. For two points C is their distance minus a
