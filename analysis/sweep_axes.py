@@ -104,10 +104,10 @@ def _texts(values):
 
 
 def _object_text(flat, differ):
-    model = flat.get("/model")
-    parts = [model] if model and "/model" in differ else []
+    named_first = [key for key in ("/model", "/method") if key in differ and key in flat]
+    parts = [flat[key] for key in named_first]
     parts += [f"{key.rsplit('/', 1)[1].replace('_', ' ')} {value_text(flat[key])}" for key in differ
-              if key in flat and key != "/model"]
+              if key in flat and key not in named_first]
     return ", ".join(parts) or "as it is"
 
 

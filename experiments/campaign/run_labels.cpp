@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "experiments/terminal/table.hpp"
 
@@ -13,6 +15,40 @@ std::string value_text(const Json& value) {
   if (value.is_string()) return value.get<std::string>();
   if (value.is_number()) return format_number(value.get<double>());
   return value.dump();
+}
+
+constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // told without their key
+
+// An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
+std::string object_text(const Json& object, const std::vector<Json>& flat_values) {
+  const Json flat = object.flatten();
+  const auto entry = [](const Json& of, const std::string& key) {
+    return of.contains(key) ? of[key] : Json();
+  };
+  std::string first, others;
+  for (const auto& [key, value] : flat.items()) {
+    if (std::ranges::all_of(flat_values, [&](const Json& other) { return entry(other, key) == value; }))
+      continue;
+    if (std::ranges::find(named_first, key) != named_first.end())
+      first += value_text(value);
+    else
+      others += fmt::format(", {} {}", key.substr(key.rfind('/') + 1), value_text(value));
+  }
+  if (first.empty() && others.empty()) return "as it is";
+  return first.empty() ? others.substr(2) : first + others;
+}
+
+// Longer axes of objects keep their whole text: this is done for each run.
+constexpr std::size_t most_objects = 64;
+
+std::string text_on_axis(const Json& value, const std::vector<Json>& values) {
+  if (!value.is_object() || values.size() > most_objects || !std::ranges::all_of(values, &Json::is_object))
+    return value_text(value);
+  std::vector<Json> flat;
+  for (const Json& each : values) flat.push_back(each.flatten());
+  std::string text = object_text(value, flat);
+  const auto same = [&](const Json& each) { return object_text(each, flat) == text; };
+  return std::ranges::count_if(values, same) > 1 ? value.dump() : text;
 }
 
 }  // namespace
@@ -32,7 +68,7 @@ std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfi
   std::vector<std::string> cells;
   for (const auto& [pointer, values] : experiment.axes) {
     const auto found = std::ranges::find(config.point, pointer, &std::pair<std::string, Json>::first);
-    cells.push_back(found == config.point.end() ? "" : value_text(found->second));
+    cells.push_back(found == config.point.end() ? "" : text_on_axis(found->second, values));
   }
   return cells;
 }
