@@ -328,7 +328,7 @@ class Advisor {
     const bool compared = found.error || unfit(0, stretched) == Unfit::no;
     search.add(setting, found.error, found.cpu_s, stretched);
     if (found.strain) advice_.strain[setting] = *found.strain;
-    if (!found.unconverged.empty()) advice_.unconverged[setting] = found.unconverged;
+    if (!found.warnings.empty()) advice_.warnings[setting] = found.warnings;
     if (!found.error && compared)
       without_error_[setting.model].push_back(fmt::format("{}: {}", setting_text(setting), found.why));
     const double cpu_s = found.cpu_s * frames_per_second * question_.scene().section("").number("duration");

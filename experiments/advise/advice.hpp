@@ -12,6 +12,7 @@
 #include "experiments/advise/question.hpp"
 #include "experiments/advise/search.hpp"
 #include "experiments/campaign/campaign.hpp"
+#include "experiments/run/warnings.hpp"
 
 namespace bendlab {
 
@@ -35,8 +36,7 @@ struct Advice {
   double still_moving = 0;       ///< for errors at rest: the cloth's rms speed at the end, sizes per second
   /// Of measured points: rms of the Green strain, of which the stated cloth has none.
   std::map<Setting, double> strain;
-  /// Of measured points whose membrane has not converged: what their runs warn of.
-  std::map<Setting, std::string> unconverged;
+  std::map<Setting, std::vector<Warning>> warnings;  ///< of measured points: those of their runs
   /// What the demand asked for, if it is fit and the reference is known that well.
   std::optional<Rated> best = std::nullopt;
   std::optional<Rated> nearest = std::nullopt;  ///< if there is no best; it may be unfit

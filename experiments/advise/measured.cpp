@@ -60,11 +60,6 @@ std::string on_a_line(std::string text) {
   return text;
 }
 
-std::string unconverged_in(const RunOutcome& outcome) {
-  const auto found = std::ranges::find(outcome.warnings, "unconverged", &Warning::code);
-  return found == outcome.warnings.end() ? "" : found->message;
-}
-
 }  // namespace
 
 double strain_in(const std::filesystem::path& file, bool over_time) {
@@ -97,7 +92,7 @@ Measured measured_by(const CampaignRun& run) {
                     .why = outcome.message,
                     .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
                     .implausible = outcome.status == RunStatus::implausible,
-                    .unconverged = unconverged_in(outcome)};
+                    .warnings = outcome.warnings};
   if (number_in(outcome, "unbalanced") || (measured.error && !std::isfinite(*measured.error)))
     measured.error.reset();
   measured.diverged = outcome.status == RunStatus::diverged;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "experiments/campaign/campaign.hpp"
 
@@ -21,7 +22,7 @@ struct Measured {
   double kinetic_energy = 0;  ///< at the end, J
   double stretch = 1;         ///< largest of a triangle, in the motion or at the end
   bool implausible = false;
-  std::string unconverged;  ///< what the run warns of, if it does
+  std::vector<Warning> warnings;  ///< of the run
 };
 
 /// Root mean square of the Green strain at the end of a run, or its mean over the frames; infinite if it is

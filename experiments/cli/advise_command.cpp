@@ -93,9 +93,19 @@ std::string what_text(const Advice& advice, const Question& question) {
   throw std::logic_error("what_text: unknown kind of error");
 }
 
+std::vector<Warning> warnings_of(const Rated& point, const Advice& advice) {
+  const auto found = advice.warnings.find(point.setting);
+  return found == advice.warnings.end() ? std::vector<Warning>() : found->second;
+}
+
+bool is_unconverged(const Rated& point, const Advice& advice) {
+  return std::ranges::any_of(warnings_of(point, advice),
+                             [](const Warning& w) { return w.code == "unconverged"; });
+}
+
 std::string how(const Rated& point, const Advice& advice) {
   if (point.predicted) return "predicted";
-  return advice.unconverged.contains(point.setting) ? "measured, unconverged" : "measured";
+  return is_unconverged(point, advice) ? "measured, unconverged" : "measured";
 }
 
 std::optional<double> strain_of(const Rated& point, const Advice& advice) {
@@ -196,8 +206,8 @@ void print_advice(const Advice& advice, const Question& question, const AdviceOp
     constexpr double close = 10;
     if (advice.reference_gap && point->error < close * *advice.reference_gap)
       print_text("\nThe reference's own error is more than a tenth of this error.\n");
-    if (const auto warned = advice.unconverged.find(point->setting); warned != advice.unconverged.end())
-      print_text("\nIts run is unconverged: {}.\n", warned->second);
+    for (const Warning& warning : warnings_of(*point, advice))
+      print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
     print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
     for (const std::string& change : question.changes(point->setting))
       print_text("  --set {}\n", quoted_change(change));
@@ -215,25 +225,26 @@ Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   const auto strain = strain_of(*point, advice);
   const Unfit why = unfit(*point);
   const Variant& variant = point->setting.variant;
-  return {{"model", point->setting.model},
-          {"tethers", variant.tethers},
-          {"shear", variant.shear},
-          {"flight_limit", variant.flight_limit},
-          {"method", variant.method},
-          {"membrane", variant.softened ? "auto" : "stated"},
-          {"integrator",
-           softens(variant.method) ? Json(variant.second_order ? "bdf2" : "euler") : Json(nullptr)},
-          {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
-          {"substeps", point->setting.substeps},
-          {"iterations", point->setting.iterations},
-          {"precision", point->setting.double_precision ? "double" : "single"},
-          {"error", number_or_null(point->error)},
-          {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
-          {"stretch_over_reference", number_or_null(point->strained.largest)},
-          {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
-          {"unconverged", advice.unconverged.contains(point->setting)},
-          {"cpu_s_per_frame", point->cpu_s},
-          {"predicted", point->predicted}};
+  return {
+      {"model", point->setting.model},
+      {"tethers", variant.tethers},
+      {"shear", variant.shear},
+      {"flight_limit", variant.flight_limit},
+      {"method", variant.method},
+      {"membrane", variant.softened ? "auto" : "stated"},
+      {"integrator", softens(variant.method) ? Json(variant.second_order ? "bdf2" : "euler") : Json(nullptr)},
+      {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
+      {"substeps", point->setting.substeps},
+      {"iterations", point->setting.iterations},
+      {"precision", point->setting.double_precision ? "double" : "single"},
+      {"error", number_or_null(point->error)},
+      {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
+      {"stretch_over_reference", number_or_null(point->strained.largest)},
+      {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
+      {"unconverged", is_unconverged(*point, advice)},
+      {"warnings", to_json(warnings_of(*point, advice))},
+      {"cpu_s_per_frame", point->cpu_s},
+      {"predicted", point->predicted}};
 }
 
 Json points_json(const std::vector<Rated>& points, const Advice& advice) {
