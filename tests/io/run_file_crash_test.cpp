@@ -6,6 +6,8 @@
 #include <array>
 #include <chrono>
 #include <csignal>
+#include <fstream>
+#include <iterator>
 #include <random>
 #include <thread>
 
@@ -99,6 +101,29 @@ assert run['VTKHDF/Points'].shape == (4 * frames, 3) and run['VTKHDF/CellData/st
 assert run['metrics/names'].asstr()[0] == 'time' and run.attrs['status'] == 'interrupted'
 )"));
   }
+}
+
+TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part", killed = folder / "killed.part";
+  const auto bytes = [](const fs::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  };
+  RunFileWriter writer(path, square_header());
+  constexpr int earlier = 3, frames = 200;
+  constexpr std::size_t superblock = 48;  // bytes: version 2, which states the end of the file
+  for (int k = 0; k < earlier; ++k) writer.write(square_frame(k));
+  const std::string before = bytes(part).substr(0, superblock);
+  for (int k = earlier; k < frames; ++k) writer.write(square_frame(k));
+  const std::string after = bytes(part);
+  REQUIRE(before != after.substr(0, superblock));
+  std::ofstream(killed, std::ios::binary) << before << after.substr(superblock);
+  CHECK(read_run(killed).frames == frames);
+  CHECK(wrong_frames(killed) == 0);
+  const std::string left = bytes(killed);
+  CHECK(left == before + after.substr(superblock));  // reading changes nothing
+  CHECK(goes_on_from(killed, folder / "other.vtkhdf", frames));
 }
 
 TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {

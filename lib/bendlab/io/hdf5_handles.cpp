@@ -9,6 +9,7 @@
 #include <array>
 #include <cerrno>
 #include <cstdlib>
+#include <filesystem>
 #include <limits>
 #include <system_error>
 
@@ -175,6 +176,30 @@ Handle create_small_file(const std::string& path) {
 
 Handle open_file(const std::string& path, unsigned access) {
   return {H5Fopen(path.c_str(), access, file_access()), H5Fclose};
+}
+
+bool ends_before_its_bytes(hid_t file) {
+  haddr_t stated = 0;
+  struct stat status {};
+  check(H5Fget_eoa(file, &stated));
+  return fstat(descriptor_of(file), &status) == 0 && stated < static_cast<haddr_t>(status.st_size);
+}
+
+Handle open_with_all_bytes(const std::string& path) {
+  std::string copy = (std::filesystem::temp_directory_path() / "bendlab-XXXXXX").string();
+  const int descriptor = mkstemp(copy.data());
+  if (descriptor < 0) throw system_failure(errno);
+  close(descriptor);
+  struct Removed {
+    const std::string& file;
+    ~Removed() { unlink(file.c_str()); }
+  } const removed{copy};
+  std::error_code error;
+  std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
+  if (error) throw system_failure(error.value());
+  Handle file(H5Fopen(copy.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
+  check(H5Fincrement_filesize(file, 0));  // to the end of its bytes
+  return file;
 }
 
 void require_room(hid_t file, std::uint64_t bytes) {

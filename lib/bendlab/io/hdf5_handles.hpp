@@ -90,6 +90,12 @@ hid_t type_of() {
 Handle create_file(const std::string& path);                 ///< fails if there is one
 Handle open_file(const std::string& path, unsigned access);  ///< H5F_ACC_RDONLY or H5F_ACC_RDWR
 
+/// Whether the file has bytes after the end that it states. A flush writes that last, so a process that is
+/// killed in it may leave data there, which HDF5 then refuses to read.
+bool ends_before_its_bytes(hid_t file);
+/// For reading: a temporary copy of such a file, with all its bytes.
+Handle open_with_all_bytes(const std::string& path);
+
 /// A file that is in memory until it is closed, in the format of HDF5 1.8, which takes less space than the
 /// first. Fails if there is one of that name.
 Handle create_small_file(const std::string& path);
