@@ -101,7 +101,7 @@ class Accuracy final : public Measurement {
       if (other.status == RunStatus::implausible) tell("the reference is " + other.message);
       if (!is_whole(other.status)) return std::nullopt;
       if (other.summary.contains("unbalanced") && !other.summary.contains("settled_at")) {
-        tell(fmt::format("the reference found no equilibrium: its unbalanced forces are {:.2g} of the loads",
+        tell(fmt::format("the reference found no equilibrium: {:.2g} of its loads are not balanced",
                          other.summary.at("unbalanced")));
         const char* which = coarser ? "coarser_unbalanced" : "unbalanced";
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =

@@ -50,7 +50,8 @@ extern const Measure drop{
            "the start)"}};
     },
     .gives = []() -> std::vector<Quantity> {
-      return {{"drop", "m", "median over the last second"}, {"drop_last", "m", "of the last frame"}};
+      return {{"drop", "m", "median over the last second; with equilibrium, of its last step"},
+              {"drop_last", "m", "of the last frame"}};
     },
     .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Drop>(scene);

@@ -93,6 +93,7 @@ double FrameHistory::median_after_start(std::string_view column) const {
 }
 
 double FrameHistory::last_second_median(std::string_view column) const {
+  if (!has_motion_) return last(column);
   constexpr double rounding = 1e-9;  // s; a frame exactly one second before the end is not in it
   const auto first = std::ranges::upper_bound(times_, times_.back() - 1 + rounding);
   return median(column, static_cast<std::size_t>(first - times_.begin()));

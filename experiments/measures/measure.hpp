@@ -49,16 +49,18 @@ class MeasuredFrame {
 /// The values of all recorded frames, for measures that sum them up at the end.
 class FrameHistory {
  public:
+  /// Without motion the frames are the steps of a method towards an equilibrium, and only the last counts.
   FrameHistory(std::span<const Column> columns, std::span<const double> times,
-               std::span<const std::vector<double>> rows)
-      : columns_(columns), times_(times), rows_(rows) {}
+               std::span<const std::vector<double>> rows, bool has_motion)
+      : columns_(columns), times_(times), rows_(rows), has_motion_(has_motion) {}
 
   bool empty() const { return rows_.empty(); }
   /// Of a column, as MeasuredFrame::value() names it.
   double last(std::string_view column) const;
   double largest(std::string_view column) const;
-  double median_after_start(std::string_view column) const;  ///< of all frames but the first; 0 without others
-  /// The median over the last simulated second: sheets are chaotic, and one frame misleads.
+  double median_after_start(std::string_view column) const;  ///< of all frames but the first; else 0
+  /// The median over the last simulated second: sheets are chaotic, and one frame misleads. Without motion
+  /// last().
   double last_second_median(std::string_view column) const;
 
  private:
@@ -67,6 +69,7 @@ class FrameHistory {
   std::span<const Column> columns_;
   std::span<const double> times_;  // s
   std::span<const std::vector<double>> rows_;
+  bool has_motion_;
 };
 
 /// The place of a step in its run.

@@ -39,7 +39,7 @@ extern const Measure motion{
               {"angular_momentum", "kg m²/s", "its magnitude, about the centre of mass"}};
     },
     .gives = []() -> std::vector<Quantity> {
-      return {{"kinetic_energy", "J", "median over the last second"},
+      return {{"kinetic_energy", "J", "median over the last second; with equilibrium, of its last step"},
               {"kinetic_energy_last", "J", "of the last frame"}};
     },
     .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {

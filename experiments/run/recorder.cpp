@@ -4,9 +4,12 @@
 #include <limits>
 #include <span>
 
+#include "bendlab/solver/method.hpp"
+
 namespace bendlab {
 
-Recorder::Recorder(const RunConfig& config, const Scene& scene) : stretch_(scene.rest, scene.pins) {
+Recorder::Recorder(const RunConfig& config, const Scene& scene)
+    : stretch_(scene.rest, scene.pins), has_motion_(scene.input.method->has_motion) {
   const auto append = [](std::vector<Column>& all, std::vector<Column> (*own)()) {
     const std::size_t before = all.size();
     for (Column& column : own ? own() : std::vector<Column>{}) all.push_back(std::move(column));

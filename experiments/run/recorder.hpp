@@ -40,7 +40,7 @@ class Recorder {
   /// those that make none.
   Findings findings(const RunEnd& end, bool of_those_that_make_runs);
 
-  FrameHistory history() const { return {columns_, times_, rows_}; }
+  FrameHistory history() const { return {columns_, times_, rows_, has_motion_}; }
 
  private:
   struct Active {
@@ -52,6 +52,7 @@ class Recorder {
   std::vector<Active> active_;
   std::vector<Column> columns_, fields_;
   StretchMeter stretch_;
+  bool has_motion_;                        // of the method
   std::vector<double> times_;              // s
   std::vector<std::vector<double>> rows_;  // metrics of the completed frames
 };

@@ -100,8 +100,9 @@ TEST_CASE("measures: the median is that of the last simulated second", "[measure
   const std::vector<Column> columns = {{"a", "1", "any"}, {"b", "1", "any"}};
   const std::vector<double> times = {0, 1, 1.5, 2};
   const std::vector<std::vector<double>> rows = {{100, 1}, {90, 2}, {3, 8}, {1, 5}};
-  const FrameHistory frames(columns, times, rows);
+  const FrameHistory frames(columns, times, rows, true);
   CHECK(frames.last_second_median("a") == 2);  // of 3 and 1: the frame at 1 s is a second before the end
+  CHECK(FrameHistory(columns, times, rows, false).last_second_median("a") == 1);  // steps to an equilibrium
   CHECK(frames.largest("b") == 8);
   CHECK(frames.last("b") == 5);
   CHECK_THROWS_AS(frames.last("c"), std::logic_error);
