@@ -281,7 +281,8 @@ Message membrane_courant(const WarningInput& input) {
   const double courant = std::sqrt(1 / (compliance * density)) * solver.dt / solver.substeps / cell;
   const double excess = courant * courant / solver.projections_per_substep();
   if (!(excess > softened)) return std::nullopt;
-  const bool reach = levels_are_worthwhile(scene), levels = reach && own_settings(scene).integer("levels") > 0;
+  const bool reach = levels_are_worthwhile(scene),
+             levels = reach && own_settings(scene).integer("levels") > 0;
   constexpr double wanted = 0.1;
   return fmt::format(
       "forces pass through the membrane by a cell's width per projection. In a substep it should be {:.2g}, "

@@ -72,8 +72,8 @@ TEST_CASE("sweep: a run and its folder are named after its place") {
   CHECK(run_text({&single, &single.runs.at(0)}) == "t");
   CHECK(place_text({&single, &single.runs.at(0)}) == "t");
   // An object is told by the settings in which it differs from the others.
-  const Experiment objects = experiment(
-      R"("sweep": {"/solver": [{"dt": 0.01, "substeps": 8}, {"dt": 0.01, "method": "pbd", "substeps": 4}, {"dt": 0.01}]})");
+  const Experiment objects = experiment(R"("sweep": {"/solver": [
+      {"dt": 0.01, "substeps": 8}, {"dt": 0.01, "method": "pbd", "substeps": 4}, {"dt": 0.01}]})");
   CHECK(place_text({&objects, &objects.runs.at(0)}) == "solver substeps 8");
   CHECK(place_text({&objects, &objects.runs.at(1)}) == "solver pbd, substeps 4");
   CHECK(place_text({&objects, &objects.runs.at(2)}) == "solver as it is");

@@ -144,9 +144,8 @@ TEST_CASE("one step has one minimum, which every implicit method finds", "[solve
       }
 }
 
-// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients
-// of poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
-TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia", "[solver]", float, double) {
+TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia", "[solver]", float,
+                   double) {
   const RestMesh rest(delaunay(1, 1, 5, 2));
   SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {0}, 0), "dihedral"), "pbd", 1e-3, 1);
   disturb(input, 0.02);
@@ -178,6 +177,8 @@ TEMPLATE_TEST_CASE("a step's residual is what its forces lack to balance inertia
     }
 }
 
+// XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients
+// of poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
 TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance",
           "[solver]") {
   const RestMesh rest(equilateral(0.3, 0.3, 4, Rows::parallel));

@@ -151,8 +151,8 @@ class Simulation {
   /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
-  /// For a method that steps implicitly: the forces that its iterations left unbalanced at the end of the last
-  /// substep (inertia among them), relative to those of the effects; both are sums of lengths over free
+  /// For a method that steps implicitly: the forces that its iterations left unbalanced at the end of the
+  /// last substep (inertia among them), relative to those of the effects; both are sums of lengths over free
   /// vertices. Those that touch something do not count as unbalanced. Nothing before the first step, and
   /// without such forces. Takes about as long as an iteration.
   virtual std::optional<double> step_residual() const { return std::nullopt; }
