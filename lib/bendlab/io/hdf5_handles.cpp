@@ -11,6 +11,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <limits>
+#include <new>
 #include <system_error>
 
 namespace bendlab::hdf5 {
@@ -41,7 +42,16 @@ Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = null
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose};
 }
 
+// HDF5 1.10 crashes where it finds no memory for the cache of a file, half a megabyte of pointers and more.
+void require_memory_of_cache() {
+  constexpr std::size_t bytes = 4 << 20;
+  void* const volatile memory = std::malloc(bytes);  // volatile: else it may be optimised away
+  if (memory == nullptr) throw std::bad_alloc();
+  std::free(memory);
+}
+
 Handle file_access() {
+  require_memory_of_cache();
   Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   // A lock keeps other processes from a file that is being written. It is optional: some file systems have
   // none.
@@ -167,6 +177,7 @@ Handle create_file(const std::string& path) {
 }
 
 Handle create_small_file(const std::string& path) {
+  require_memory_of_cache();
   constexpr std::size_t growth = 1 << 16;  // bytes
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fapl_core(access, growth, true));

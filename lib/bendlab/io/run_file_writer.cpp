@@ -210,7 +210,7 @@ struct RunFileWriter::Impl {
   ~Impl() {
     if (kept) try {
         begin_with_kept();
-      } catch (const RunFileError&) {  // the disk is full or gone, and nobody is left to hear it
+      } catch (...) {  // the disk or the memory is full, and nobody is left to hear it
       }
     const hdf5::Lock lock;
     open.reset();
