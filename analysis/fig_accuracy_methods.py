@@ -23,9 +23,9 @@ def main(results, out):
 
     rest, stiffness = complete(*REST), complete("methods_stiffness_slow")
     models, motion = complete("methods_models_slow"), complete("methods_motion_slow")
-    section.text = ("The same cloth, energies and forces with each solver method. At rest every method but "
-                    "XPBD ends where the forces balance, however few its iterations; in motion few "
-                    "iterations lag behind. Membrane auto softens the membrane by as much as 0.3 % of the "
+    section.text = ("The same cloth, energies and forces with each solver method. Every method but XPBD "
+                    "comes to rest where the forces balance, but few iterations lag behind the motion, and "
+                    "take longer to come there. Membrane auto softens the membrane by as much as 0.3 % of the "
                     "size allows. Levels are coarse ones, as many as the mesh has. " + _growth(rest))
     if rest:
         section.pictures.append((_fronts(rest, out, "fig_accuracy_methods", by_cells, AT_REST,

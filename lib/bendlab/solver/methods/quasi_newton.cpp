@@ -252,7 +252,7 @@ extern constinit const Method quasi_newton{
     .source = "Liu, Bouaziz and Kavan 2017; pairs are kept over steps and the membrane is softened: ours",
     .limits =
         "of energies only: every stiffness is a compliance above 0; a step of few iterations lags behind the "
-        "motion, and is right at rest; takes no model whose force jumps",
+        "motion, the more the stiffer the membrane; takes no model whose force jumps",
     .parameters = parameters,
     .shared = shared,
     .passes = own_passes,
