@@ -23,30 +23,30 @@ def main(results, out):
 
     rest, stiffness = complete(*REST), complete("methods_stiffness_slow")
     models, motion = complete("methods_models_slow"), complete("methods_motion_slow")
-    section.text = ("The same cloth, energies and forces with each solver method. Every method but XPBD "
-                    "comes to rest where the forces balance, but few iterations lag behind the motion, and "
-                    "take longer to come there. Membrane auto softens the membrane by as much as 0.3 % of the "
-                    "size allows. Levels are coarse ones, as many as the mesh has. " + _growth(rest))
+    section.text = (
+        "The same cloth, energies and forces with each solver method. Every method but XPBD comes to rest "
+        "where the forces balance, but few iterations lag behind the motion, and take longer to come there. "
+        "Membrane auto softens the membrane by as much as 0.3 % of the size allows. Levels are coarse ones, "
+        "as many as the mesh has. " + _growth(rest))
     if rest:
-        section.pictures.append((_fronts(rest, out, "fig_accuracy_methods", by_cells, AT_REST,
-                                         _message(rest)),
-                                 "The sheet of 40 cm hangs on two patches for 3 s. A star is the paper's "
-                                 "setting, 1 × 10. Times include the one factorisation."))
+        _draw(section, _fronts(rest, out, "fig_accuracy_methods", by_cells, AT_REST, _message(rest)),
+              "The sheet of 40 cm hangs on two patches for 3 s. A star is the paper's setting, 1 × 10. Times "
+              "include the one factorisation.", rest)
         section.tables.append(_table(rest, by_cells, "At rest, over sizes"))
     if stiffness:
         stiffness += [run for run in rest if run.get("/mesh/cells") == 48]
-        section.pictures.append((_fronts(stiffness, out, "fig_accuracy_methods_stiffness", by_stiffness,
-                                         AT_REST, "The stiffer the membrane, the more its method matters"),
-                                 "48 cells. Y is the membrane's stiffness."))
+        _draw(section, _fronts(stiffness, out, "fig_accuracy_methods_stiffness", by_stiffness, AT_REST,
+                               "The stiffer the membrane, the more its method matters"),
+              "48 cells. Y is the membrane's stiffness.", stiffness)
         section.tables.append(_table(stiffness, by_stiffness, "At rest, over membranes"))
     if models:
         section.tables.append(_table(models, lambda run: style.model_name(run.model, 2),
                                      "At rest, over bending models, 48 cells"))
     if motion:
-        section.pictures.append((_fronts(motion, out, "fig_accuracy_methods_motion", by_cells,
-                                         "distance from the motion (% of size)",
-                                         "The first half second: few iterations lag behind"),
-                                 "The reference is Newton's method in 12 substeps of BDF2."))
+        _draw(section, _fronts(motion, out, "fig_accuracy_methods_motion", by_cells,
+                               "distance from the motion (% of size)",
+                               "The first half second: few iterations lag behind"),
+              "The reference is Newton's method in 12 substeps of BDF2.", motion)
         section.tables.append(_table(motion, by_cells, "In motion"))
     return section
 
@@ -80,8 +80,26 @@ def _error(run):
     return accuracy.error(run, against="solver")
 
 
+def _is_drawn(run):
+    return _error(run) <= 1  # farther than its size a cloth has flown apart
+
+
+def _draw(section, picture, caption, runs):
+    """Adds the picture of these runs, if there is one, and says how many it leaves out."""
+    unknown = sum(np.isnan(_error(run)) for run in runs)
+    apart = sum(not _is_drawn(run) for run in runs) - unknown
+    if apart:
+        caption += f" Not drawn: {apart} of {len(runs)} runs, which are farther off than the sheet's size."
+    if unknown:
+        caption += f" {unknown} have no error, because their reference is not balanced."
+    if picture:
+        section.pictures.append((picture, caption))
+
+
 def _fronts(runs, out, name, of_panel, ylabel, title):
-    runs = [run for run in runs if _error(run) <= 1]  # farther than its size a cloth has flown apart
+    runs = [run for run in runs if _is_drawn(run)]
+    if not runs:
+        return None
     panels_of = sorted(group(runs, of_panel).items())
     figure, panels = plt.subplots(1, len(panels_of), figsize=(1.2 + 2.9 * len(panels_of), 4.2),
                                   layout="constrained", sharey=True, squeeze=False)
