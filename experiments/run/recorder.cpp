@@ -1,5 +1,8 @@
 #include "experiments/run/recorder.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -57,15 +60,19 @@ void Recorder::archive(Archive& state) {
 }
 
 void Recorder::take_earlier(const EarlierFrames& earlier) {
-  const auto first = [&](const std::string& name) {
-    std::vector<double> values = read_metric(earlier.file, name);
-    values.resize(earlier.frames);
-    return values;
+  const std::vector<MetricRecord> metrics = read_metrics(earlier.file);
+  const auto values_of = [&](const std::string& name) -> const std::vector<double>& {
+    const auto found = std::ranges::find(metrics, name, [](const MetricRecord& m) { return m.column.name; });
+    if (found == metrics.end() || found->values.size() < earlier.frames)
+      throw RunFileError(
+          fmt::format("{}: it has no {} values of '{}'", earlier.file.string(), earlier.frames, name));
+    return found->values;
   };
-  times_ = first("time");
+  const auto count = static_cast<std::ptrdiff_t>(earlier.frames);
+  times_.assign(values_of("time").begin(), values_of("time").begin() + count);
   rows_.assign(earlier.frames, std::vector<double>(columns_.size()));
   for (std::size_t c = 0; c < columns_.size(); ++c) {
-    const std::vector<double> values = first(columns_[c].name);
+    const std::vector<double>& values = values_of(columns_[c].name);
     for (std::size_t f = 0; f < rows_.size(); ++f) rows_[f][c] = values[f];
   }
 }

@@ -119,8 +119,18 @@ TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io
   const std::string after = bytes(part);
   REQUIRE(before != after.substr(0, superblock));
   std::ofstream(killed, std::ios::binary) << before << after.substr(superblock);
+  // It is read from a temporary copy, which does not stay.
+  const char* const usual = std::getenv("TMPDIR");
+  const std::string usual_folder = usual ? usual : "";
+  fs::create_directory(folder / "temporary");
+  setenv("TMPDIR", (folder / "temporary").c_str(), 1);
+  fs::permissions(killed, fs::perms::owner_read);
   CHECK(read_run(killed).frames == frames);
   CHECK(wrong_frames(killed) == 0);
+  CHECK(fs::is_empty(folder / "temporary"));
+  setenv("TMPDIR", (folder / "missing").c_str(), 1);
+  CHECK_THROWS_AS(read_run(killed), RunFileError);
+  usual ? setenv("TMPDIR", usual_folder.c_str(), 1) : unsetenv("TMPDIR");
   const std::string left = bytes(killed);
   CHECK(left == before + after.substr(superblock));  // reading changes nothing
   CHECK(goes_on_from(killed, folder / "other.vtkhdf", frames));
@@ -177,8 +187,9 @@ TEST_CASE("run file: a run goes on only where there is room for all of its earli
     const rlimit size{1 << 20, 1 << 20};
     signal(SIGXFSZ, SIG_IGN);
     if (setrlimit(RLIMIT_FSIZE, &size) != 0) _exit(3);
-    const std::string text = error_text<RunFileError>(
-        [&] { RunFileWriter(path, square_header(), path.string() + ".new.part", {part, frames}); });
+    const std::string text = error_text<RunFileError>([&] {
+      RunFileWriter(path, square_header(), path.string() + ".new.part", {part, frames});
+    });
     if (text.find("can't begin the run file: File too large. Free some space") == std::string::npos) _exit(4);
   });
   read_all(child);

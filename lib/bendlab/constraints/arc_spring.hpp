@@ -127,13 +127,13 @@ inline double ArcSpring::bending_of(double ratio, Law law) {
   double low = 0, high = std::numbers::pi;
   double y = std::min(high, std::sqrt(6 * (1 - ratio) * (1 + 0.3 * (1 - ratio))));
   constexpr int most = 60;
-  for (int i = 0; i < most && low < high; ++i) {
+  constexpr double rounded = 2.3e-16;  // of a ratio
+  for (int i = 0; i < most; ++i) {
     const double above = sinc(y) - ratio;
+    if (std::abs(above) <= rounded) break;
     (above > 0 ? low : high) = y;
-    double next = y + above * y / sinc_minus_cosine(y);
-    if (!(next > low && next < high)) next = (low + high) / 2;
-    if (next == y || std::abs(next - y) < 1e-16 * y) break;
-    y = next;
+    const double next = y + above * y / sinc_minus_cosine(y);
+    y = next > low && next < high ? next : (low + high) / 2;
   }
   return y / std::numbers::pi;
 }

@@ -20,6 +20,7 @@
 //
 //     static constexpr bool one_sided = true;
 //     static double energy(C, rest, law);                        // times the compliance
+//     static Potential potential(C, rest, law);                  // that, and its derivatives by C, for C ≤ 0
 //     static double change(C, rest, law, w, alpha, multiplier);  // Δλ of a projection, w = Σ w|∇C|²
 #pragma once
 

@@ -197,7 +197,10 @@ bool ends_before_its_bytes(hid_t file) {
 }
 
 Handle open_with_all_bytes(const std::string& path) {
-  std::string copy = (std::filesystem::temp_directory_path() / "bendlab-XXXXXX").string();
+  std::error_code error;
+  const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
+  if (error) throw system_failure(error.value());
+  std::string copy = (folder / "bendlab-XXXXXX").string();
   const int descriptor = mkstemp(copy.data());
   if (descriptor < 0) throw system_failure(errno);
   close(descriptor);
@@ -205,9 +208,9 @@ Handle open_with_all_bytes(const std::string& path) {
     const std::string& file;
     ~Removed() { unlink(file.c_str()); }
   } const removed{copy};
-  std::error_code error;
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
   if (error) throw system_failure(error.value());
+  if (chmod(copy.c_str(), S_IRUSR | S_IWUSR) != 0) throw system_failure(errno);  // it has the file's now
   Handle file(H5Fopen(copy.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
   check(H5Fincrement_filesize(file, 0));  // to the end of its bytes
   return file;

@@ -137,10 +137,8 @@ Handle open_run(const std::filesystem::path& path) {
   Handle file;
   try {
     file = hdf5::open_file(path.string(), H5F_ACC_RDONLY);
-    if (path.extension() == ".part" && hdf5::ends_before_its_bytes(file)) {
-      file.close();
+    if (path.extension() == ".part" && hdf5::ends_before_its_bytes(file))
       file = hdf5::open_with_all_bytes(path.string());
-    }
   } catch (const hdf5::Failure& failure) {
     if (failure.code() == EWOULDBLOCK) throw hdf5::Failure("another process is writing it", EWOULDBLOCK);
     throw;
