@@ -45,8 +45,10 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
   std::vector<std::size_t> result;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     const RunConfig& config = *runs[i].config;
-    std::string what_names_the_file = fmt::format("{}\n{}\n{}", runs[i].experiment->name, place_text(runs[i]),
-                                                  identity_text(config.resolved()));
+    std::string what_names_the_file =
+        fmt::format("{}\n{}", runs[i].experiment->name, identity_text(config.resolved()));
+    for (const auto& [pointer, value] : config.point)
+      what_names_the_file += fmt::format("\n{} {}", pointer, value.dump());
     for (const auto& [pointer, path] : input_files(config))
       what_names_the_file += fmt::format("\n{}", path.string());
     result.push_back(first.try_emplace(what_names_the_file, i).first->second);

@@ -1,9 +1,10 @@
 #include "experiments/campaign/run_labels.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
+#include <map>
 #include <string_view>
 
 #include "experiments/terminal/table.hpp"
@@ -19,23 +20,35 @@ std::string value_text(const Json& value) {
 
 constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // told without their key
 
-// An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
-std::string object_text(const Json& object, const std::vector<Json>& flat_values) {
-  const Json flat = object.flatten();
-  const auto entry = [](const Json& of, const std::string& key) {
-    return of.contains(key) ? of[key] : Json();
-  };
-  std::string first, others;
-  for (const auto& [key, value] : flat.items()) {
-    if (std::ranges::all_of(flat_values, [&](const Json& other) { return entry(other, key) == value; }))
-      continue;
-    if (std::ranges::find(named_first, key) != named_first.end())
-      first += value_text(value);
+// The entries of an object and of objects in it, by their pointers. Arrays stay whole.
+std::map<std::string, Json> flattened(const Json& object, const std::string& pointer = "") {
+  std::map<std::string, Json> flat;
+  for (const auto& [key, value] : object.items())
+    if (value.is_object())
+      flat.merge(flattened(value, pointer + "/" + key));
     else
-      others += fmt::format(", {} {}", key.substr(key.rfind('/') + 1), value_text(value));
+      flat[pointer + "/" + key] = value;
+  return flat;
+}
+
+// An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
+std::string object_text(const Json& object, const std::vector<std::map<std::string, Json>>& flat_values) {
+  const auto differs = [&](const std::string& key, const Json& value) {
+    return std::ranges::any_of(flat_values, [&](const auto& other) {
+      const auto found = other.find(key);
+      return found == other.end() || found->second != value;
+    });
+  };
+  std::vector<std::string> first, others;
+  for (const auto& [key, value] : flattened(object)) {
+    if (!differs(key, value)) continue;
+    if (std::ranges::find(named_first, key) != named_first.end())
+      first.push_back(value_text(value));
+    else
+      others.push_back(fmt::format("{} {}", key.substr(key.rfind('/') + 1), value_text(value)));
   }
-  if (first.empty() && others.empty()) return "as it is";
-  return first.empty() ? others.substr(2) : first + others;
+  first.insert(first.end(), others.begin(), others.end());
+  return first.empty() ? "as it is" : fmt::format("{}", fmt::join(first, ", "));
 }
 
 // Longer axes of objects keep their whole text: this is done for each run.
@@ -44,8 +57,8 @@ constexpr std::size_t most_objects = 64;
 std::string text_on_axis(const Json& value, const std::vector<Json>& values) {
   if (!value.is_object() || values.size() > most_objects || !std::ranges::all_of(values, &Json::is_object))
     return value_text(value);
-  std::vector<Json> flat;
-  for (const Json& each : values) flat.push_back(each.flatten());
+  std::vector<std::map<std::string, Json>> flat;
+  for (const Json& each : values) flat.push_back(flattened(each));
   std::string text = object_text(value, flat);
   const auto same = [&](const Json& each) { return object_text(each, flat) == text; };
   return std::ranges::count_if(values, same) > 1 ? value.dump() : text;
