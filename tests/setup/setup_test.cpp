@@ -55,9 +55,10 @@ fi)");
   /// stand-ins.
   int run(const std::string& arguments, const std::string& settings = "") {
     fs::remove(root_ / "calls");
-    const std::string command = "cd '" + (root_ / "elsewhere").string() + "' && PATH='" +
-                                (root_ / "bin").string() + "':$PATH CI=true " + settings +
-                                " ../'check out'/bendlab " + arguments + " </dev/null >../out 2>../err";
+    const std::string command = "cd '" + (root_ / "elsewhere").string() +
+                                "' && unset BENDLAB_PRESET && PATH='" + (root_ / "bin").string() +
+                                "':$PATH CI=true " + settings + " ../'check out'/bendlab " + arguments +
+                                " </dev/null >../out 2>../err";
     const int status = std::system(command.c_str());
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
