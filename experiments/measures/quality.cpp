@@ -103,7 +103,8 @@ extern const Measure quality{
         [] {
           std::vector<Quantity> all = {
               {"degenerate_triangles", "1", "of the last frame: " + counts[0].meaning},
-              {"degenerate_triangles_median", "1", "over the last second"},
+              {"degenerate_triangles_median", "1",
+               "over the last second; with equilibrium, of its last step"},
               {"degenerate_triangles_worst", "1", "of all frames"},
               {"rest_degenerate_triangles", "1", "of the rest shape"}};
           for_quality_columns([&](const QualityMeasure& each, std::size_t, const Statistic& statistic,

@@ -1,3 +1,5 @@
+#include <limits>
+
 #include "bendlab/solver/method.hpp"
 #include "experiments/measures/measure.hpp"
 
@@ -7,12 +9,13 @@ namespace {
 class StepResidual final : public Measurement {
  public:
   void capture(const Simulation& simulation, const Positions&, std::span<double> values) override {
-    values[0] = simulation.step_residual().value_or(0);
+    values[0] = simulation.step_residual().value_or(std::numeric_limits<double>::quiet_NaN());
   }
 
   void finish(const RunEnd& end, Findings& findings) override {
-    if (!end.frames.empty() && end.status != RunStatus::diverged)
-      findings.summary["step_residual"] = end.frames.median_after_start("step_residual");
+    if (end.status == RunStatus::diverged) return;
+    if (const std::optional<double> mean = end.frames.mean_of_known("step_residual"))
+      findings.summary["step_residual"] = *mean;
   }
 };
 
@@ -28,10 +31,11 @@ extern const Measure step_residual{
     .columns = []() -> std::vector<Column> {
       return {{"step_residual", "1",
                "forces, inertia among them, that the last substep left unbalanced: the sum of their lengths "
-               "over vertices, relative to that of the effects' forces; 0 without such forces"}};
+               "over vertices, relative to that of the effects' forces; unknown without such forces"}};
     },
     .gives = []() -> std::vector<Quantity> {
-      return {{"step_residual", "1", "median over all frames but the first"}};
+      return {{"step_residual", "1",
+               "mean over the frames that have it: the share of the forces' impulse that is unbalanced"}};
     },
     .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
       return std::make_unique<StepResidual>();

@@ -13,6 +13,7 @@
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/energy.hpp"
 #include "experiments/scene/gravity.hpp"
+#include "experiments/scene/obstacles.hpp"
 
 namespace bendlab {
 namespace {
@@ -72,12 +73,6 @@ bool moves(const EffectSettings& obstacle) {
     return std::ranges::any_of(obstacle.values.numbers(name), [](double x) { return x != 0; });
   };
   return nonzero("velocity") || (obstacle.values.has("spin") && obstacle.values.number("spin") != 0);
-}
-
-bool is_obstacle(std::string_view type) {
-  constexpr std::array<std::string_view, 5> obstacles = {"plane", "sphere", "capsule", "disc",
-                                                         "mesh_obstacle"};
-  return std::ranges::find(obstacles, type) != obstacles.end();
 }
 
 double epsilon_of(const Scene& scene) {

@@ -271,7 +271,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
                    .wall_s = outcome.wall_s,
                    .cpu_s = outcome.cpu_s,
                    .step_cpu_s = outcome.step_cpu_s};
-  outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary});
+  outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary, outcome.status});
   if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
   footer.provenance["ended"] = utc_now();
   if (!clock.went_on_at().empty())

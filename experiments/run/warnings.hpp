@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "bendlab/io/run_file.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/scene/scene.hpp"
 
@@ -25,6 +26,7 @@ struct WarningInput {
   const RunConfig& config;
   const Scene& scene;
   const std::map<std::string, double>* summary = nullptr;  ///< of the run; null before it
+  RunStatus status = RunStatus::running;                   ///< how it ended
 };
 
 struct WarningKind {

@@ -73,7 +73,8 @@ TEST_CASE("measures: a run's summary has the numbers of its measures and no othe
 
 TEST_CASE("measures: one that nobody has is refused with those there are", "[measures]") {
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "none", "defaults": "paper",
-          "output": {"measures": ["motion"]}})", "test"),
+          "output": {"measures": ["motion"]}})",
+                                     "test"),
                     Catch::Matchers::ContainsSubstring("/output/measures") &&
                         Catch::Matchers::ContainsSubstring("stability"));
 }
@@ -82,8 +83,9 @@ TEST_CASE("measures: a metric that no run can have is an error before the first 
   Workplace here;
   const auto validate = [&](const std::string& metric, const std::string& more) {
     here.write("e.json", R"({"name": "e", "defaults": "paper",
-          "mesh": {"cells": 2}, )" + more + R"("expect": [{"metric": ")" +
-                             metric + R"(", "min": 0, "why": "any"}]})");
+          "mesh": {"cells": 2}, )" +
+                             more + R"("expect": [{"metric": ")" + metric +
+                             R"(", "min": 0, "why": "any"}]})");
     return here.run("validate e.json");
   };
   CHECK(validate("max_stretch", "") == 0);
@@ -106,6 +108,12 @@ TEST_CASE("measures: the median is that of the last simulated second", "[measure
   CHECK(frames.largest("b") == 8);
   CHECK(frames.last("b") == 5);
   CHECK_THROWS_AS(frames.last("c"), std::logic_error);
+  CHECK(frames.mean_of_known("a") == 48.5);  // of 100, 90, 3 and 1
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const std::vector<std::vector<double>> some = {
+      {unknown, unknown}, {7, unknown}, {unknown, unknown}, {3, unknown}};
+  CHECK(FrameHistory(columns, times, some, true).mean_of_known("a") == 5);
+  CHECK_FALSE(FrameHistory(columns, times, some, true).mean_of_known("b"));
 }
 
 }  // namespace bendlab

@@ -9,6 +9,7 @@
 #include <fstream>
 #include <set>
 
+#include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -23,21 +24,24 @@ Experiment experiment_of(const std::string& settings) {
   return parse_experiment(R"({"name": "warned", "defaults": "paper", )" + settings + "}", "test");
 }
 
-// Codes of the first run's warnings, and the message of the last one asked for.
-std::set<std::string> codes_of(const std::string& settings, const Summary* summary = nullptr) {
+// Of the first run, which ended with that summary.
+std::vector<Warning> warnings_with(const std::string& settings, const Summary* summary,
+                                   RunStatus status = RunStatus::complete) {
   const Experiment experiment = experiment_of(settings);
   const Scene scene = build_scene(experiment.runs.front());
+  return warnings_of({experiment, experiment.runs.front(), scene, summary, status});
+}
+
+std::set<std::string> codes_of(const std::string& settings, const Summary* summary = nullptr,
+                               RunStatus status = RunStatus::complete) {
   std::set<std::string> codes;
-  for (const Warning& warning : warnings_of({experiment, experiment.runs.front(), scene, summary}))
-    codes.insert(warning.code);
+  for (const Warning& warning : warnings_with(settings, summary, status)) codes.insert(warning.code);
   return codes;
 }
 
 std::string message_of(const std::string& code, const std::string& settings,
                        const Summary* summary = nullptr) {
-  const Experiment experiment = experiment_of(settings);
-  const Scene scene = build_scene(experiment.runs.front());
-  for (const Warning& warning : warnings_of({experiment, experiment.runs.front(), scene, summary}))
+  for (const Warning& warning : warnings_with(settings, summary))
     if (warning.code == code) return warning.message;
   return "";
 }
@@ -170,6 +174,7 @@ TEST_CASE("warnings: a forecast of a soft membrane is for cloth that something h
            std::string(pins) + R"(]}, "effects": [{"type": "gravity"})" + effects + "]";
   };
   CHECK(codes_of(with("", "")).empty());
+  CHECK(codes_of(with("", R"(, {"type": "self_collision"})")).empty());
   CHECK(codes_of(with("\"top\"", "")) == Codes{"membrane_courant"});
   CHECK(codes_of(with("", R"(, {"type": "plane", "point": [0, 0, -1]})")) == Codes{"membrane_courant"});
   const Summary measured = {{"mean_strain", 1e-4}};  // after the run that counts, and soft_solver tells
@@ -182,17 +187,18 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
       "bending": {"stiffness": "physical"}, "solver": )" +
            std::string(solver);
   };
-  const Summary left = {{"step_residual", 2.5}}, converged = {{"step_residual", 0.5}};
+  const Summary left = {{"step_residual", 2.5}}, converged = {{"step_residual", 1.9}};
   const std::string stated = with(R"({"method": "quasi_newton"})"),
                     softened = with(R"({"method": "quasi_newton", "membrane": "auto", "iterations": 2})"),
-                    vbd = with(R"({"method": "vbd"})");
+                    vbd = with(R"({"method": "vbd"})"), newton = with(R"({"method": "newton"})");
   CHECK(codes_of(stated, &left) == Codes{"lagging"});
   CHECK(codes_of(stated, &converged).empty());
-  CHECK_THAT(message_of("lagging", stated, &left),
-             ContainsSubstring("2.5 times") && ContainsSubstring("1 substep × 10 iterations") &&
-                 ContainsSubstring("/solver/membrane: auto"));
+  CHECK_THAT(message_of("lagging", stated, &left), ContainsSubstring("2.5 times") &&
+                                                       ContainsSubstring("1 substep × 10 iterations") &&
+                                                       ContainsSubstring("/solver/membrane: auto"));
   CHECK_THAT(message_of("lagging", softened, &left), ContainsSubstring("More /solver/iterations"));
   CHECK_THAT(message_of("lagging", vbd, &left), ContainsSubstring("quasi_newton"));
+  CHECK_THAT(message_of("lagging", newton, &left), ContainsSubstring("3 left 32"));
 }
 
 TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
@@ -202,6 +208,18 @@ TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
   const Summary unbalanced = {{"unbalanced", 49}}, found = {{"unbalanced", 1e-8}, {"settled_at", 0.5}};
   CHECK_THAT(message_of("no_equilibrium", settings, &unbalanced), ContainsSubstring("49 times the loads"));
   CHECK(codes_of(settings, &found).empty());
+  for (const RunStatus status : {RunStatus::interrupted, RunStatus::diverged})
+    CHECK(codes_of(settings, &unbalanced, status).empty());  // it had no time, or no end
+
+  const fs::path folder = fs::temp_directory_path() / fmt::format("bendlab warnings test {}", getpid());
+  const auto warned = [&](const char* duration) {
+    const Experiment experiment = experiment_of(settings + R"(, "duration": )" + duration);
+    const RunOutcome outcome = execute_run(experiment, experiment.runs.front(), folder);
+    return std::ranges::any_of(outcome.warnings, [](const Warning& w) { return w.code == "no_equilibrium"; });
+  };
+  CHECK(warned("0.02"));
+  CHECK_FALSE(warned("2"));
+  fs::remove_all(folder);
 }
 
 TEST_CASE("warnings: prestressed springs that stretch the sheet", "[warnings]") {

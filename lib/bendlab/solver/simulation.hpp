@@ -77,7 +77,7 @@ struct SimulationInput {
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
   Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
   Vector3 origin = Vector3::Zero();  ///< coordinates are kept relative to it, m
-  double size = 1;       ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
+  double size = 1;  ///< of the rest shape, m: a vertex farther than 10⁶ sizes away means divergence
   std::vector<double> mass;      ///< #V, kg
   std::vector<char> is_pinned;   ///< #V
   std::vector<int> permutation;  ///< #V, the index of each vertex in the solver's arrays; empty: its own
@@ -152,9 +152,9 @@ class Simulation {
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
   /// For a method that steps implicitly: the forces that its iterations left unbalanced at the end of the
-  /// last substep (inertia among them), relative to those of the effects; both are sums of lengths over free
-  /// vertices. Those that touch something do not count as unbalanced. Nothing before the first step, and
-  /// without such forces. Takes about as long as an iteration.
+  /// last substep (inertia among them), relative to those of the effects (linear drag not among these); both
+  /// are sums of lengths over free vertices. Those that touch something do not count as unbalanced. Nothing
+  /// before the first step, and without such forces. Takes about as long as an iteration.
   virtual std::optional<double> step_residual() const { return std::nullopt; }
 
   /// How many times the stated compliance the membrane has, if the method softened it.
