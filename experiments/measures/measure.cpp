@@ -88,18 +88,6 @@ double FrameHistory::largest(std::string_view column) const {
   return largest;
 }
 
-double FrameHistory::median_after_start(std::string_view column) const {
-  return rows_.size() < 2 ? 0 : median(column, 1);
-}
-
-std::optional<double> FrameHistory::mean_of_known(std::string_view column) const {
-  const std::size_t index = index_of(columns_, column);
-  double sum = 0, count = 0;
-  for (const std::vector<double>& row : rows_)
-    if (!std::isnan(row[index])) sum += row[index], ++count;
-  return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
 double FrameHistory::last_second_median(std::string_view column) const {
   if (!has_motion_) return last(column);
   constexpr double rounding = 1e-9;  // s; a frame exactly one second before the end is not in it

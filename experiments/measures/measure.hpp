@@ -58,9 +58,6 @@ class FrameHistory {
   /// Of a column, as MeasuredFrame::value() names it.
   double last(std::string_view column) const;
   double largest(std::string_view column) const;
-  double median_after_start(std::string_view column) const;  ///< of all frames but the first; else 0
-  /// Of the frames whose value is not NaN, if there are any.
-  std::optional<double> mean_of_known(std::string_view column) const;
   /// The median over the last simulated second: sheets are chaotic, and one frame misleads. Without motion
   /// last().
   double last_second_median(std::string_view column) const;

@@ -6,17 +6,25 @@
 namespace bendlab {
 namespace {
 
-class StepResidual final : public Measurement {
+class StepResidualMeasurement final : public Measurement {
  public:
   void capture(const Simulation& simulation, const Positions&, std::span<double> values) override {
-    values[0] = simulation.step_residual().value_or(std::numeric_limits<double>::quiet_NaN());
+    values[0] = std::numeric_limits<double>::quiet_NaN();
+    const std::optional<StepResidual> residual = simulation.step_residual();
+    if (!residual) return;
+    values[0] = residual->share();
+    sum_.unbalanced += residual->unbalanced, sum_.effects += residual->effects;
   }
 
+  void archive(Archive& state) override { state(sum_.unbalanced, sum_.effects); }
+
   void finish(const RunEnd& end, Findings& findings) override {
-    if (end.status == RunStatus::diverged) return;
-    if (const std::optional<double> mean = end.frames.mean_of_known("step_residual"))
-      findings.summary["step_residual"] = *mean;
+    if (end.status != RunStatus::diverged && sum_.effects > 0)
+      findings.summary["step_residual"] = sum_.share();
   }
+
+ private:
+  StepResidual sum_{0, 0};  // over frames
 };
 
 }  // namespace
@@ -35,10 +43,11 @@ extern const Measure step_residual{
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"step_residual", "1",
-               "mean over the frames that have it: the share of the forces' impulse that is unbalanced"}};
+               "unbalanced forces relative to those of the effects, both summed over the last substeps of "
+               "all frames"}};
     },
     .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
-      return std::make_unique<StepResidual>();
+      return std::make_unique<StepResidualMeasurement>();
     }};
 }  // namespace measure
 }  // namespace bendlab

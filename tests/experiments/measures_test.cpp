@@ -108,12 +108,6 @@ TEST_CASE("measures: the median is that of the last simulated second", "[measure
   CHECK(frames.largest("b") == 8);
   CHECK(frames.last("b") == 5);
   CHECK_THROWS_AS(frames.last("c"), std::logic_error);
-  CHECK(frames.mean_of_known("a") == 48.5);  // of 100, 90, 3 and 1
-  const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const std::vector<std::vector<double>> some = {
-      {unknown, unknown}, {7, unknown}, {unknown, unknown}, {3, unknown}};
-  CHECK(FrameHistory(columns, times, some, true).mean_of_known("a") == 5);
-  CHECK_FALSE(FrameHistory(columns, times, some, true).mean_of_known("b"));
 }
 
 }  // namespace bendlab

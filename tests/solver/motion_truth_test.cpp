@@ -247,7 +247,7 @@ TEST_CASE("internal forces of a converged step have no torque", "[solver]") {
   const SimulationInput input = spinning_sheet(rest, 1e-3);
   for (const std::string_view method : converging_methods)
     for (const auto& [integrator, order] : integrators) {
-      const auto simulation = implicit_steps(input, method, integrator, 1.0 / 60, {}, 500, 1e-14);
+      const auto simulation = implicit_steps(input, method, integrator, 1.0 / 60, {}, 1000, 0);
       Positions earlier = input.velocities, before = input.velocities;
       for (int step = 0; step < 20; ++step) {
         REQUIRE(simulation->step());

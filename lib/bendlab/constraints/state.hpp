@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,10 @@ enum class Stage {
   velocity,   ///< after the velocities were updated from the projected positions
 };
 
+struct FrictionCoefficients {
+  double at_rest, sliding;  ///< μ_s, μ_k
+};
+
 template <class Real>
 struct Pass {
   std::string name;
@@ -117,6 +122,8 @@ struct Pass {
   /// Of a pass that only slows vertices, m v' = -drag v: the drag in kg/s, #V, permuted. An implicit step
   /// takes it into its equations and does not run the pass.
   std::vector<double> drag;
+  /// Of Coulomb's friction where obstacles push: an implicit step takes it over in the same way.
+  std::optional<FrictionCoefficients> friction;
 };
 
 }  // namespace bendlab

@@ -3,7 +3,8 @@
 // Per vertex and substep, in displacements: D is the sum of all pushes by obstacles so far, F the sum of all
 // friction. Friction cancels the sliding that is left, if |F| stays within μ_s D; otherwise |F| becomes μ_k
 // D. The sums go over the iterations of the substep: the first one pushes most, but a vertex that strain and
-// bending move later has to stick as well (like accumulated impulses, Catto 2005, §4.3).
+// bending move later has to stick as well (like accumulated impulses, Catto 2005, §4.3). Methods that step
+// implicitly have friction among their forces (contact_forces.hpp).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -108,9 +109,12 @@ class Friction {
 
 template <class Real>
 std::vector<Pass<Real>> compile(const EffectInput& input) {
-  return {{"friction", Stage::contact,
-           Friction<Real>(input.rest.vertex_count(), input.parameters.number("static"),
-                          input.parameters.number("kinetic"))}};
+  const FrictionCoefficients coefficients = {input.parameters.number("static"),
+                                             input.parameters.number("kinetic")};
+  return {{.name = "friction",
+           .stage = Stage::contact,
+           .run = Friction<Real>(input.rest.vertex_count(), coefficients.at_rest, coefficients.sliding),
+           .friction = coefficients}};
 }
 
 }  // namespace

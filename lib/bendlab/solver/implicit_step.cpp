@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <numeric>
 #include <stdexcept>
 
 #include "bendlab/constraints/batches.hpp"
@@ -37,7 +39,8 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, std::vector<int> 
   require_energy(input);
   const ParameterValues own = own_settings(input);
   integrator_ = named<Integrator>(own.text("integrator"), integrator_names);
-  tolerance_ = own.number("tolerance") * input.size;
+  size_ = input.size;
+  tolerance_ = own.number("tolerance") * size_;
   base_ = target_ = velocity_ = earlier_velocity_ = state_.position;
   for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
     has_unknowns_ |= state_.position[v].w > 0;
@@ -46,7 +49,7 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, std::vector<int> 
 template <class Real>
 void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight,
                                       double least) {
-  contact_per_weight_ = static_cast<Real>(per_weight), contact_least_ = static_cast<Real>(least);
+  contacts_ = ContactForces<Real>(per_weight, least);
   const auto add = [&](Passes& passes, const char* name, auto action) {
     passes.push_back({[this, action](PassContext<Real>& c) { action(c); }, this->add_statistics(name)});
   };
@@ -72,30 +75,30 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
 // The passes change the positions; what they changed becomes a force, and the positions are as before.
 template <class Real>
 void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_passes) {
+  std::vector<Pass<Real>> gripping;
+  std::erase_if(effect_passes, [&](Pass<Real>& pass) {
+    if (!pass.friction) return false;
+    const FrictionCoefficients friction = *pass.friction;
+    pass.run = [this, friction](PassContext<Real>& c) { c.acted += contacts_.grip(state_, friction); };
+    gripping.push_back(std::move(pass));
+    return true;
+  });
   this->append_effects(contact_, effect_passes, Stage::project);
   this->append_effects(contact_, effect_passes, Stage::contact);
-  if (contact_.empty()) return;
-  contact_.front().run = [this, run = std::move(contact_.front().run)](PassContext<Real>& c) {
-    whole_ = state_.position;
-    run(c);
-  };
   iteration_ = contact_;
-  contact_force_.resize(state_.position.size());
-  iteration_.back().run = [this, run = std::move(iteration_.back().run)](PassContext<Real>& c) {
+  this->append_effects(iteration_, gripping, Stage::contact);
+  if (contact_.empty()) return;
+  contacts_.resize(state_.position.size());
+  contact_.front().run = [this, run = std::move(contact_.front().run)](PassContext<Real>& c) {
+    contacts_.remember(state_);
     run(c);
-    take_contacts();
   };
-}
-
-template <class Real>
-void ImplicitStep<Real>::take_contacts() {
-  std::swap(state_.position, whole_);
-  if (is_first_) touched_.assign(weight_.size(), 0);
-  for (std::size_t v = 0; v < weight_.size(); ++v) {
-    const Vector3Of<Real> push = whole_[v].vector() - state_.position[v].vector();
-    contact_force_[v].set(weight_[v] > 0 ? contact_stiffness(v) * push : Vector3Of<Real>::Zero().eval());
-    touched_[v] |= contact_force_[v].vector().squaredNorm() > 0;
-  }
+  iteration_.front().run = contact_.front().run;
+  auto& last = iteration_[contact_.size() - 1].run;
+  last = [this, run = std::move(last)](PassContext<Real>& c) {
+    run(c);
+    contacts_.push(state_, weight_, is_first_);
+  };
 }
 
 // Drag that is linear in the velocity becomes part of the equations, so that no step is too long for it.
@@ -116,6 +119,7 @@ void ImplicitStep<Real>::substep(PassContext<Real>& context) {
     if (static_cast<double>(last_move_) <= tolerance_) break;
   }
   this->run(contact_, context);
+  if (has_contacts()) contacts_.hold(state_);
   this->run(after_, context);
 }
 
@@ -126,34 +130,39 @@ void ImplicitStep<Real>::remember_velocities() {
 }
 
 template <class Real>
-double ImplicitStep<Real>::lasting_gamma() const {
-  const double h = settings_.dt / settings_.substeps;
-  return integrator_ == Integrator::bdf2 ? 2 * h / 3 : h;
+Real ImplicitStep<Real>::weight_for(std::size_t v, double gamma) const {
+  if (!(state_.position[v].w > 0)) return 0;
+  return static_cast<Real>((state_.mass[v] + (drag_.empty() ? 0 : drag_[v] * gamma)) / (gamma * gamma));
 }
 
 template <class Real>
-std::vector<Real> ImplicitStep<Real>::weights_for(double gamma) const {
+std::vector<Real> ImplicitStep<Real>::lasting_weights() const {
+  const double h = settings_.dt / settings_.substeps;
   std::vector<Real> weights(static_cast<std::size_t>(state_.vertex_count));
   for (std::size_t v = 0; v < weights.size(); ++v)
-    if (state_.position[v].w > 0)
-      weights[v] =
-          static_cast<Real>((state_.mass[v] + (drag_.empty() ? 0 : drag_[v] * gamma)) / (gamma * gamma));
+    weights[v] = weight_for(v, integrator_ == Integrator::bdf2 ? 2 * h / 3 : h);
   return weights;
 }
 
 template <class Real>
 void ImplicitStep<Real>::aim(Real h) {
-  const bool second_order = has_history_ && integrator_ == Integrator::bdf2;
-  const double gamma = second_order ? 2 * static_cast<double>(h) / 3 : static_cast<double>(h);
-  if (gamma != gamma_) gamma_ = gamma, weight_ = weights_for(gamma);
+  const auto count = static_cast<std::size_t>(state_.vertex_count);
+  gamma_.resize(count, 0), weight_.resize(count, 0);
+  weights_changed_ = false;
   total_force_ = 0;
-  for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
+  for (std::size_t v = 0; v < count; ++v) {
+    const bool second_order =
+        has_history_ && integrator_ == Integrator::bdf2 && !(has_contacts() && contacts_.touched(v));
+    const Real gamma = second_order ? 2 * h / 3 : h;
+    if (gamma != gamma_[v])
+      gamma_[v] = gamma, weight_[v] = weight_for(v, static_cast<double>(gamma)), weights_changed_ = true;
     if (state_.position[v].w > 0)
       total_force_ += state_.mass[v] / static_cast<double>(h) *
                       static_cast<double>((state_.velocity[v].vector() - velocity_[v].vector()).norm());
-  const auto g = static_cast<Real>(gamma), share = second_order ? Real(1) / 3 : Real(0);
+  }
   this->for_vertices([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
+      const Real g = gamma_[v], share = g < h ? Real(1) / 3 : Real(0);
       const Vector3Of<Real> x = state_.position[v].vector(), start = velocity_[v].vector(),
                             acceleration = (state_.velocity[v].vector() - start) / h,
                             base = x + share * (x - state_.previous[v].vector()),
@@ -179,12 +188,11 @@ bool ImplicitStep<Real>::pins_moved() const {
 // same.
 template <class Real>
 void ImplicitStep<Real>::update() {
-  const auto per_gamma = static_cast<Real>(1 / gamma_),
-             per_h = static_cast<Real>(settings_.substeps / settings_.dt);
+  const auto per_h = static_cast<Real>(settings_.substeps / settings_.dt);
   this->for_vertices([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      state_.velocity[v].set(per_gamma * (state_.position[v].vector() - base_[v].vector()));
-      if (!has_contacts() || !touched_[v]) continue;
+      state_.velocity[v].set((state_.position[v].vector() - base_[v].vector()) / gamma_[v]);
+      if (!has_contacts() || !contacts_.touched(v)) continue;
       state_.velocity[v].set(per_h * (state_.position[v].vector() - state_.previous[v].vector()));
       velocity_[v].set(state_.velocity[v].vector());
     }
@@ -196,8 +204,8 @@ void ImplicitStep<Real>::update() {
 template <class Real>
 std::size_t ImplicitStep<Real>::memory_bytes() const {
   return TimeStep<Real>::memory_bytes() + bytes_of(drag_) + bytes_of(weight_) + bytes_of(target_) +
-         bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(whole_) +
-         bytes_of(contact_force_) + bytes_of(touched_);
+         bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(gamma_) +
+         contacts_.memory_bytes();
 }
 
 template <class Real>
@@ -213,17 +221,16 @@ template <class Real>
 void ImplicitStep<Real>::keep_momentum() {
   if (std::ranges::any_of(weight_, [](Real w) { return !(w > 0); })) return;
   Vector3 unbalanced = Vector3::Zero();
-  double whole = 0;
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
   for (std::size_t v = 0; v < weight_.size(); ++v) {
     const auto weight = static_cast<double>(weight_[v]);
-    whole += weight;
+    stiffness.diagonal().array() += weight;
     unbalanced += weight * (state_.position[v].vector() - target_[v].vector()).template cast<double>();
-    if (!has_contacts()) continue;
-    const Vector3Of<Real> push = contact_force_[v].vector();
-    unbalanced -= push.template cast<double>();
-    if (push.squaredNorm() > 0) whole += static_cast<double>(contact_stiffness(v));
+    if (!has_contacts() || !contacts_.pushes(v)) continue;
+    unbalanced -= contacts_.force_at(v, state_.position[v].vector()).template cast<double>();
+    stiffness += contacts_.stiffness(v).template cast<double>();
   }
-  const Vector3Of<Real> move = (unbalanced / whole).template cast<Real>();
+  const Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
   for (auto& p : state_.position) p.set(p.vector() - move);
 }
 
@@ -231,9 +238,9 @@ template <class Real>
 void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
   double inertia = 0;  // there, minus at the guess
   for (std::size_t v = 0; v < weight_.size(); ++v)
-    inertia += 0.5 * static_cast<double>(
-                         weight_[v] * ((state_.previous[v].vector() - target_[v].vector()).squaredNorm() -
-                                       (state_.position[v].vector() - target_[v].vector()).squaredNorm()));
+    inertia += 0.5 * static_cast<double>(weight_[v] *
+                                         ((state_.previous[v].vector() - target_[v].vector()).squaredNorm() -
+                                          (state_.position[v].vector() - target_[v].vector()).squaredNorm()));
   Points<Real> last = state_.position;
   for (std::size_t v = 0; v < weight_.size(); ++v)
     if (weight_[v] > 0) last[v].set(state_.previous[v].vector());
@@ -242,23 +249,32 @@ void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
 }
 
 template <class Real>
-std::optional<double> ImplicitStep<Real>::step_residual() const {
-  if (!(total_force_ > 0)) return std::nullopt;
-  const Points<Real>& reached = has_contacts() ? whole_ : state_.position;  // before contacts took it back
+std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
+  // What moves vertices by less than the tolerance, or than rounding, is no force to measure by.
+  const double least = std::max(tolerance_,
+                                100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),
+               rounded = std::accumulate(weight_.begin(), weight_.end(), 0.0) * least;  // N
+  if (!(total_force_ > rounded)) return std::nullopt;
+  const Points<Real>& reached = has_contacts() ? contacts_.before() : state_.position;
   const Points<Real> elastic = elastic_forces(reached);
   double left = 0;
   for (std::size_t v = 0; v < weight_.size(); ++v) {
-    if (!(weight_[v] > 0) || (has_contacts() && touched_[v])) continue;
-    const Vector3Of<Real> inertia = weight_[v] * (target_[v].vector() - reached[v].vector());
-    left += static_cast<double>((elastic[v].vector() + inertia).norm());
+    if (!(weight_[v] > 0)) continue;
+    Vector3Of<Real> force = elastic[v].vector() + weight_[v] * (target_[v].vector() - reached[v].vector());
+    if (has_contacts()) force = contacts_.along(v, force, reached[v].vector());
+    left += static_cast<double>(force.norm());
   }
-  return left / total_force_;
+  return StepResidual{left, total_force_};
 }
 
 template <class Real>
 void ImplicitStep<Real>::archive(Archive& state) {
   TimeStep<Real>::archive(state);
-  state(velocity_, has_history_, iterations_done_);
+  state(velocity_, has_history_, iterations_done_, gamma_);
+  contacts_.archive(state);
+  if (!state.reads()) return;
+  weight_.resize(gamma_.size());
+  for (std::size_t v = 0; v < gamma_.size(); ++v) weight_[v] = weight_for(v, static_cast<double>(gamma_[v]));
 }
 
 template class ImplicitStep<float>;

@@ -12,13 +12,13 @@
 //
 // BDF2's first substep is one of backward Euler. A method says how it minimises: iterate() is one iteration.
 //
-// Obstacles and the cloth's own layers push as stiff springs do. Their passes say where each vertex would
-// have to be, P(x); the energy ½ κ |P(x) - x|² then gives the force κ (P(x) - x), with friction in the plane
-// of contact. A method chooses κ. What a vertex sinks in is taken back at the end of the substep: x = P(x).
+// Where a contact pushed in the last substep, motion has a kink, and backward Euler is used.
+//
+// Obstacles and the cloth's own layers push, and friction holds, with the forces of contact_forces.hpp. What
+// a vertex sinks in is taken back at the end of the substep.
 //
 //   per substep:  start → force passes → damp passes → target → predicted passes →
-//                 n × (project passes, contact passes, iterate) → project passes, contact passes → update →
-//                 velocity passes
+//                 n × (project passes, contact passes, iterate) → project passes → update → velocity passes
 #pragma once
 
 #include <array>
@@ -27,6 +27,7 @@
 #include <string_view>
 #include <utility>
 
+#include "bendlab/solver/contact_forces.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/time_step.hpp"
 
@@ -45,8 +46,8 @@ inline constexpr Parameter integrator_parameter{
     .choices = integrator_names};
 inline constexpr Parameter tolerance_parameter{
     .name = "tolerance", .type = ParameterType::number, .unit = "1", .default_value = 1e-7,
-    .meaning = "A substep ends before its iterations do once an iteration moves no vertex by more than this "
-               "times the cloth's size; 0: never",
+    .meaning = "A substep ends before its iterations do once no vertex is farther from its aim than this "
+               "times the cloth's size, as far as the last moves tell; 0: never",
     .minimum = 0};
 // clang-format on
 /// Effects that change positions: P(x) in each iteration.
@@ -66,7 +67,7 @@ class ImplicitStep : public TimeStep<Real> {
  public:
   std::uint64_t projections() const final { return iterations_done_ * constraint_count_; }
   std::size_t memory_bytes() const override;
-  std::optional<double> step_residual() const final;
+  std::optional<StepResidual> step_residual() const final;
   void archive(Archive& state) override;
 
  protected:
@@ -84,7 +85,8 @@ class ImplicitStep : public TimeStep<Real> {
   /// Call it before compile_plan().
   void prepare_by(Preparation preparation) { preparation_ = std::move(preparation); }
 
-  /// One iteration towards the minimum, from state_.position. Returns the longest move of a vertex, m.
+  /// One iteration towards the minimum, from state_.position. Returns how far vertices may still be from it,
+  /// m: the longest move of one, where the next iteration moves them by far less.
   virtual Real iterate() = 0;
 
   /// -∇E, N, by slot.
@@ -93,14 +95,13 @@ class ImplicitStep : public TimeStep<Real> {
   /// Minimiser's data of this substep, by slot of state_.position.
   const std::vector<Real>& weights() const { return weight_; }  ///< kg/s², 0: pinned
   const Points<Real>& target() const { return target_; }        ///< y, m
-  /// κ (P(x) - x), N, by slot; empty without effects that change positions.
-  const Points<Real>& contact_forces() const { return contact_force_; }
-  /// κ, N/m.
-  Real contact_stiffness(std::size_t v) const { return contact_per_weight_ * weight_[v] + contact_least_; }
-  bool has_contacts() const { return !contact_force_.empty(); }
-  double gamma() const { return gamma_; }  ///< s
+  /// Of this iteration; without effects that push it is not in use.
+  const ContactForces<Real>& contacts() const { return contacts_; }
+  bool has_contacts() const { return contacts_.in_use(); }
+  /// Of how many vertices they are others than in the last substep.
+  bool weights_changed() const { return weights_changed_; }
   /// The weights of every later substep of length h: with the γ of settled motion.
-  std::vector<Real> lasting_weights() const { return weights_for(lasting_gamma()); }
+  std::vector<Real> lasting_weights() const;
   /// Σ |m a| over free vertices by the forces of this substep, N.
   double total_force() const { return total_force_; }
   bool is_first_iteration() const { return is_first_; }  ///< of a substep
@@ -110,8 +111,8 @@ class ImplicitStep : public TimeStep<Real> {
   /// minimised is lower there. Without it cloth of few iterations may gain energy.
   void start_lower(const ElasticSystem& system);
   /// If nothing is pinned, moves the cloth as a whole to its minimum: elastic forces sum to zero, but what
-  /// solves for them is rounded, or carries the cloth's weight from vertex to vertex. The forces of contacts
-  /// are those before the iteration: a method whose iterations know how stiff contacts are would overshoot.
+  /// solves for them is rounded, or carries the cloth's weight from vertex to vertex. To be called at the end
+  /// of an iteration.
   void keep_momentum();
   /// Whether a pinned vertex was put elsewhere in this substep.
   bool pins_moved() const;
@@ -122,27 +123,26 @@ class ImplicitStep : public TimeStep<Real> {
   using typename TimeStep<Real>::Passes;
   void substep(PassContext<Real>& context) final;
   std::uint64_t projections_per_substep() const final { return constraint_count_; }
-  std::vector<Real> weights_for(double gamma) const;
-  double lasting_gamma() const;
+  Real weight_for(std::size_t v, double gamma) const;
   void take_drag_over(Pass<Real>& pass);
   void remember_velocities();
   void aim(Real h);
   void add_contact_passes(std::vector<Pass<Real>>& effect_passes);
-  void take_contacts();
   void update();
 
   Integrator integrator_;
-  double tolerance_;  // m
+  double tolerance_, size_;  // m
   std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
   bool has_unknowns_ = false, has_history_ = false, is_first_ = true;
-  double gamma_ = 0, total_force_ = 0;
-  Real last_move_ = 0, contact_per_weight_ = 0, contact_least_ = 0;
+  bool weights_changed_ = false;
+  double total_force_ = 0;
+  Real last_move_ = 0;
   std::vector<double> drag_;  // by slot, kg/s; empty: no drag
+  std::vector<Real> gamma_;   // s, by slot
   std::vector<Real> weight_;
   Points<Real> target_, base_;                // y and X
   Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
-  Points<Real> whole_, contact_force_;        // positions before passes change them
-  std::vector<std::uint8_t> touched_;         // #V, by a contact in this substep
+  ContactForces<Real> contacts_;
   Passes before_, iteration_, contact_, after_;
   Preparation preparation_;
 };

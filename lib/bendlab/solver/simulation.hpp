@@ -114,6 +114,13 @@ struct Divergence {
   double stretch = 1;  ///< its larger principal stretch, may be non-finite
 };
 
+/// What the iterations of an implicit substep left of its forces; sums of lengths over free vertices, N.
+struct StepResidual {
+  double unbalanced;  ///< of the forces, inertia among them; without vertices that touch something
+  double effects;     ///< of the effects' forces, without drag that is linear in the velocity
+  double share() const { return unbalanced / effects; }
+};
+
 class Simulation {
  public:
   virtual ~Simulation() = default;
@@ -151,11 +158,10 @@ class Simulation {
   /// knows. Takes about as long as ten projection sweeps.
   virtual std::optional<EffectiveStiffness> effective_stiffness() const { return std::nullopt; }
 
-  /// For a method that steps implicitly: the forces that its iterations left unbalanced at the end of the
-  /// last substep (inertia among them), relative to those of the effects (linear drag not among these); both
-  /// are sums of lengths over free vertices. Those that touch something do not count as unbalanced. Nothing
-  /// before the first step, and without such forces. Takes about as long as an iteration.
-  virtual std::optional<double> step_residual() const { return std::nullopt; }
+  /// For a method that steps implicitly, at the end of the last substep. Nothing before the first step, and
+  /// where the effects' forces are below what rounded positions amount to. Takes about as long as an
+  /// iteration.
+  virtual std::optional<StepResidual> step_residual() const { return std::nullopt; }
 
   /// How many times the stated compliance the membrane has, if the method softened it.
   virtual std::optional<double> membrane_softness() const { return std::nullopt; }

@@ -4,10 +4,17 @@
 #include <Eigen/CholmodSupport>
 #include <algorithm>
 #include <mutex>
+#include <span>
 
 #include "bendlab/solver/one_blas_thread.hpp"
 
 namespace bendlab {
+
+/// A symmetric block, from row and column `at` on.
+struct DiagonalBlock {
+  int at;
+  Eigen::Matrix3d value;
+};
 
 class SupernodalSolver {
  public:
@@ -16,12 +23,18 @@ class SupernodalSolver {
     factor_.cholmod().print = 0;  // "not positive definite" is an expected result
   }
 
-  /// Factorises lower + diagonal; the first call also orders. False if that is not positive definite.
+  /// Factorises lower + diagonal + blocks; the first call also orders. False if that is not positive
+  /// definite. `lower` has an entry wherever a block has one.
   /// Where AMD's order is poor CHOLMOD tries METIS, which seeds the process's random numbers and draws from
   /// them: runs side by side order one after another, or their bits would differ.
-  bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal) {
+  bool factorise(const Eigen::SparseMatrix<double>& lower, const Eigen::VectorXd& diagonal,
+                 std::span<const DiagonalBlock> blocks = {}) {
     Eigen::SparseMatrix<double> matrix = lower;
     matrix.diagonal() += diagonal;
+    for (const DiagonalBlock& block : blocks)
+      for (int column = 0; column < 3; ++column)
+        for (int row = column; row < 3; ++row)
+          matrix.coeffRef(block.at + row, block.at + column) += block.value(row, column);
     if (!ordered_) {
       static std::mutex one_at_a_time;
       const std::lock_guard guard(one_at_a_time);

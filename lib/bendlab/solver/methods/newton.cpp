@@ -72,16 +72,14 @@ class NewtonStep final : public ImplicitStep<double> {
     if (multipliers_.size() == 0) multipliers_ = system_.multipliers(positions_);
     const VectorXd elastic = -system_.gradient(positions_);
     VectorXd residual = elastic, diagonal(system_.unknowns());
+    blocks_.clear();
     for (std::size_t v = 0; v < weights().size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0) {
         residual.segment<3>(3 * at) -= weights()[v] * (state_.position[v].vector() - target()[v].vector());
         diagonal.segment<3>(3 * at).setConstant(weights()[v]);
-        if (const auto& contacts = contact_forces(); !contacts.empty()) {
-          const Vector3 force = contacts[v].vector();
-          residual.segment<3>(3 * at) += force;
-          if (force.squaredNorm() > 0)
-            diagonal.segment<3>(3 * at) += contact_stiffness(v) * force.normalized().cwiseAbs();
-        }
+        if (!has_contacts() || !contacts().pushes(v)) continue;
+        residual.segment<3>(3 * at) += contacts().force(v);
+        blocks_.push_back({3 * at, contacts().stiffness(v)});
       }
     factorise(diagonal);
     const VectorXd direction = solver_.solve(residual);
@@ -90,20 +88,30 @@ class NewtonStep final : public ImplicitStep<double> {
     while (system_.strain_beyond_first_order(positions_, share * direction) > stretch_per_step) share *= 0.5;
     if (longest > near * size_)
       share = lowering(share, {direction, residual.dot(direction), (residual - elastic).dot(direction),
-                               direction.dot(diagonal.cwiseProduct(direction))});
+                               direction.dot(diagonal.cwiseProduct(direction)) + along_blocks(direction)});
     move(direction, share);
-    if (!has_contacts()) keep_momentum();  // the matrix knows how stiff contacts are
+    keep_momentum();
     return longest;
+  }
+
+  double along_blocks(const VectorXd& direction) const {
+    double sum = 0;
+    for (const DiagonalBlock& block : blocks_) {
+      const Vector3 d = direction.segment<3>(block.at);
+      sum += d.dot(block.value * d);
+    }
+    return sum;
   }
 
   // The gradients of a triangle that has almost collapsed are huge, and so is their rounding: the matrix is
   // definite without λ and with a share of its diagonal.
   void factorise(const VectorXd& diagonal) {
-    if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal)) return;
+    if (solver_.factorise(system_.hessian(positions_, system_.convex(multipliers_)), diagonal, blocks_))
+      return;
     const auto& positive = system_.hessian(positions_, VectorXd::Zero(multipliers_.size()));
     const VectorXd own = positive.diagonal();
     for (const double share : {0.0, 1e-14, 1e-12, 1e-10})
-      if (solver_.factorise(positive, diagonal + share * own)) return;
+      if (solver_.factorise(positive, diagonal + share * own, blocks_)) return;
     throw std::runtime_error(
         "newton: the stiffness matrix is not finite, because triangles have collapsed: start from another "
         "pose, or take quasi_newton");
@@ -142,6 +150,7 @@ class NewtonStep final : public ImplicitStep<double> {
   Positions positions_;  // #V by 3, m, in world coordinates
   double size_;          // m
   VectorXd multipliers_;
+  std::vector<DiagonalBlock> blocks_;  // of contacts
   SupernodalSolver solver_;
   ListOrders orders_;
 };

@@ -120,15 +120,15 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   void archive(Archive& state) override {
     Base::archive(state);
     pairs_.archive(state);
-    state(softness_, gamma_of_pairs_);
+    state(softness_);
     if (state.reads() && softness_) prepare(*softness_);
   }
 
  private:
   Real iterate() override {
-    // G has another W from BDF2's second substep on, and gradients change with pins, too.
-    if (this->gamma() != gamma_of_pairs_) pairs_.clear(), pairs_.forget_last();
-    gamma_of_pairs_ = this->gamma();
+    // G has another W from BDF2's second substep on, and where contacts begin or end. Gradients change with
+    // pins, too.
+    if (this->is_first_iteration() && this->weights_changed()) pairs_.clear(), pairs_.forget_last();
     if (this->is_first_iteration() && this->pins_moved()) pairs_.forget_last();
     find_gradient();
     pairs_.add(&state_.position.front().x, &gradient_.front().x, weights().data());
@@ -181,9 +181,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                                  });
       }
     });
-    const Points<Real>& contacts = this->contact_forces();
-    for (std::size_t v = 0; v < contacts.size(); ++v)
-      force_[v].set(force_[v].vector() + contacts[v].vector());
+    for (std::size_t v = 0; this->has_contacts() && v < weights().size(); ++v)
+      if (this->contacts().pushes(v)) force_[v].set(force_[v].vector() + this->contacts().force(v));
     for (std::size_t v = 0; v < weights().size(); ++v)
       gradient_[v].set(weights()[v] > 0 ? weights()[v] * state_.position[v].vector() - force_[v].vector()
                                         : Vector3Of<Real>::Zero().eval());
@@ -231,7 +230,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   PairHistory<Real> pairs_;
   double size_, membrane_error_ = 0;
   Real longest_move_;
-  double last_norm_ = 0, gamma_of_pairs_ = 0;  // of the gradient in this substep, N; s
+  double last_norm_ = 0;  // of the gradient in this substep, N
   double strain_compliance_;
   std::optional<double> softness_;             // of the membrane, times the stated compliance
   Points<Real> force_, gradient_, direction_;  // by slot; gradient_ is W x - force

@@ -9,6 +9,8 @@
 // `acceleration` is Chebyshev's: from the third iteration on x + ω (Δx + x - x before the last iteration),
 // with the spectral radius ρ of a plain iteration (Wang 2015).
 #include <array>
+#include <limits>
+#include <utility>
 
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
@@ -69,8 +71,19 @@ class VbdStep final : public ImplicitStep<double> {
     for (std::size_t v = 0; v < weights().size(); ++v)
       if (system_.free_index()[v] >= 0)
         state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
-    if (!has_contacts()) keep_momentum();  // each vertex knows how stiff its contact is
-    return longest;
+    keep_momentum();
+    return is_first_iteration() ? first_left(longest) : left_after(longest);
+  }
+
+  // How far vertices still are from the minimum, m, if the moves go on to shrink as they did: in stiff cloth
+  // each is a small share of what is left.
+  double first_left(double longest) {
+    last_ = longest;
+    return longest > 0 ? std::numeric_limits<double>::infinity() : 0;
+  }
+  double left_after(double longest) {
+    const double rate = longest / std::exchange(last_, longest);
+    return rate < 1 ? longest * rate / (1 - rate) : std::numeric_limits<double>::infinity();
   }
 
   // Halves the step until the energy falls: a membrane's force across the sheet grows as the cube of a move,
@@ -78,18 +91,20 @@ class VbdStep final : public ImplicitStep<double> {
   double descend(std::size_t v) {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
-    const Vector3 start = row.transpose(),
-                  contact = has_contacts() ? contact_forces()[v].vector() : Vector3::Zero();
-    const double stiffness =
-        weights()[v] + (contact.squaredNorm() > 0 ? contact_stiffness(v) : 0);  // inertia and contact
-    const Vector3 outside = weights()[v] * (target()[v].vector() + state_.origin - start) + contact;
-    local.stiffness.diagonal().array() += stiffness;
+    const Vector3 start = row.transpose();
+    Vector3 outside = weights()[v] * (target()[v].vector() + state_.origin - start);
+    Eigen::Matrix3d stiffness = weights()[v] * Eigen::Matrix3d::Identity();  // of inertia and contact
+    if (has_contacts() && contacts().pushes(v)) {
+      outside += contacts().force_at(v, start - state_.origin);
+      stiffness += contacts().stiffness(v);
+    }
+    local.stiffness += stiffness;
     const Vector3 step = local.stiffness.llt().solve(local.force + outside);
     constexpr int most_halvings = 10;
     double share = 1;
     for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
       row = (start + share * step).transpose();
-      const double gain = share * step.dot(outside) - 0.5 * stiffness * share * share * step.squaredNorm();
+      const double gain = share * step.dot(outside) - 0.5 * share * share * step.dot(stiffness * step);
       if (system_.at_vertex(positions_, static_cast<int>(v)).energy - gain <= local.energy) break;
     }
     return share * step.cwiseAbs().maxCoeff();
@@ -108,8 +123,8 @@ class VbdStep final : public ImplicitStep<double> {
   }
 
   ElasticSystem system_;
-  Positions positions_, before_;  // #V by 3, m, in world coordinates; before the last iteration
-  double rho_, omega_ = 1;
+  Positions positions_, before_;       // #V by 3, m, in world coordinates; before the last iteration
+  double rho_, omega_ = 1, last_ = 0;  // last_: the longest move of the last iteration, m
   int iteration_ = 0;
   ListOrders orders_;
 };

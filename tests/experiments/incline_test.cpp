@@ -1,0 +1,91 @@
+// Coulomb's law on an incline, where every method that takes friction should agree with it: a free sheet lies
+// on a plane, and gravity is tilted by 30 degrees.
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "experiments/scene/scene.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::WithinAbs;
+using Catch::Matchers::WithinRel;
+
+constexpr double down = 4.905, into = 8.4957;  // m/s², along the plane and into it
+constexpr double duration = 1, dt = 1.0 / 60;  // s
+
+// How far the sheet went along the plane, m.
+double way(const std::string& solver, const std::string& effects, double along = down) {
+  const Experiment experiment = parse_experiment(
+      fmt::format(
+          R"({{"name": "incline", "defaults": "paper", "duration": {}, "mesh": {{"cells": 4, "width": 0.4,
+          "height": 0.4}}, "pins": {{"vertices": []}}, "bending": {{"model": "none"}},
+          "material": {{"strain": {{"stiffness": "compliance", "compliance": 1e-4}}}}, "solver": {},
+          "effects": [{{"type": "gravity", "acceleration": [{}, 0, {}]}}, {}]}})",
+          duration, solver, along, -into, effects),
+      "test");
+  const Scene scene = build_scene(experiment.runs.front());
+  const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+  const Eigen::RowVector3d start = simulation->positions().colwise().mean();
+  for (int step = 0; step < std::lround(duration / dt); ++step) REQUIRE(simulation->step());
+  CHECK((simulation->positions().col(2).array() - start.z()).abs().maxCoeff() <
+        1e-4);  // it stays on the plane
+  return simulation->positions().col(0).mean() - start.x();
+}
+
+std::string friction(double coefficient) {
+  return fmt::format(R"(, {{"type": "friction", "static": {0}, "kinetic": {0}}})", coefficient);
+}
+
+// Σ a h² k over the n substeps of first order: ½ a t² (1 + 1/n).
+double slid(double acceleration, int substeps) {
+  return 0.5 * acceleration * duration * duration * (1 + dt / substeps / duration);
+}
+
+struct Setting {
+  const char* solver;
+  int substeps;
+};
+constexpr Setting settings[] = {{R"({"method": "pbd", "substeps": 8, "iterations": 1})", 8},
+                                {R"({"method": "quasi_newton"})", 1},
+                                {R"({"method": "quasi_newton", "integrator": "bdf2"})", 1},
+                                {R"({"method": "newton"})", 1},
+                                {R"({"method": "newton", "integrator": "euler"})", 1},
+                                {R"({"method": "newton", "substeps": 8})", 8},
+                                {R"({"method": "vbd"})", 1}};
+const std::string plane = R"({"type": "plane", "point": [0, 0, -0.005]})";
+
+}  // namespace
+
+TEST_CASE("a sheet slides down an incline without friction as a body does", "[solver]") {
+  for (const Setting& setting : settings) {
+    CAPTURE(setting.solver);
+    CHECK_THAT(way(setting.solver, plane), WithinRel(slid(down, setting.substeps), 1e-3));
+  }
+}
+
+TEST_CASE("friction slows a sheet on an incline by its coefficient, or holds it", "[solver]") {
+  for (const Setting& setting : settings) {
+    CAPTURE(setting.solver);
+    CHECK_THAT(way(setting.solver, plane + friction(0.3)),
+               WithinRel(slid(down - 0.3 * into, setting.substeps), 2e-3));
+    // tan 30° = 0.577 < 0.8. The iterations of vbd leave a part of each step's slip.
+    CHECK_THAT(way(setting.solver, plane + friction(0.8)), WithinAbs(0, 0.006));
+  }
+}
+
+// It is dragged until it has the belt's speed v, over v²/2μg, and then goes along.
+TEST_CASE("a belt carries a sheet along", "[solver]") {
+  const double v = 0.5, coefficient = 0.3;
+  const std::string belt = R"({"type": "plane", "point": [0, 0, -0.005], "velocity": [0.5, 0, 0]})";
+  for (const Setting& setting : settings) {
+    CAPTURE(setting.solver);
+    const double expected = v * duration - v * v / (2 * coefficient * into);
+    CHECK_THAT(way(setting.solver, belt + friction(coefficient), 0),
+               WithinAbs(expected, 0.5 * v * dt / setting.substeps + 1e-3));  // first order in the substep
+  }
+}
+
+}  // namespace bendlab
