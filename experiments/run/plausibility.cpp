@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/effects/effect.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/geodesics.hpp"
 #include "bendlab/metrics/motion.hpp"
@@ -13,7 +14,6 @@
 #include "experiments/run/remedies.hpp"
 #include "experiments/scene/energy.hpp"
 #include "experiments/scene/gravity.hpp"
-#include "experiments/scene/obstacles.hpp"
 
 namespace bendlab {
 namespace {
@@ -84,7 +84,7 @@ double epsilon_of(const Scene& scene) {
 bool drives(const EffectSettings& effect) {
   if (effect.type == "moving_pins") return true;
   if (effect.type == "wind") return moves(effect) || effect.values.number("gust_amplitude") != 0;
-  return is_obstacle(effect.type) && moves(effect);
+  return find_effect(effect.type)->is_obstacle && moves(effect);
 }
 
 bool keeps_momentum(const EffectSettings& effect) {

@@ -90,6 +90,49 @@ TEST_CASE("warnings: an effect that needs pins where nothing is pinned", "[warni
   CHECK(warnings_before(by_default, by_default.runs.front()).empty());
 }
 
+TEST_CASE("warnings: friction where there is nothing to hold on to", "[warnings]") {
+  const auto codes = [](const std::string& more) {
+    return codes_of(R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"}, {"type": "friction"})" + more +
+                    "]");
+  };
+  CHECK(codes("") == Codes{"friction_without_obstacle"});
+  CHECK(codes(R"(, {"type": "plane", "point": [0, 0, -1]})").empty());
+}
+
+// ρ = 0.2 kg/m², ½ ρ_air C_D = 0.77 kg/m³: it falls at 1.6 m/s in the end, and gets there within 0.16 s.
+TEST_CASE("warnings: substeps that are long for the wind", "[warnings]") {
+  const auto with = [](const char* pins, const char* effects, const char* dt) {
+    return R"("mesh": {"cells": 4}, "material": {"density": 0.2}, "solver": {"substeps": 1, "dt": )" +
+           std::string(dt) + R"(}, "pins": {"vertices": [)" + pins + R"(]}, "effects": [)" + effects + "]";
+  };
+  const char* const gravity_first = R"({"type": "gravity"}, {"type": "wind", "velocity": [0, 0, 0]})";
+  const char* const wind_first = R"({"type": "wind", "velocity": [0, 0, 0]}, {"type": "gravity"})";
+  CHECK(codes_of(with("", gravity_first, "0.01")).empty());
+  CHECK_THAT(message_of("coarse_wind", with("", gravity_first, "0.05")),
+             ContainsSubstring("16 /solver/substeps, or list wind before gravity"));
+  CHECK(codes_of(with("", wind_first, "0.1")).empty());
+  CHECK(codes_of(with("", wind_first, "0.2")) == Codes{"coarse_wind"});
+  const char* const gale = R"({"type": "gravity"}, {"type": "wind", "velocity": [0, 20, 0]})";
+  CHECK(codes_of(with("\"top\"", gale, "0.01")).empty());
+  CHECK(codes_of(with("\"top\"", gale, "0.02")) == Codes{"coarse_wind"});
+}
+
+TEST_CASE("warnings: cloth that starts inside an obstacle", "[warnings]") {
+  const auto with = [](const std::string& obstacle) {
+    return R"("mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [{"type": "gravity"}, )" + obstacle +
+           "]";
+  };
+  CHECK_THAT(message_of("starts_inside", with(R"({"type": "plane", "point": [0, 0, 0.3]})")),
+             ContainsSubstring("25 of 25 vertices") && ContainsSubstring("/effects/1 (plane)") &&
+                 ContainsSubstring("by 0.305 m"));
+  CHECK(codes_of(with(R"({"type": "plane", "point": [0, 0, 0]})")).empty());
+  CHECK(codes_of(with(R"({"type": "plane", "point": [0, 0, -0.001], "thickness": 0.002})")).empty());
+  // Obstacles are 5 mm thick.
+  CHECK(codes_of(with(R"({"type": "sphere", "centre": [0, 0, 0], "radius": 0.3})")) ==
+        Codes{"starts_inside"});
+  CHECK(codes_of(with(R"({"type": "sphere", "centre": [0, 0, -0.3], "radius": 0.3})")).empty());
+}
+
 TEST_CASE("warnings: a vertex far from its neighbours", "[warnings]") {
   const fs::path file = fs::temp_directory_path() / ("bendlab far " + std::to_string(getpid()) + ".obj");
   const auto codes = [&](double far) {
@@ -190,7 +233,8 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
   const Summary left = {{"step_residual", 2.5}}, converged = {{"step_residual", 1.9}};
   const std::string stated = with(R"({"method": "quasi_newton"})"),
                     softened = with(R"({"method": "quasi_newton", "membrane": "auto", "iterations": 2})"),
-                    vbd = with(R"({"method": "vbd"})"), newton = with(R"({"method": "newton"})");
+                    vbd = with(R"({"method": "vbd", "iterations": 100000})"),
+                    newton = with(R"({"method": "newton"})");
   CHECK(codes_of(stated, &left) == Codes{"lagging"});
   CHECK(codes_of(stated, &converged).empty());
   CHECK_THAT(message_of("lagging", stated, &left), ContainsSubstring("2.5 times") &&
@@ -198,7 +242,19 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
                                                        ContainsSubstring("/solver/membrane: auto"));
   CHECK_THAT(message_of("lagging", softened, &left), ContainsSubstring("More /solver/iterations"));
   CHECK_THAT(message_of("lagging", vbd, &left), ContainsSubstring("quasi_newton"));
-  CHECK_THAT(message_of("lagging", newton, &left), ContainsSubstring("3 left 32"));
+  CHECK_THAT(message_of("lagging", newton, &left), ContainsSubstring("3 iterations left 32 times"));
+}
+
+// C² = (Y/ρ) (h/cell)² = 2 (1/60)² / 0.2² / c, with c the compliance, ρ = 0.5 kg/m² and cells of 0.2 m.
+TEST_CASE("warnings: vbd with few iterations for its membrane", "[warnings]") {
+  const auto with = [](int iterations) {
+    return fmt::format(R"("mesh": {{"generator": "grid", "cells": 5}}, "bending": {{"stiffness": "physical"}},
+      "material": {{"density": 0.5, "strain": {{"stiffness": "compliance", "compliance": 1e-4}}}},
+      "solver": {{"method": "vbd", "substeps": 1, "dt": 0.016666666667, "iterations": {}}})",
+                       iterations);
+  };
+  CHECK(codes_of(with(13)) == Codes{"vbd_reach"});  // C² = 138.9
+  CHECK(codes_of(with(14)).empty());
 }
 
 TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
@@ -208,6 +264,9 @@ TEST_CASE("warnings: a run that ends before its equilibrium", "[warnings]") {
   const Summary unbalanced = {{"unbalanced", 49}}, found = {{"unbalanced", 1e-8}, {"settled_at", 0.5}};
   CHECK_THAT(message_of("no_equilibrium", settings, &unbalanced), ContainsSubstring("49 times the loads"));
   CHECK(codes_of(settings, &found).empty());
+  CHECK_THAT(message_of("no_equilibrium", settings, &unbalanced), ContainsSubstring("A longer /duration"));
+  CHECK_THAT(message_of("no_equilibrium", settings + R"(, "pins": {"vertices": []})", &unbalanced),
+             ContainsSubstring("Nothing holds the cloth"));
   for (const RunStatus status : {RunStatus::interrupted, RunStatus::diverged})
     CHECK(codes_of(settings, &unbalanced, status).empty());  // it had no time, or no end
 

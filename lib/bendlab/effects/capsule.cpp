@@ -71,6 +71,7 @@ extern const Effect capsule{
         "cutting planes",
     .parameters = parameters,
     .needs_projection = true,
+    .is_obstacle = true,
     .repeatable = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,

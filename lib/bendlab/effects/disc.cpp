@@ -83,6 +83,7 @@ extern const Effect disc{
         "cutting planes",
     .parameters = parameters,
     .needs_projection = true,
+    .is_obstacle = true,
     .repeatable = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,

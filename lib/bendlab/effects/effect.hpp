@@ -37,7 +37,9 @@ struct Effect {
   bool needs_projection = false;
   bool helps_projection = false;  ///< needs it, and has no other purpose: in other methods it does nothing
   bool uses_contacts = false;     ///< reads State::contacts, at Stage::contact
+  bool is_obstacle = false;       ///< a body that cloth may lie on
   bool repeatable = false;        ///< a scene may list it more than once
+  double vertex_seconds = 3e-9;   ///< of CPU, of a vertex and substep, about
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);
   std::vector<Pass<double>> (*compile_double)(const EffectInput&);

@@ -332,6 +332,7 @@ extern const Effect mesh_obstacle{
     .source = "nearest points by CGAL's AABB tree, their side by Bærentzen & Aanæs 2005",
     .parameters = parameters,
     .needs_projection = true,
+    .is_obstacle = true,
     .repeatable = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,

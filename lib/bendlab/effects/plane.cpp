@@ -50,6 +50,7 @@ extern const Effect plane{
     .source = "Müller et al. 2007, §3.4 (static collision constraint, projected as an inequality)",
     .parameters = parameters,
     .needs_projection = true,
+    .is_obstacle = true,
     .repeatable = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,

@@ -64,6 +64,7 @@ extern const Effect sphere{
         "cutting planes",
     .parameters = parameters,
     .needs_projection = true,
+    .is_obstacle = true,
     .repeatable = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,

@@ -1,0 +1,252 @@
+// Warnings about what is simulated.
+#include "experiments/run/warning_messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/connected_parts.hpp"
+#include "experiments/config/defaults.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/config/stiffness_settings.hpp"
+#include "experiments/scene/gravity.hpp"
+#include "experiments/scene/inside.hpp"
+
+namespace bendlab {
+
+// ---- inert_seed
+
+namespace {
+
+// null is the default, and chooses nothing.
+bool gives(const Json& settings, const std::string& pointer) {
+  const Json* const value = value_at(settings, pointer);
+  return value != nullptr && !value->is_null();
+}
+
+// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
+bool is_chosen(const WarningInput& input, const std::string& pointer) {
+  if (gives(input.experiment.settings, pointer)) return true;
+  for (const auto& [swept, value] : input.config.point) {
+    if (swept == pointer && !value.is_null()) return true;
+    if (lies_within(pointer, swept) && gives(value, pointer.substr(swept.size()))) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Message inert_seed(const WarningInput& input) {
+  const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
+  const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
+             mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
+  std::string inert;
+  if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
+  if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
+  if (inert.empty()) return std::nullopt;
+  return fmt::format(
+      "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
+      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
+                            : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
+}
+
+// ---- piece_without_pin
+
+Message piece_without_pin(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  if (input.scene.pins.all.empty()) return std::nullopt;
+  std::size_t loose = 0;
+  int first = 0;
+  for (const std::vector<int>& part : connected_parts(rest.one_ring())) {
+    if (std::ranges::any_of(part, [&](int v) { return input.scene.pins.pinned(v); })) continue;
+    if (loose == 0) first = part.front();
+    loose += part.size();
+  }
+  if (loose == 0) return std::nullopt;
+  return fmt::format(
+      "pieces of the mesh with {} of its {} vertices (the first is vertex {}) have no pin, while others "
+      "have: they will fall away. Pin each piece, or join them ('bendlab mesh FILE' counts the pieces)",
+      loose, rest.vertex_count(), first);
+}
+
+// ---- effect_without_pins
+
+// Tethers are a default, and then nobody has asked for them.
+Message effect_without_pins(const WarningInput& input) {
+  if (!input.scene.pins.all.empty()) return std::nullopt;
+  const Json* const effects = value_at(input.experiment.settings, "/effects");
+  const bool by_default = effects == nullptr || *effects == default_effects(input.experiment.settings);
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
+    const std::string& type = input.scene.effects[index].type;
+    if (type == "moving_pins" || (type == "tethers" && !by_default))
+      return fmt::format(
+          "/effects/{} ({}) does nothing, because no vertex is pinned. Name pins in /pins/vertices or "
+          "/pins/indices, or remove the effect",
+          index, type);
+  }
+  return std::nullopt;
+}
+
+// ---- friction_without_obstacle
+
+Message friction_without_obstacle(const WarningInput& input) {
+  const std::vector<EffectSettings>& effects = input.scene.effects;
+  const auto friction = std::ranges::find(effects, "friction", &EffectSettings::type);
+  if (friction == effects.end() || has_obstacle(input.scene)) return std::nullopt;
+  return fmt::format("/effects/{} (friction) does nothing, because it acts on obstacles and there is none",
+                     friction - effects.begin());
+}
+
+// ---- coarse_wind
+
+// The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth
+// at the speed u with respect to the air is slowed within τ = ρ / (½ ρ_air C_D u): a substep h of more than τ
+// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster if wind is listed
+// before gravity, by 23 % at h = 1.2 τ. Listed after gravity it falls slower, by about h/τ: 10 % at 0.1, 61 %
+// at 0.6.
+Message coarse_wind(const WarningInput& input) {
+  const std::vector<EffectSettings>& effects = input.scene.effects;
+  const auto wind = std::ranges::find(effects, "wind", &EffectSettings::type),
+             gravity = std::ranges::find(effects, "gravity", &EffectSettings::type);
+  if (wind == effects.end()) return std::nullopt;
+  const SimulationInput& scene = input.scene.input;
+  const std::vector<double>& areas = input.scene.rest.areas();
+  const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
+                         std::accumulate(areas.begin(), areas.end(), 0.0),
+               drag = 0.5 * wind->values.number("air_density") * wind->values.number("drag_coefficient"),
+               falling = gravity_of(effects).norm(), terminal = std::sqrt(density * falling / drag),
+               blowing = Vector3(wind->values.numbers("velocity").data()).norm(),
+               substep = scene.settings.dt / scene.settings.substeps;
+  if (!(drag > 0)) return std::nullopt;
+  const bool after = gravity < wind, falls = after && falling > 0 && input.scene.pins.all.empty();
+  const double slowed_within = density / (drag * std::max(blowing, terminal)),  // s
+      wanted = falls ? 0.02 : 0.5, most = falls ? 0.1 : 1;                      // substeps
+  if (!(substep > most * slowed_within)) return std::nullopt;
+  return fmt::format(
+      "a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed within {:.2g} s: "
+      "{}. Take about {} /solver/substeps{}",
+      substep, slowed_within,
+      falls ? "speeds of falling are too low, as gravity is listed before wind" : "its force is cut",
+      static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within))),
+      falls ? ", or list wind before gravity" : "");
+}
+
+// ---- starts_inside
+
+Message starts_inside(const WarningInput& input) {
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
+    const std::optional<Inside> inside = inside_at_start(input.scene, index);
+    if (!inside || inside->count == 0) continue;
+    return fmt::format(
+        "{} of {} vertices start inside /effects/{} ({}), vertex {} by {:.3g} m: the first step throws them "
+        "out. Move the obstacle, or the cloth by /mesh/offset",
+        inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].type,
+        inside->deepest, inside->depth);
+  }
+  return std::nullopt;
+}
+
+// ---- far_vertex
+
+namespace {
+
+// Edges of cloth that was made finer in places differ by some tens; a vertex that a slip of the mouse or a
+// wrong digit moved away is much farther.
+constexpr double far = 200;  // times the median edge
+
+}  // namespace
+
+Message far_vertex(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  const auto& positions = rest.positions();
+  std::vector<double> lengths;
+  const Adjacency& neighbours = rest.one_ring();
+  const auto length = [&](int from, int to) { return (positions.row(from) - positions.row(to)).norm(); };
+  double longest = 0;
+  int vertex = -1, other = -1;
+  for (int from = 0; from < rest.vertex_count(); ++from)
+    for (const int to : neighbours[static_cast<std::size_t>(from)])
+      if (from < to) {
+        lengths.push_back(length(from, to));
+        if (lengths.back() > longest) longest = lengths.back(), vertex = from, other = to;
+      }
+  if (lengths.empty()) return std::nullopt;
+  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
+  std::ranges::nth_element(lengths, middle);
+  if (!(longest > far * *middle)) return std::nullopt;
+  // Of the two the one that is farther from all.
+  const auto from_centre = [&](int v) { return (positions.row(v).transpose() - rest.centre()).norm(); };
+  if (from_centre(other) > from_centre(vertex)) std::swap(vertex, other);
+  return fmt::format(
+      "vertex {} lies {:.3g} m from its neighbour {}, {:.2g} times as far as the median edge is long: is it "
+      "where it should be? 'bendlab mesh FILE' tells about the mesh",
+      vertex, longest, other, longest / *middle);
+}
+
+// ---- all_pinned
+
+Message all_pinned(const WarningInput& input) {
+  const auto vertices = static_cast<std::size_t>(input.scene.rest.vertex_count());
+  if (input.scene.pins.all.size() != vertices) return std::nullopt;
+  return fmt::format(
+      "all {} vertices are pinned, so that nothing can move. /pins/vertices names places in the x-y plane of "
+      "the mesh's box: for a mesh that stands upright choose others, or use /pins/indices. A smaller "
+      "/pins/ring or /pins/distance pins fewer",
+      vertices);
+}
+
+// ---- inert_stiffness
+
+// A number that the config's kind of stiffness does not use.
+Message inert_stiffness(const WarningInput& input) {
+  for (const StiffnessSetting& setting : stiffness_settings) {
+    const auto chooses_the_kind = [&](const auto& axis) {  // other runs of the sweep may use the number
+      return lies_within(setting.stiffness, axis.first);
+    };
+    const Json* const kind = value_at(input.config.resolved(), std::string(setting.stiffness));
+    if (kind == nullptr || !kind->is_string() || std::ranges::any_of(input.experiment.axes, chooses_the_kind))
+      continue;
+    const auto& name = kind->get_ref<const std::string&>();
+    if (!setting.used_by(name) && is_chosen(input, std::string(setting.pointer)))
+      return fmt::format("{} changes nothing here, because {} is {}. Set that to {}, or remove the number",
+                         setting.pointer, setting.stiffness, name, setting.kinds_text());
+  }
+  return std::nullopt;
+}
+
+// ---- units
+
+namespace {
+
+// Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for
+// 6 m. Clothes and curtains lie between; a mesh in mm or cm that is read in m does not. Gravity weaker than
+// the Earth's is a choice, and says nothing about units.
+constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
+constexpr double weakest_gravity = 9;                       // m/s²
+
+}  // namespace
+
+Message units(const WarningInput& input) {
+  const RestMesh& rest = input.scene.rest;
+  const double g = gravity_of(input.scene.effects).norm();
+  const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
+  // kg/m²: gauze has 0.02, a heavy carpet 4.
+  constexpr double heaviest = 10;
+  if (const double density = input.config.section("/material").number("density"); density > heaviest)
+    return fmt::format(
+        "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² is 0.2 kg/m²",
+        density);
+  if (!(g >= weakest_gravity)) return std::nullopt;
+  const double time = std::sqrt(extent / g);
+  if (time >= shortest_time && time <= longest_time) return std::nullopt;
+  return fmt::format(
+      "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
+      "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
+      extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
+}
+
+}  // namespace bendlab

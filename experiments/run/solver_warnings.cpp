@@ -1,0 +1,301 @@
+// Warnings about how it is solved.
+#include "experiments/run/warning_messages.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+
+#include "bendlab/solver/coarse_levels.hpp"
+#include "bendlab/solver/method.hpp"
+#include "experiments/config/counted.hpp"
+#include "experiments/config/pointers.hpp"
+#include "experiments/measures/effective_stiffness.hpp"
+#include "experiments/scene/gravity.hpp"
+#include "experiments/scene/precision.hpp"
+
+namespace bendlab {
+
+// ---- unconverged
+
+namespace {
+
+// Mean strain over the last second. A rigid membrane has none, woven cloth under its own weight less than
+// 0.01; strain that iterations leave makes the sheet longer. A sheet of 24 cells pinned at its centre,
+// without bending, is left with 0.056 by 1 substep × 10 iterations, 0.012 by 10 × 1, and 0.006 by 4 × 10;
+// pinned at two corners, 20 cells, with 0.072 by 1 × 10 and 0.007 by 4 × 10. The paper's sheet on 16 cells,
+// which hangs as finer ones do, has 0.036.
+constexpr double unconverged_strain = 0.05;
+// Stretch of the most stretched triangle, for necks at pins that the mean does not show: a tube pinned at
+// its rim (24 cells, green form) has 1.36 with 1 × 10, and hangs too far by a tenth of its size; with 10 ×
+// 1 it has 1.10.
+constexpr double unconverged_stretch = 1.25;
+
+// A sheet of 24 cells pinned at its centre, without bending: mean strain, and the most stretched triangle.
+//
+//   substeps × iterations    1 × 10         5 × 1          10 × 1          20 × 1
+//   alone                    0.049  1.59    0.025  1.30    0.0075  1.08    0.0022  1.03
+//   with tethers             0.024  1.22    0.018  1.14    0.0068  1.05    0.0024  1.03
+std::string remedy_of_unconverged(const WarningInput& input) {
+  const SolverSettings& solver = input.scene.input.settings;
+  std::string remedy =
+      solver.iterations > 1
+          ? fmt::format(
+                "{} × 1 project as often and leave less: in tests 10 × 1 left a triangle 1.08 times as long "
+                "where 1 × 10 left 1.59",
+                counted(solver.substeps * solver.iterations, "/solver/substep"))
+          : std::string("Twice the /solver/substeps leave about a third of the strain, as tests have shown");
+  const Json* const effects = value_at(input.config.resolved(), "/effects");
+  const bool tethered =
+      std::ranges::any_of(*effects, [](const Json& effect) { return effect.value("type", "") == "tethers"; });
+  if (!tethered && !input.scene.pins.all.empty())
+    remedy += ". The effect tethers holds what hangs from pins: 1 × 10 then left 1.22";
+  return remedy;
+}
+
+}  // namespace
+
+Message unconverged(const WarningInput& input) {
+  const StrainStiffness& strain = input.scene.input.strain_stiffness;
+  const bool rigid = strain.kind == StiffnessKind::compliance ? strain.compliance == 0
+                                                              : strain.warp == 1 && strain.weft == 1;
+  const auto number = [&](const char* name) {
+    const auto found = input.summary->find(name);
+    return found == input.summary->end() ? 0.0 : found->second;
+  };
+  // A run of less than a second may end when it only begins to stretch, which medians do not show.
+  const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
+               most = std::max(number("max_stretch"), number("max_stretch_last"));
+  if (!rigid || !input.scene.input.method->projects ||
+      !(mean > unconverged_strain || most > unconverged_stretch))
+    return std::nullopt;
+  return fmt::format(
+      "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times as long as "
+      "at rest: {} × {} do not converge. {}",
+      mean, most, counted(input.scene.input.settings.substeps, "substep"),
+      counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input));
+}
+
+// ---- membrane_courant
+
+namespace {
+
+// The Courant number C of a membrane with the stiffness Y = 1 / compliance (N/m) and the mass ρ per area:
+// how many cells a wave of stretch, whose speed is √(Y/ρ), crosses in a substep h. An iteration carries
+// it on by about a cell. A strip of 1 m that hangs by its end (double precision) is elongated by the stated
+// ρ g L²/2Y times 1 + C²/n with n projections per substep, within a third, for 20 to 10⁴ N/m, 8 and 16
+// cells across a width of 0.25 m, and 1 to 64 substeps × 1 to 40 iterations:
+//
+//   C²/n                 0.035 0.14  0.22  0.56  0.89  1.4   2.2   3.6   5.6   14    57    360   1420   5690
+//   elongation / stated  1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
+//
+// With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
+// 1 + 1.6 (C²/n)^0.44 fits within 3 %.
+constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
+
+double softening_by(double excess, bool levels) {
+  return 1 + (levels ? std::min(excess, 1.6 * std::pow(excess, 0.44)) : excess);
+}
+
+// Cloth in free fall loads no membrane.
+bool is_held(const Scene& scene) {
+  return !scene.pins.all.empty() || has_obstacle(scene);
+}
+
+double courant_number(const WarningInput& input) {
+  const SimulationInput& scene = input.scene.input;
+  const std::vector<double>& areas = input.scene.rest.areas();
+  const double area = std::accumulate(areas.begin(), areas.end(), 0.0),
+               density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area,
+               cell = std::sqrt(2 * area / static_cast<double>(areas.size()));  // legs of a right triangle
+  return std::sqrt(1 / (scene.strain_stiffness.compliance * density)) * scene.settings.dt /
+         scene.settings.substeps / cell;
+}
+
+}  // namespace
+
+// A forecast: after a run soft_solver tells what was measured.
+Message membrane_courant(const WarningInput& input) {
+  const SimulationInput& scene = input.scene.input;
+  const SolverSettings& solver = scene.settings;
+  const double compliance = scene.strain_stiffness.compliance;
+  if (!scene.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
+      compliance == 0 || !is_held(input.scene) || input.summary)
+    return std::nullopt;
+  const double courant = courant_number(input);
+  const double excess = courant * courant / solver.projections_per_substep();
+  if (!(excess > softened)) return std::nullopt;
+  const bool reach = levels_are_worthwhile(scene),
+             levels = reach && own_settings(scene).integer("levels") > 0;
+  constexpr double wanted = 0.1;
+  return fmt::format(
+      "with {} in a substep, in which a wave of stretch crosses {:.2g} cells (the membrane's Courant "
+      "number), the membrane stretches about {:.2g} times as far as stated. About {} /solver/substeps make "
+      "that 1.1 times{}",
+      counted(solver.projections_per_substep(), "projection"), courant, softening_by(excess, levels),
+      static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
+      reach && !levels && softening_by(excess, true) < 0.5 * softening_by(excess, false)
+          ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
+          : "");
+}
+
+// ---- vbd_reach
+
+namespace {
+
+// A vertex goes by 1 / (1 + C²) of its way while its neighbours hold it, with the Courant number C of the
+// membrane. Sheets of 8 and 16 cells, Y = 10 to 10⁵ N/m, n iterations: how far they were from newton's
+// motion, in sizes, mean over 1 and 2 s.
+//
+//   n/C²       0.0005-0.005   0.014      0.018         0.045   0.054   0.18          0.54 and more
+//   distance   0.31-0.50      0.12-0.19  0.012, lost   0.03    0.005   0.001-0.003   0.001, 0.01 at C² = 6
+constexpr double enough_reach = 0.1;
+
+}  // namespace
+
+Message vbd_reach(const WarningInput& input) {
+  const SimulationInput& scene = input.scene.input;
+  if (scene.method->name != "vbd" || scene.strain.size() == 0) return std::nullopt;
+  const double courant = courant_number(input), needed = std::ceil(enough_reach * courant * courant);
+  if (!(scene.settings.iterations < needed)) return std::nullopt;
+  return fmt::format(
+      "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd then needs "
+      "about C²/10 = {:.2g} iterations to follow the motion, and has {}. With fewer cloth was behind by 1 to "
+      "50 % of its size in tests. quasi_newton and newton need few",
+      courant, needed, scene.settings.iterations);
+}
+
+// ---- k_overshoot
+
+// With k only prestressed pushes a sound sheet out of its shape: its springs, longer than at rest by an
+// excess e, stretch it. Mean strain of a sheet of 20 cells pinned at two corners, 4 × 10 (without bending
+// 0.007):
+//
+//   e              0.02    0.05    0.1     0.2     0.5
+//   k = 0.1        0.016   0.032   0.060   0.117   0.293
+//   k = 0.5        0.028   0.060   0.114   0.227   0.627
+//   k = 1          0.031   0.068   0.129   0.257   0.684
+//
+// dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod at k of 0.01 to 1
+// leave it as it is or less strained, at 4 × 10 and at 1 × 10.
+Message k_overshoot(const WarningInput& input) {
+  if (input.config.bending_model() != "prestressed") return std::nullopt;
+  const ParameterValues bending = input.config.section("/bending");
+  const std::string& stiffness = bending.text("stiffness");
+  if (stiffness != "k" && stiffness != "k_per_step") return std::nullopt;
+  const double k = bending.number("k"), excess = input.config.bending_parameters().number("excess");
+  constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;  // of the excess: the columns of the table
+  const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
+  if (!(strain > unconverged_strain)) return std::nullopt;
+  return fmt::format(
+      "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a mean "
+      "strain of about {:.2g}, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: "
+      "in tests 0.02 left a mean strain of 0.03",
+      excess, k, strain);
+}
+
+// ---- single_precision
+
+// A sheet on tethers, or on a plane, in single precision: see precision.cpp.
+Message single_precision(const WarningInput& input) {
+  if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
+  const RoundingStrain strain = rounding_strain(input.scene);
+  if (!strain.single_suffices())
+    return fmt::format(
+        "the membrane is so stiff that its weight strains it by {:.2g}, and each rounding of a position in "
+        "single precision by {:.2g}. Set /solver/precision to auto, which takes double here",
+        strain.of_weight, strain.rounded);
+  const RoundingSpeed speed = rounding_speed(input.scene);
+  if (speed.single_suffices()) return std::nullopt;
+  return fmt::format(
+      "an effect moves vertices to positions that single precision rounds: in a substep each rounding "
+      "changes a speed by {:.2g} m/s, and gravity by {:.2g} m/s. Set /solver/precision to auto, which takes "
+      "double here",
+      speed.rounded, speed.gained);
+}
+
+// ---- weaker_push
+
+Message weaker_push(const WarningInput& input) {
+  return input.scene.push ? push_warning(*input.scene.push) : std::nullopt;
+}
+
+// ---- soft_solver
+
+Message soft_solver(const WarningInput& input) {
+  return soft_solver_warning(*input.summary);
+}
+
+// ---- softened_membrane
+
+Message softened_membrane(const WarningInput& input) {
+  const auto found = input.summary->find("membrane_softness");
+  if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
+  return fmt::format(
+      "/solver/membrane is auto: the membrane is {:.3g} times as soft as stated, {:.3g} N/m, which moves the "
+      "cloth at rest by at most {:.2g} of its size. \"stated\" keeps the stiffness",
+      found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
+      input.config.section("/solver").number("membrane_error"));
+}
+
+// ---- lagging
+
+namespace {
+
+// Sheets of 16 cells, hinges, pinned at two corners or at the top, Y = 10³ to 10⁷ N/m, 1 to 100 iterations,
+// 2 s: how far they are from the converged motion (RMS over vertices, mean over time), in sizes, by what
+// their steps leave in the mean over time. The median would not show it: newton leaves nothing once the cloth
+// rests.
+//
+//   step_residual   below 0.5     0.5 to 2      2 to 5        5 to 20       20 to 100   more
+//   newton          0-0.0003      0.001-0.046   none          0.025-0.051   0.03-0.07   0.05-0.49
+//   quasi_newton    0.001-0.006   0.004-0.044   0.012-0.090   0.026-0.21    0.06-0.48   0.11-0.54
+//   vbd             none          0.030         0.034-0.12    0.19-0.50     0.51        none
+constexpr double residual_of_lag = 2;
+
+// The numbers are of the same sheets.
+std::string remedy_of_lagging(const WarningInput& input) {
+  const SimulationInput& scene = input.scene.input;
+  if (scene.method->name == "newton")
+    return "More /solver/iterations help: in tests at 10⁵ N/m 3 iterations left 32 times the effects' "
+           "forces, 10 iterations 0.01 times";
+  if (scene.method->name != "quasi_newton")
+    return "More /solver/iterations help, and quasi_newton needs fewer";
+  const Json& solver = *value_at(input.config.resolved(), "/solver");
+  if (solver.value("membrane", "") == "stated" && scene.strain.size() > 0)
+    return "In tests 10 iterations left at most 1.3 times the effects' forces with /solver/membrane: auto. "
+           "With the stated membrane, at 10⁴ N/m, 10 left 9 times and 40 left 1.6 times";
+  return "More /solver/iterations help: in tests 2 left 4.3 times the effects' forces, 20 left 0.43 times";
+}
+
+}  // namespace
+
+Message lagging(const WarningInput& input) {
+  const auto found = input.summary->find("step_residual");
+  if (found == input.summary->end() || !(found->second > residual_of_lag)) return std::nullopt;
+  const SimulationInput& scene = input.scene.input;
+  return fmt::format(
+      "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects: {} × {} "
+      "do not converge, and the cloth lags behind. In tests it was behind by 1 to 12 % of its size at 2 to 5 "
+      "times, by 3 to 50 % at 5 to 20. {}",
+      found->second, counted(scene.settings.substeps, "substep"),
+      counted(scene.settings.iterations, "iteration"), remedy_of_lagging(input));
+}
+
+// ---- no_equilibrium
+
+Message no_equilibrium(const WarningInput& input) {
+  const auto found = input.summary->find("unbalanced");
+  const bool ended = input.status == RunStatus::complete || input.status == RunStatus::implausible;
+  if (!ended || found == input.summary->end() || input.summary->contains("settled_at")) return std::nullopt;
+  return fmt::format(
+      "no equilibrium was found: the unbalanced forces are {:.2g} times the loads in the end. The numbers of "
+      "this run are those of its last steps. {}",
+      found->second,
+      is_held(input.scene) ? "A longer /duration allows more steps"
+                           : "Nothing holds the cloth: pin vertices, or let it fall with another method");
+}
+
+}  // namespace bendlab

@@ -1,0 +1,44 @@
+// A function of each kind of warning: what it says, or nothing. warnings.cpp lists them, in order.
+#pragma once
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "bendlab/effects/effect.hpp"
+#include "experiments/run/warnings.hpp"
+
+namespace bendlab {
+
+using Message = std::optional<std::string>;
+
+// Of the scene: scene_warnings.cpp.
+Message inert_seed(const WarningInput& input);
+Message piece_without_pin(const WarningInput& input);
+Message effect_without_pins(const WarningInput& input);
+Message friction_without_obstacle(const WarningInput& input);
+Message coarse_wind(const WarningInput& input);
+Message starts_inside(const WarningInput& input);
+Message far_vertex(const WarningInput& input);
+Message all_pinned(const WarningInput& input);
+Message inert_stiffness(const WarningInput& input);
+Message units(const WarningInput& input);
+
+// Of the solver: solver_warnings.cpp.
+Message unconverged(const WarningInput& input);
+Message membrane_courant(const WarningInput& input);
+Message vbd_reach(const WarningInput& input);
+Message k_overshoot(const WarningInput& input);
+Message single_precision(const WarningInput& input);
+Message weaker_push(const WarningInput& input);
+Message soft_solver(const WarningInput& input);
+Message softened_membrane(const WarningInput& input);
+Message lagging(const WarningInput& input);
+Message no_equilibrium(const WarningInput& input);
+
+inline bool has_obstacle(const Scene& scene) {
+  return std::ranges::any_of(
+      scene.effects, [](const EffectSettings& effect) { return find_effect(effect.type)->is_obstacle; });
+}
+
+}  // namespace bendlab
