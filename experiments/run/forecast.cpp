@@ -12,6 +12,7 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/stiffness.hpp"
+#include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/scene/expected_mesh.hpp"
@@ -46,8 +47,7 @@ constexpr double set_up_per_vertex = 6e-6, set_up_per_pair = 2e-7;
 constexpr double choice_by_reach = 7e-7;  // per chosen spring and edge of its reach
 // A fit bends the sheet, per vertex and, for the factor of its matrix, per vertex and √V; then fits each.
 constexpr double bent_sheet = 7e-6, bent_sheet_factor = 1e-7, fitted_by_reach = 6.5e-7, fitted_hinge = 3e-6;
-constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
-constexpr double effect_per_vertex = 3e-9;
+constexpr double vertex = 8e-9;                                 // in a substep, whatever effects there are
 constexpr double triangle = 6e-9, pair = 2.2e-9, hinge = 9e-9;  // a projection
 constexpr double levels_per_vertex = 3.5e-5, spans_per_vertex = 4e-9;  // once; an iteration
 constexpr double frame_per_triangle = 1.2e-7;
@@ -153,9 +153,9 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   };
   const double projection =
       mesh->triangles * seconds::triangle + pairs * seconds::pair + bending.hinges * seconds::hinge;
-  const double substep = count("iterations") * projection +
-                         vertices * (seconds::vertex + seconds::effect_per_vertex *
-                                                           static_cast<double>(config.effects().size()));
+  double vertex = seconds::vertex;
+  for (const EffectSettings& effect : config.effects()) vertex += find_effect(effect.type)->vertex_seconds;
+  const double substep = count("iterations") * projection + vertices * vertex;
   needs.cpu_s = seconds::of_run + vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
                 bending.chosen * bending.reach * seconds::choice_by_reach +
                 frames * mesh->triangles * seconds::frame_per_triangle;
