@@ -226,6 +226,10 @@ TEST_CASE("gusts: mean, deviation, bound, smoothness", "[effects]") {
     CHECK_THAT(std::sqrt(squares(axis) / count), WithinRel(gusts.deviation, 0.02));
     CHECK_THAT(products(axis) / count, WithinAbs(0, 0.02 * 4));
   }
+  // Where a vertex flew apart the air is asked for at any time.
+  for (const double time : {1e30, std::numeric_limits<double>::quiet_NaN()})
+    CHECK_FALSE(gusts.at(time).allFinite());
+  CHECK(gusts.at(1e15).allFinite());
 }
 
 TEST_CASE("gusts: the same bits for the same seed, others for another", "[effects]") {

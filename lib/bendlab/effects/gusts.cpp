@@ -1,6 +1,7 @@
 #include "bendlab/effects/gusts.hpp"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace bendlab {
@@ -19,6 +20,8 @@ double uniform(std::uint64_t seed, std::uint64_t n) {
 
 Vector3 Gusts::at(double seconds) const {
   const double cell = std::floor(seconds / time), x = seconds / time - cell, s = x * x * (3 - 2 * x);
+  // Of a vertex that flew apart; no integer has its cell.
+  if (!(std::abs(cell) < 0x1p62)) return Vector3::Constant(std::numeric_limits<double>::quiet_NaN());
   const auto first = static_cast<std::uint64_t>(static_cast<std::int64_t>(cell)) * 3;
   // The variance of a uniform value is 1/3; that of (1 - s) a + s b, averaged over x, is 26/35 of it.
   const double scale = deviation * std::numbers::sqrt3 * std::sqrt(35.0 / 26.0);

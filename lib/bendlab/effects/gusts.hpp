@@ -15,7 +15,7 @@ struct Gusts {
   double time = 1;       ///< s
   std::uint64_t seed = 0;
 
-  Vector3 at(double seconds) const;  ///< m/s; any time, negative ones too
+  Vector3 at(double seconds) const;  ///< m/s; any time, negative ones too; NaN beyond 2⁶² times `time`
 };
 
 }  // namespace bendlab

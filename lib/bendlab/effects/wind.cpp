@@ -38,7 +38,9 @@ constexpr std::array parameters = {
         .default_value = std::span<const double>(breeze),
         .meaning =
             "mean velocity of the air; 0, 0, 0 is air at rest. List wind before gravity: it then sees the "
-            "velocities at the start of the substep, and terminal velocities are exact",
+            "velocities at the start of the substep, and terminal velocities are exact, unless the cloth "
+            "would "
+            "gain more speed in a substep than that",
         .length = 3},
     Parameter{.name = "air_density",
               .type = ParameterType::number,
