@@ -170,7 +170,7 @@ void answers_read_file() {
 }
 
 int print_record(const fs::path& file) {
-#ifndef __SANITIZE_ADDRESS__  // it reserves terabytes of addresses
+#ifndef __SANITIZE_ADDRESS__  // the address sanitizer reserves terabytes of addresses
   const rlimit memory{memory_limit, memory_limit};
   ::setrlimit(RLIMIT_AS, &memory);
 #endif

@@ -93,7 +93,8 @@ void find_checkpoint(Place& place) {
       if (record.id != place.id || record.frames < place.saved->frames) continue;
       place.earlier = {file, place.saved->frames};
       return;
-    } catch (const RunFileError&) {  // of no use
+    } catch (const RunFileError& error) {
+      place.lost = error.what();
     }
   place.saved.reset();
 }

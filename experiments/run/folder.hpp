@@ -19,6 +19,7 @@ struct Place {
   std::unique_ptr<Claim> claim{};
   std::optional<Checkpoint> saved{};
   EarlierFrames earlier{};  ///< of `saved`
+  std::string lost{};       ///< why what an earlier process computed is of no use
 };
 
 /// A run's file as it lies on the disk.

@@ -64,8 +64,8 @@ void Recorder::take_earlier(const EarlierFrames& earlier) {
   const auto values_of = [&](const std::string& name) -> const std::vector<double>& {
     const auto found = std::ranges::find(metrics, name, [](const MetricRecord& m) { return m.column.name; });
     if (found == metrics.end() || found->values.size() < earlier.frames)
-      throw RunFileError(
-          fmt::format("{}: it has no {} values of '{}'", earlier.file.string(), earlier.frames, name));
+      throw RunFileError(fmt::format("{}: it has fewer than {} values of '{}'", earlier.file.string(),
+                                     earlier.frames, name));
     return found->values;
   };
   const auto count = static_cast<std::ptrdiff_t>(earlier.frames);

@@ -39,6 +39,7 @@ std::string file_bytes(const std::string& pointer, const std::filesystem::path& 
 }
 
 void add_message(RunOutcome& outcome, const std::string& text) {
+  if (text.empty()) return;
   outcome.message += (outcome.message.empty() ? "" : "; ") + text;
 }
 
@@ -323,7 +324,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   RunOutcome outcome = [&] {
     try {
       return compute(experiment, config, out, control, start, place);
-    } catch (const Unresumable&) {
+    } catch (const Unresumable& error) {
+      place.lost = error.what();
       remove_abandoned(place.part);
       place.saved.reset(), place.earlier = {};
       return compute(experiment, config, out, control, start, place);
@@ -332,6 +334,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   for (const std::filesystem::path& file : left) remove_abandoned(file);
   if (outcome.status != RunStatus::interrupted) remove_checkpoint(place.folder);
   add_message(outcome, note);
+  if (!place.saved && !place.lost.empty())
+    add_message(outcome, "began again at its start, because earlier frames can't be used: " + place.lost);
   return outcome;
 }
 

@@ -209,3 +209,16 @@ TEST_CASE("resume: a checkpoint that is damaged, or of another run, is not used"
     CHECK_THAT(place.out(), !ContainsSubstring("went_on_at"));
   }
 }
+
+TEST_CASE("resume: a run whose earlier frames are of no use says that it began again", "[resume]") {
+  Workplace place;
+  place.write("a.json", R"({"name": "a", "mesh": {"cells": 20}, "duration": 10})");
+  CHECK(place.run_and_signal("a.json", SIGTERM) == 143);
+  const auto files = place.run_files(".vtkhdf");
+  REQUIRE(files.size() == 1);
+  // As after a crash that left half of the file.
+  std::filesystem::resize_file(files[0], std::filesystem::file_size(files[0]) / 2);
+  std::filesystem::rename(files[0], files[0].string() + ".0123.part");
+  REQUIRE(place.run("run a.json --json") == 0);
+  CHECK_THAT(place.err(), ContainsSubstring("began again at its start"));
+}

@@ -8,6 +8,7 @@
 #include <csignal>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -54,6 +55,21 @@ std::string read_all(const Child& child) {
   close(child.output);
   return text;
 }
+
+/// As long as it lives, the system's folder for temporary files is this one.
+class TemporaryFilesIn {
+ public:
+  explicit TemporaryFilesIn(const fs::path& folder) {
+    if (const char* const usual = std::getenv("TMPDIR")) usual_ = usual;
+    setenv("TMPDIR", folder.c_str(), 1);
+  }
+  TemporaryFilesIn(const TemporaryFilesIn&) = delete;
+  TemporaryFilesIn& operator=(const TemporaryFilesIn&) = delete;
+  ~TemporaryFilesIn() { usual_ ? setenv("TMPDIR", usual_->c_str(), 1) : unsetenv("TMPDIR"); }
+
+ private:
+  std::optional<std::string> usual_;
+};
 
 void acknowledge(int pipe_end) {
   if (write(pipe_end, "+", 1) != 1) _exit(3);
@@ -119,18 +135,20 @@ TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io
   const std::string after = bytes(part);
   REQUIRE(before != after.substr(0, superblock));
   std::ofstream(killed, std::ios::binary) << before << after.substr(superblock);
-  // It is read from a temporary copy, which does not stay.
-  const char* const usual = std::getenv("TMPDIR");
-  const std::string usual_folder = usual ? usual : "";
-  fs::create_directory(folder / "temporary");
-  setenv("TMPDIR", (folder / "temporary").c_str(), 1);
-  fs::permissions(killed, fs::perms::owner_read);
-  CHECK(read_run(killed).frames == frames);
-  CHECK(wrong_frames(killed) == 0);
-  CHECK(fs::is_empty(folder / "temporary"));
-  setenv("TMPDIR", (folder / "missing").c_str(), 1);
-  CHECK_THROWS_AS(read_run(killed), RunFileError);
-  usual ? setenv("TMPDIR", usual_folder.c_str(), 1) : unsetenv("TMPDIR");
+  // It is read from a temporary copy, which does not stay. Reading needs no right to write.
+  {
+    const TemporaryFilesIn here(folder / "temporary");
+    fs::create_directory(folder / "temporary");
+    fs::permissions(killed, fs::perms::owner_read);
+    CHECK(read_run(killed).frames == frames);
+    CHECK(wrong_frames(killed) == 0);
+    CHECK(fs::is_empty(folder / "temporary"));
+  }
+  {
+    const TemporaryFilesIn nowhere(folder / "missing");
+    CHECK_THAT(error_text<RunFileError>([&] { read_run(killed); }),
+               Catch::Matchers::ContainsSubstring("TMPDIR") && Catch::Matchers::ContainsSubstring("missing"));
+  }
   const std::string left = bytes(killed);
   CHECK(left == before + after.substr(superblock));  // reading changes nothing
   CHECK(goes_on_from(killed, folder / "other.vtkhdf", frames));

@@ -5,6 +5,8 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
@@ -199,18 +201,24 @@ bool ends_before_its_bytes(hid_t file) {
 Handle open_with_all_bytes(const std::string& path) {
   std::error_code error;
   const std::filesystem::path folder = std::filesystem::temp_directory_path(error);
-  if (error) throw system_failure(error.value());
+  const auto failed = [&](int code) {
+    const char* const named = std::getenv("TMPDIR");
+    return Failure(fmt::format("a copy of it in {}, the folder for temporary files (TMPDIR), fails: {}",
+                               named ? named : folder.c_str(), system_failure(code).what()));
+  };
+  if (error) throw failed(error.value());
   std::string copy = (folder / "bendlab-XXXXXX").string();
   const int descriptor = mkstemp(copy.data());
-  if (descriptor < 0) throw system_failure(errno);
+  if (descriptor < 0) throw failed(errno);
   close(descriptor);
   struct Removed {
     const std::string& file;
     ~Removed() { unlink(file.c_str()); }
   } const removed{copy};
   std::filesystem::copy_file(path, copy, std::filesystem::copy_options::overwrite_existing, error);
-  if (error) throw system_failure(error.value());
-  if (chmod(copy.c_str(), S_IRUSR | S_IWUSR) != 0) throw system_failure(errno);  // it has the file's now
+  if (error) throw failed(error.value());
+  // The copy got the permissions of the original, which may be read-only.
+  if (chmod(copy.c_str(), S_IRUSR | S_IWUSR) != 0) throw failed(errno);
   Handle file(H5Fopen(copy.c_str(), H5F_ACC_RDWR, file_access()), H5Fclose);
   check(H5Fincrement_filesize(file, 0));  // to the end of its bytes
   return file;

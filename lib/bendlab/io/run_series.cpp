@@ -23,7 +23,18 @@ bool has_table(hid_t metrics) {
 }
 
 std::vector<std::string> names_in(hid_t metrics) {
-  return has_table(metrics) ? hdf5::read_texts(metrics, "names") : hdf5::links(metrics);
+  if (!has_table(metrics)) return hdf5::links(metrics);
+  std::vector<std::string> names = hdf5::read_texts(metrics, "names");
+  if (hdf5::shape_of(hdf5::open_dataset(metrics, metric_values)).at(1) != names.size())
+    throw hdf5::Failure("its table of metrics has not a column for each name");
+  return names;
+}
+
+// A text for each of that many metrics.
+std::vector<std::string> texts_of(hid_t metrics, const char* what, std::size_t count) {
+  std::vector<std::string> texts = hdf5::read_texts(metrics, what);
+  if (texts.size() != count) throw hdf5::Failure(fmt::format("its metrics have not {} each", what));
+  return texts;
 }
 
 /// Whether every dataset has frame k.
@@ -98,8 +109,9 @@ std::vector<Column> metric_columns(hid_t file) {
   const std::vector<std::string> names = names_in(metrics);
   std::vector<Column> columns;
   if (has_table(metrics)) {
-    const auto units = hdf5::read_texts(metrics, "units"), meanings = hdf5::read_texts(metrics, "meanings");
-    for (std::size_t i = 0; i < names.size(); ++i) columns.push_back({names[i], units.at(i), meanings.at(i)});
+    const auto units = texts_of(metrics, "units", names.size()),
+               meanings = texts_of(metrics, "meanings", names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) columns.push_back({names[i], units[i], meanings[i]});
   } else {
     for (const std::string& name : names) {
       auto texts = hdf5::read_text_attributes(hdf5::open_dataset(metrics, name));
