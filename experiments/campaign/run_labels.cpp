@@ -34,10 +34,10 @@ std::map<std::string, Json> flattened(const Json& object, const std::string& poi
 // An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
 std::string object_text(const Json& object, const std::vector<std::map<std::string, Json>>& flat_values) {
   const auto differs = [&](const std::string& key, const Json& value) {
-    return std::ranges::any_of(flat_values, [&](const auto& other) {
-      const auto found = other.find(key);
-      return found == other.end() || found->second != value;
-    });
+    return flat_values.size() == 1 || std::ranges::any_of(flat_values, [&](const auto& other) {
+             const auto found = other.find(key);
+             return found == other.end() || found->second != value;
+           });
   };
   std::vector<std::string> first, others;
   for (const auto& [key, value] : flattened(object)) {

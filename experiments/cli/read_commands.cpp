@@ -14,6 +14,7 @@
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/config/json_text.hpp"
+#include "experiments/config/nearest_name.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/run/broken_bound.hpp"
 #include "experiments/run/warnings.hpp"
@@ -79,18 +80,40 @@ Json stored_config(const RunRecord& record) {
   return config.is_discarded() ? Json() : config;
 }
 
+// Throws UsageError unless a run has that setting, or with a name that is no pointer that number.
+void require_known(const std::vector<RunRecord>& records, const char* option, const std::string& name) {
+  std::vector<std::string> known;
+  for (const RunRecord& record : records) {
+    if (name.starts_with('/')) {
+      const Json config = stored_config(record);
+      if (value_at(config, name)) return;
+      for (const auto& [pointer, value] : config.flatten().items()) known.push_back(pointer);
+    } else {
+      if (record.summary.contains(name)) return;
+      for (const auto& [number, value] : record.summary) known.push_back(number);
+    }
+  }
+  if (records.empty()) return;
+  throw UsageError(fmt::format("{}: no run has the {} '{}'{}", option,
+                               name.starts_with('/') ? "setting" : "number", name, suggestion(name, known)));
+}
+
 // The runs whose configs have all these values.
 std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<std::string>& where) {
+  std::vector<std::pair<std::string, std::string>> wanted;
   for (const std::string& text : where) {
     const std::size_t equals = text.find('=');
     if (equals == std::string::npos || !text.starts_with('/'))
       throw UsageError(fmt::format("--where: '{}' is not of the form /json/pointer=value", text));
-    const std::string pointer = text.substr(0, equals), wanted = text.substr(equals + 1);
-    const Json parsed = Json::parse(wanted, nullptr, false);
+    wanted.emplace_back(text.substr(0, equals), text.substr(equals + 1));
+    require_known(records, "--where", wanted.back().first);
+  }
+  for (const auto& [pointer, text] : wanted) {
+    const Json parsed = Json::parse(text, nullptr, false);
     std::erase_if(records, [&](const RunRecord& record) {
       const Json config = stored_config(record);
       const Json* const value = value_at(config, pointer);
-      return value == nullptr || !(*value == parsed || *value == Json(wanted));
+      return value == nullptr || !(*value == parsed || *value == Json(text));
     });
   }
   return records;
@@ -115,7 +138,7 @@ void sort_by(std::vector<RunRecord>& records, const std::string& name) {
 int list_command(const ListArguments& arguments, bool json) {
   std::vector<RunRecord> records = chosen(read_runs(arguments.folder), arguments.where);
   const std::string& sort = arguments.sort;
-  if (!sort.empty()) sort_by(records, sort);
+  if (!sort.empty()) require_known(records, "--sort", sort), sort_by(records, sort);
   std::vector<std::string> headings = {"id",       "name",        "status",          "frames", "written",
                                        "vertices", "mean_strain", "pin_max_stretch", "wall_s"};
   const bool own_column = !sort.empty() && std::ranges::find(headings, sort) == headings.end();

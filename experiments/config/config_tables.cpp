@@ -83,7 +83,8 @@ constexpr std::array top_level = {
                          "pinned, one substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
-              .meaning = "Simulated time of each run; at least a step",
+              .meaning = "Simulated time of each run; at least a step. It is rounded up to whole steps of "
+                         "/solver/dt",
               .minimum = 0, .above = true},
     Parameter{.name = "settled_speed", .type = number, .unit = "m/s", .default_value = 0.0,
               .meaning = "The run ends early when no vertex has been faster than this for half a simulated "

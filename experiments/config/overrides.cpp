@@ -99,6 +99,7 @@ std::string sweep_override(const std::string& axis) {
       values->push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
     }
   }
+  if (*values == Json::array({"all"})) values = "all";  // every choice of the setting
   return fmt::format("{}={}", child_pointer("/sweep", axis.substr(0, equals)), values->dump());
 }
 
