@@ -88,12 +88,16 @@ def _draw(section, picture, caption, runs):
     """Adds the picture of these runs, if there is one, and says how many it leaves out."""
     unknown = sum(np.isnan(_error(run)) for run in runs)
     apart = sum(not _is_drawn(run) for run in runs) - unknown
+    left_out = ""
     if apart:
-        caption += f" Not drawn: {apart} of {len(runs)} runs, which are farther off than the sheet's size."
+        left_out += f" Not drawn: {apart} of {len(runs)} runs, which are farther off than the sheet's size."
     if unknown:
-        caption += f" {unknown} have no error, because their reference is not balanced."
+        left_out += (f" {unknown} of {len(runs)} runs have no error: they were not compared, or their "
+                     "reference is not balanced.")
     if picture:
-        section.pictures.append((picture, caption))
+        section.pictures.append((picture, caption + left_out))
+    else:
+        section.text += left_out
 
 
 def _fronts(runs, out, name, of_panel, ylabel, title):
@@ -174,7 +178,7 @@ def _table(runs, of_row, caption):
                 cost, run = _cheapest(some, level)
                 cells_of_row.append(f"{style.number(cost)} ({run.get('/solver/substeps')} × "
                                     f"{run.get('/solver/iterations')})" if run else "not reached")
-            least = min(some, key=_error)
+            least = min(some, key=lambda run: np.nan_to_num(_error(run), nan=np.inf))
             rows.append(cells_of_row + [style.number(100 * _error(least), 2),
                                         style.number(least.summary["memory_bytes"] / 1e6, 2)])
     return Table(f"{caption}: ms per frame to each error, with substeps × iterations; the least error of "
