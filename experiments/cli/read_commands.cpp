@@ -87,7 +87,8 @@ void require_known(const std::vector<RunRecord>& records, const char* option, co
     if (name.starts_with('/')) {
       const Json config = stored_config(record);
       if (value_at(config, name)) return;
-      for (const auto& [pointer, value] : config.flatten().items()) known.push_back(pointer);
+      const Json flat = config.flatten();
+      for (const auto& [pointer, value] : flat.items()) known.push_back(pointer);
     } else {
       if (record.summary.contains(name)) return;
       for (const auto& [number, value] : record.summary) known.push_back(number);

@@ -216,7 +216,16 @@ TEST_CASE("trust: an axis can be added on the command line, and results be chose
   CHECK(place.run("list --where /mesh/cells=7") == 0);
   CHECK_THAT(place.out(), ContainsSubstring("no such runs"));
   CHECK(place.run("list --where cells") == 2);
+  for (const std::string wrong : {"--where /mesh/cels=4", "--sort /mesh/cels"}) {
+    CHECK(place.run("list " + wrong) == 2);
+    CHECK_THAT(place.err(), ContainsSubstring("no run has the setting '/mesh/cels'") &&
+                                ContainsSubstring("'/mesh/cells'"));
+  }
+  CHECK(place.run("list --sort dorp") == 2);
+  CHECK_THAT(place.err(), ContainsSubstring("no run has the number 'dorp'") && ContainsSubstring("'drop'"));
   CHECK(place.run("run tiny.json --sweep cells") == 2);
+  CHECK(place.run("plan tiny.json --sweep /solver/sweep=all --json") == 0);
+  CHECK(place.out_lines().size() == 2);  // forward and symmetric
 }
 
 TEST_CASE("trust: two runs, and two sweeps, are compared", "[trust]") {
