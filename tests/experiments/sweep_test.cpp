@@ -77,8 +77,8 @@ TEST_CASE("sweep: a run and its folder are named after its place") {
   CHECK(place_text({&objects, &objects.runs.at(0)}) == "solver substeps 8");
   CHECK(place_text({&objects, &objects.runs.at(1)}) == "solver pbd, substeps 4");
   CHECK(place_text({&objects, &objects.runs.at(2)}) == "solver as it is");
-  const Experiment one = experiment(R"("sweep": {"/solver": [{"method": "newton", "substeps": 2}]})");
-  CHECK(place_text({&one, &one.runs.at(0)}) == "solver newton, substeps 2");
+  const Experiment one = experiment(R"("sweep": {"/solver": [{"substeps": 2, "iterations": 3}]})");
+  CHECK(place_text({&one, &one.runs.at(0)}) == "solver iterations 3, substeps 2");
   const Experiment lists = experiment(R"("sweep": {"/pins": [{"vertices": ["top"]}, {"indices": [3, 4]}]})");
   CHECK(place_text({&lists, &lists.runs.at(1)}) == "pins indices [3,4]");
   CHECK(run_folder("out", single, single.runs.at(0), "0123") == "out/t/0123");
