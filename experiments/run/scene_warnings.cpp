@@ -101,6 +101,22 @@ Message friction_without_obstacle(const WarningInput& input) {
                      friction - effects.begin());
 }
 
+// ---- kinetic_above_static
+
+Message kinetic_above_static(const WarningInput& input) {
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
+    const EffectSettings& effect = input.scene.effects[index];
+    if (effect.type != "friction" || effect.values.number("kinetic") <= effect.values.number("static"))
+      continue;
+    return fmt::format(
+        "/effects/{} (friction): kinetic, {:.3g}, is above static, {:.3g}, so that what slides is held more "
+        "than what rests. Set static to at least {:.3g}",
+        index, effect.values.number("kinetic"), effect.values.number("static"),
+        effect.values.number("kinetic"));
+  }
+  return std::nullopt;
+}
+
 // ---- coarse_wind
 
 // The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth

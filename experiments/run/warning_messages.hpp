@@ -17,6 +17,7 @@ Message inert_seed(const WarningInput& input);
 Message piece_without_pin(const WarningInput& input);
 Message effect_without_pins(const WarningInput& input);
 Message friction_without_obstacle(const WarningInput& input);
+Message kinetic_above_static(const WarningInput& input);
 Message coarse_wind(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
 Message far_vertex(const WarningInput& input);

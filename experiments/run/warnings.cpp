@@ -15,6 +15,8 @@ constexpr std::array kinds = {
                 effect_without_pins},
     WarningKind{"friction_without_obstacle", "friction is listed, and there is no obstacle", true,
                 friction_without_obstacle},
+    WarningKind{"kinetic_above_static", "friction's kinetic coefficient is above its static one", true,
+                kinetic_above_static},
     WarningKind{"coarse_wind", "substeps are long for the wind", true, coarse_wind},
     WarningKind{"starts_inside", "cloth starts inside an obstacle", true, starts_inside},
     WarningKind{"far_vertex", "a vertex is very far from its neighbours", true, far_vertex},

@@ -15,8 +15,9 @@ struct Scene;
 struct RoundingSpeed {
   /// m/s, ε d / h: one rounding in single precision of a coordinate as large as the cloth
   double rounded = 0;
-  double gained = 0;     ///< m/s, g h: what gravity adds to a speed in a substep; 0 without gravity
-  bool matters = false;  ///< something in the scene rounds positions
+  double gained = 0;      ///< m/s, g h: what gravity adds to a speed in a substep; 0 without gravity
+  bool matters = false;   ///< something in the scene rounds positions
+  bool friction = false;  ///< of an obstacle, by how far it pushes
 
   /// Whether single precision resolves gravity.
   bool single_suffices() const;

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
+#include <string_view>
+#include <utility>
 
 #include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
@@ -35,8 +38,27 @@ double way(const std::string& solver, const std::string& effects, double along =
   return simulation->positions().col(0).mean() - start.x();
 }
 
+std::string friction(double at_rest, double sliding) {
+  return fmt::format(R"(, {{"type": "friction", "static": {}, "kinetic": {}}})", at_rest, sliding);
+}
 std::string friction(double coefficient) {
-  return fmt::format(R"(, {{"type": "friction", "static": {0}, "kinetic": {0}}})", coefficient);
+  return friction(coefficient, coefficient);
+}
+
+// The mean velocity of a sheet after some time, m/s; `scene` are settings of its config.
+Eigen::RowVector3d drift(const std::string& solver, const std::string& scene, double time) {
+  const Experiment experiment = parse_experiment(
+      fmt::format(R"({{"name": "landing", "defaults": "paper", "duration": 9, "pins": {{"vertices": []}},
+          "mesh": {{"cells": 4, "width": 0.4, "height": 0.4}}, "bending": {{"model": "none"}},
+          "material": {{"strain": {{"stiffness": "compliance", "compliance": 1e-4}}}}, "solver": {}, {}}})",
+                  solver, scene),
+      "test");
+  const Scene built = build_scene(experiment.runs.front());
+  const std::unique_ptr<Simulation> simulation = simulation_of(built);
+  for (int step = 0; step < std::lround(time / dt); ++step) REQUIRE(simulation->step());
+  const Eigen::Map<const Eigen::VectorXd> mass(built.input.mass.data(),
+                                               static_cast<Eigen::Index>(built.input.mass.size()));
+  return mass.transpose() * simulation->velocities() / mass.sum();
 }
 
 // Σ a h² k over the n substeps of first order: ½ a t² (1 + 1/n).
@@ -73,6 +95,48 @@ TEST_CASE("friction slows a sheet on an incline by its coefficient, or holds it"
                WithinRel(slid(down - 0.3 * into, setting.substeps), 2e-3));
     // tan 30° = 0.577 < 0.8. The iterations of vbd leave a part of each step's slip.
     CHECK_THAT(way(setting.solver, plane + friction(0.8)), WithinAbs(0, 0.006));
+  }
+}
+
+// tan 25° = 0.466 and tan 27° = 0.510. What the last iteration leaves of a slip adds up over 60 steps to less
+// than a millimetre.
+TEST_CASE("friction holds up to its static coefficient, and slides with its kinetic one", "[solver]") {
+  constexpr double gravity = 9.81, degree = std::numbers::pi / 180;
+  const auto on = [&](double angle, const std::string& solver) {
+    const std::string tilted = fmt::format(R"({{"type": "gravity", "acceleration": [{}, 0, {}]}}, {})",
+                                           gravity * std::sin(angle * degree),
+                                           -gravity * std::cos(angle * degree), plane + friction(0.5, 0.4));
+    return drift(solver, "\"effects\": [" + tilted + "]", duration).x();
+  };
+  for (const Setting& setting : settings) {
+    CAPTURE(setting.solver);
+    CHECK_THAT(on(25, setting.solver), WithinAbs(0, 1e-3));
+    const double slides = gravity * (std::sin(27 * degree) - 0.4 * std::cos(27 * degree));
+    CHECK_THAT(on(27, setting.solver), WithinRel(slides * duration, 0.05));  // vbd starts late, by 1.4 steps
+  }
+}
+
+// The push takes 1 m/s, and friction as much times its coefficient for what slides.
+TEST_CASE("a sheet that lands sliding loses speed by its kinetic coefficient", "[solver]") {
+  const std::string landing = R"("initial": {"velocity": [2, 0, -1]}, "effects": [)";
+  for (const Setting& setting : settings)
+    for (const auto& [at_rest, sliding] : {std::pair(1.5, 0.1), std::pair(0.5, 0.4)}) {
+      CAPTURE(setting.solver, sliding);
+      CHECK_THAT(drift(setting.solver, landing + plane + friction(at_rest, sliding) + "]", 0.1).x(),
+                 WithinAbs(2 - sliding, 1e-3));
+    }
+}
+
+// No force acts along the plane.
+TEST_CASE("a smooth plane gives a crumpling sheet no momentum along it", "[solver]") {
+  const std::string falling = R"("initial": {"tilt": 30}, "effects": [{"type": "gravity"},
+                                 {"type": "plane", "point": [0, 0, -0.3]}])";
+  for (const Setting& setting : settings) {
+    if (std::string_view(setting.solver).find("quasi_newton") != std::string_view::npos)
+      continue;  // 10 iterations
+    CAPTURE(setting.solver);
+    const Eigen::RowVector3d velocity = drift(setting.solver, falling, 1);
+    CHECK_THAT(velocity.head<2>().norm(), WithinAbs(0, 1e-3));  // of up to 2 m/s
   }
 }
 

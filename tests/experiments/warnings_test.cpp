@@ -99,6 +99,16 @@ TEST_CASE("warnings: friction where there is nothing to hold on to", "[warnings]
   CHECK(codes(R"(, {"type": "plane", "point": [0, 0, -1]})").empty());
 }
 
+TEST_CASE("warnings: friction that holds what slides more than what rests", "[warnings]") {
+  const auto codes = [](const char* coefficients) {
+    return codes_of(R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"},
+        {"type": "plane", "point": [0, 0, -1]}, {"type": "friction", )" +
+                    std::string(coefficients) + "}]");
+  };
+  CHECK(codes(R"("static": 0.2, "kinetic": 0.21)") == Codes{"kinetic_above_static"});
+  CHECK(codes(R"("static": 0.2, "kinetic": 0.2)").empty());
+}
+
 // ρ = 0.2 kg/m², ½ ρ_air C_D = 0.77 kg/m³: it falls at 1.6 m/s in the end, and gets there within 0.16 s.
 TEST_CASE("warnings: substeps that are long for the wind", "[warnings]") {
   const auto with = [](const char* pins, const char* effects, const char* dt) {
@@ -243,6 +253,19 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
   CHECK_THAT(message_of("lagging", softened, &left), ContainsSubstring("More /solver/iterations"));
   CHECK_THAT(message_of("lagging", vbd, &left), ContainsSubstring("quasi_newton"));
   CHECK_THAT(message_of("lagging", newton, &left), ContainsSubstring("3 iterations left 32 times"));
+
+  // Friction moves cloth with a share of its weight.
+  const auto on_plane = [&](const char* solver) {
+    return with(solver) + R"(, "effects": [{"type": "gravity"}, {"type": "plane", "point": [0, 0, -1]}])";
+  };
+  const Summary slides = {{"step_residual", 1.1}}, turns = {{"step_residual", 0.2}};
+  const std::string slow = on_plane(R"({"method": "vbd", "iterations": 100000})"),
+                    few = on_plane(R"({"method": "quasi_newton"})"),
+                    fast = on_plane(R"({"method": "newton"})");
+  CHECK(codes_of(slow, &turns) == Codes{"lagging"});
+  CHECK(codes_of(few, &turns).empty());
+  CHECK_THAT(message_of("lagging", few, &slides), ContainsSubstring("8 of 30"));
+  CHECK_THAT(message_of("lagging", fast, &slides), ContainsSubstring("More /solver/substeps help"));
 }
 
 // C² = (Y/ρ) (h/cell)² = 2 (1/60)² / 0.2² / c, with c the compliance, ρ = 0.5 kg/m² and cells of 0.2 m.
@@ -367,6 +390,12 @@ TEST_CASE("auto takes double where an effect's rounding hides gravity", "[scene]
   CHECK(precision_with(R"(, {"type": "viscous_drag"})", 4096) == Precision::single_precision);
   CHECK(precision_with(R"(, {"type": "tethers"})", 4096) == Precision::double_precision);
   CHECK(precision_with(R"(, {"type": "tethers"})", 1) == Precision::single_precision);
+  // An incline of 256 substeps: 1.9 m in single precision, where it is 0.75 m (ε d / g h² = 4).
+  const std::string plane = R"(, {"type": "plane", "point": [0, 0, -1]})",
+                    friction = plane + R"(, {"type": "friction"})";
+  CHECK(precision_with(friction, 256) == Precision::double_precision);
+  CHECK(precision_with(plane, 256) == Precision::single_precision);
+  CHECK(precision_with(friction, 8) == Precision::single_precision);
 }
 
 TEST_CASE("auto takes double where rounded positions hide the strain that quasi_newton needs", "[scene]") {

@@ -2,10 +2,11 @@
 //
 // The passes of a contact say where each vertex would have to be, P(x). It is pushed as by a stiff spring,
 //
-//   f_n = κ (P(x) - x),   n = f_n / |f_n|,   of stiffness κ n nᵀ,   κ = a w + b with the weight w of inertia
+//   f_n = κ (P(x) - x),   n = f_n / |f_n|,   of stiffness κ n nᵀ,   κ = a w + b m
 //
-// and friction holds it against its slip s, the way in the plane across n that it went with respect to the
-// obstacle in this substep:
+// with the weight w of inertia and the mass m: vertices that carry their own weight sink in equally, and do not
+// strain the cloth. Friction holds it against its slip s, the way in the plane across n that it went with
+// respect to the obstacle in this substep:
 //
 //   f_t = -k s,   k = κ where it holds, else min(κ, μ N / |s|)
 //
@@ -14,7 +15,7 @@
 // a Newton method lower what they minimise (each has the curvature of a parabola that lies above: Hunter and
 // Lange 2004, §3). Friction holds if that takes no more than μ N. N is (κ + w) |P(x) - x|, because what the
 // vertex sinks in is taken back at the end; of this or the last iteration, whichever is less: where a vertex
-// has just sunk in it is far too large. μ is μ_k where the vertex slid in the last substep, else μ_s.
+// has just sunk in it is far too large. μ is μ_s where friction holds, μ_k where it slides.
 #pragma once
 
 #include <Eigen/Core>
@@ -34,9 +35,9 @@ class ContactForces {
   using Matrix = Eigen::Matrix<Real, 3, 3>;
 
   ContactForces() = default;
-  /// κ = `per_weight` w + `least` (N/m).
-  ContactForces(double per_weight, double least)
-      : per_weight_(static_cast<Real>(per_weight)), least_(static_cast<Real>(least)) {}
+  /// a, and b in N/m per kg.
+  ContactForces(double per_weight, double per_mass)
+      : per_weight_(static_cast<Real>(per_weight)), per_mass_(static_cast<Real>(per_mass)) {}
 
   /// For so many slots.
   void resize(std::size_t slots) { before_.resize(slots), contacts_.resize(slots); }
@@ -54,27 +55,32 @@ class ContactForces {
     for (std::size_t v = 0; v < weights.size(); ++v) {
       One& one = contacts_[v];
       if (is_first_iteration) {
-        one.slid = one.touched != 0 && !one.holds;
-        one.touched = 0, one.holds = false, one.last_slip = one.earlier = 0;
+        one.holds = one.holds && one.touched != 0;
+        one.touched = 0, one.earlier = one.last_grip = 0, one.normal = Vector::Zero();
+        one.gave_way = false;
       } else {
-        one.earlier = one.carrying_force;
+        one.earlier = one.carrying_force, one.last_grip = one.grip;
       }
       const Vector way = before_[v].vector() - state.position[v].vector();
-      const Real depth = weights[v] > 0 ? way.norm() : Real(0);
+      Real depth = weights[v] > 0 ? way.norm() : Real(0);
       one.at = state.position[v].vector();
-      one.stiffness = depth > 0 ? per_weight_ * weights[v] + least_ : Real(0);
-      one.normal = depth > 0 ? Vector(way / depth) : Vector::Zero().eval();
+      if (depth > 0) one.normal = way / depth, one.surface = one.normal.dot(before_[v].vector());
+      if (depth == 0 && !is_first_iteration && one.stiffness > 0)
+        depth = std::max(Real(0), one.surface - one.normal.dot(one.at));
+      one.stiffness =
+          depth > 0 ? per_weight_ * weights[v] + per_mass_ * static_cast<Real>(state.mass[v]) : Real(0);
       one.normal_force = one.stiffness * depth;
       one.carrying_force = one.normal_force + weights[v] * depth;
       one.grip = 0, one.slip = Vector::Zero();
       one.touched |= depth > 0;
+      one.holds = one.holds && (depth > 0 || is_first_iteration);
       one.inertia = weights[v];
     }
     before_ = state.position;
   }
 
   /// Friction, from State::contacts. Returns how many vertices it holds.
-  std::uint64_t grip(State<Real>& state, const FrictionCoefficients& friction) {
+  std::uint64_t grip(State<Real>& state, const FrictionCoefficients& friction, bool decides_late) {
     if (!in_use()) return 0;
     for (One& one : contacts_) one.pressed = 0, one.carried = Vector::Zero();
     for (const Contact<Real>& contact : state.contacts) {
@@ -85,22 +91,24 @@ class ContactForces {
     std::uint64_t held = 0;
     for (std::size_t v = 0; v < static_cast<std::size_t>(state.vertex_count); ++v) {
       One& one = contacts_[v];
-      if (!(one.pressed > 0) || !(one.stiffness > 0)) continue;
-      one.slip =
-          across(one, state.position[v].vector() - state.previous[v].vector() - one.carried / one.pressed);
-      const Real limit = static_cast<Real>(one.slid ? friction.sliding : friction.at_rest) *
-                         std::min(one.carrying_force, one.earlier),
-                 length = one.slip.norm();
-      // What it takes to hold it: the force that acted in the last iteration, and its inertia.
-      const Real needed = (one.holds           ? one.stiffness * length
-                           : one.last_slip > 0 ? limit * std::min(Real(1), length / one.last_slip)
-                                               : limit) +
-                          one.inertia * length;
-      one.last_slip = length;
-      one.holds = limit > 0 && needed <= limit;
-      if (!(limit > 0)) continue;
-      one.grip = one.holds || !(length > 0) ? one.stiffness : std::min(one.stiffness, limit / length);
-      ++held;
+      if (one.pressed > 0) one.with = one.carried / one.pressed;
+      if (!(one.stiffness > 0)) continue;
+      one.slip = across(one, state.position[v].vector() - state.previous[v].vector() - one.with);
+      const Real length = one.slip.norm();
+      // What held in the last substep does so until there is a force to compare with.
+      if (const Real carries = std::min(one.carrying_force, one.earlier); carries > 0) {
+        const Real most = static_cast<Real>(friction.at_rest) * carries,
+                   sliding = static_cast<Real>(friction.sliding) * carries;
+        // What it takes to hold it: the force that acted in the last iteration, and its inertia. That leaves
+        // out its neighbours: what gave way once holds only where the spring alone is within its limit.
+        const bool held_before = one.holds;
+        one.holds = ((one.gave_way ? one.stiffness : one.last_grip) + one.inertia) * length <= most;
+        one.gave_way |= decides_late && held_before && !one.holds;
+        one.grip = one.holds || !(length > 0) ? one.stiffness : std::min(one.stiffness, sliding / length);
+      } else {
+        one.grip = one.holds ? one.stiffness : Real(0);
+      }
+      held += one.grip > 0 ? 1 : 0;
     }
     return held;
   }
@@ -115,6 +123,9 @@ class ContactForces {
   }
 
   bool touched(std::size_t v) const { return contacts_[v].touched != 0; }  ///< in this substep
+  bool holds(std::size_t v) const { return contacts_[v].holds; }           ///< friction, at its end
+  /// Of the last push of this substep; zero: there was none.
+  const Vector& normal(std::size_t v) const { return contacts_[v].normal; }
   bool pushes(std::size_t v) const { return contacts_[v].stiffness > 0; }  ///< in this iteration
   /// f_n + f_t, N, where the iteration began.
   Vector force(std::size_t v) const {
@@ -157,17 +168,19 @@ class ContactForces {
   struct One {
     Vector normal = Vector::Zero(), at = Vector::Zero();     // at: x, m
     Vector slip = Vector::Zero(), carried = Vector::Zero();  // s, m; Σ depth · carried
+    Vector with = Vector::Zero();                            // how far the obstacle went in the substep, m
+    Real surface = 0;                                        // n · P(x) of the last push, m
     Real stiffness = 0, grip = 0;                            // κ and k, N/m; κ = 0: nothing pushes
     Real normal_force = 0, carrying_force = 0, earlier = 0;  // |f_n|, N, N of the last iteration; N
     Real pressed = 0, inertia = 0;                           // Σ depth, m; w, N/m
     std::uint8_t touched = 0;
-    Real last_slip = 0;  // |s| of the last iteration, m
+    Real last_grip = 0;  // k of the last iteration, N/m
     bool holds = false;  // friction stays below its limit
-    bool slid = false;   // in the last substep
+    bool gave_way = false;
   };
   static Vector across(const One& one, const Vector& v) { return v - one.normal.dot(v) * one.normal; }
 
-  Real per_weight_ = 0, least_ = 0;
+  Real per_weight_ = 0, per_mass_ = 0;
   Points<Real> before_;
   std::vector<One> contacts_;
 };

@@ -47,9 +47,11 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, std::vector<int> 
 }
 
 template <class Real>
-void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight,
-                                      double least) {
-  contacts_ = ContactForces<Real>(per_weight, least);
+void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double mean) {
+  double mass = 0, free = 0;
+  for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
+    if (state_.position[v].w > 0) mass += state_.mass[v], ++free;
+  contacts_ = ContactForces<Real>(per_weight, mass > 0 ? mean * free / mass : 0);
   const auto add = [&](Passes& passes, const char* name, auto action) {
     passes.push_back({[this, action](PassContext<Real>& c) { action(c); }, this->add_statistics(name)});
   };
@@ -79,7 +81,9 @@ void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_pass
   std::erase_if(effect_passes, [&](Pass<Real>& pass) {
     if (!pass.friction) return false;
     const FrictionCoefficients friction = *pass.friction;
-    pass.run = [this, friction](PassContext<Real>& c) { c.acted += contacts_.grip(state_, friction); };
+    pass.run = [this, friction](PassContext<Real>& c) {
+      c.acted += contacts_.grip(state_, friction, is_late_);
+    };
     gripping.push_back(std::move(pass));
     return true;
   });
@@ -114,7 +118,7 @@ template <class Real>
 void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   this->run(before_, context);
   for (int i = 0; i < settings_.iterations; ++i) {
-    is_first_ = i == 0;
+    is_first_ = i == 0, is_late_ = 2 * i >= settings_.iterations;
     this->run(iteration_, context);
     if (static_cast<double>(last_move_) <= tolerance_) break;
   }
@@ -184,17 +188,25 @@ bool ImplicitStep<Real>::pins_moved() const {
 }
 
 // Where a contact pushed, motion has a kink, which no formula of second order may reach across: it would
-// throw the cloth back. So there the velocity is that of the substep alone, and the one before counts as the
-// same.
+// throw the cloth back. So there the velocity along the normal, and all of it where friction holds, is that
+// of the substep alone. BDF2's steps are q += h f / m with q = 3/2 v - 1/2 v_-1, those of backward Euler
+// v += h f / m. So that the cloth's own forces keep its momentum, v becomes q where the first ends, and v_-1
+// becomes v where the second does.
 template <class Real>
 void ImplicitStep<Real>::update() {
-  const auto per_h = static_cast<Real>(settings_.substeps / settings_.dt);
+  const auto h = static_cast<Real>(settings_.dt / settings_.substeps);
   this->for_vertices([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
       state_.velocity[v].set((state_.position[v].vector() - base_[v].vector()) / gamma_[v]);
-      if (!has_contacts() || !contacts_.touched(v)) continue;
-      state_.velocity[v].set(per_h * (state_.position[v].vector() - state_.previous[v].vector()));
-      velocity_[v].set(state_.velocity[v].vector());
+      const bool touched = has_contacts() && contacts_.touched(v),
+                 second_order = gamma_[v] < Real(0.8) * h;  // 2/3 or 1
+      if (touched && second_order) {
+        const Vector3Of<Real> own = (state_.position[v].vector() - state_.previous[v].vector()) / h,
+                              q = Real(1.5) * state_.velocity[v].vector() - Real(0.5) * velocity_[v].vector(),
+                              n = contacts_.normal(v);
+        state_.velocity[v].set(contacts_.holds(v) ? own : Vector3Of<Real>(q - n.dot(q - own) * n));
+      }
+      if (touched || (has_contacts() && has_history_ && !second_order)) velocity_[v] = state_.velocity[v];
     }
   });
   has_history_ = true;

@@ -74,8 +74,9 @@ class ImplicitStep : public TimeStep<Real> {
   /// Throws std::invalid_argument unless every stiffness is a compliance above 0.
   ImplicitStep(const SimulationInput& input, std::vector<int> permutation);
 
-  /// Call it once, when the derived class is complete. Contacts push with κ = `per_weight` w + `least` (N/m).
-  void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double least);
+  /// Call it once, when the derived class is complete. Contacts push with κ = `per_weight` w, and another
+  /// `mean` N/m in the mean over free vertices, in proportion to their masses.
+  void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double mean);
 
   /// A pass before the iterations of a substep.
   struct Preparation {
@@ -133,7 +134,7 @@ class ImplicitStep : public TimeStep<Real> {
   Integrator integrator_;
   double tolerance_, size_;  // m
   std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
-  bool has_unknowns_ = false, has_history_ = false, is_first_ = true;
+  bool has_unknowns_ = false, has_history_ = false, is_first_ = true, is_late_ = false;
   bool weights_changed_ = false;
   double total_force_ = 0;
   Real last_move_ = 0;
