@@ -4,8 +4,8 @@
 //
 //   f_n = κ (P(x) - x),   n = f_n / |f_n|,   of stiffness κ n nᵀ,   κ = a w + b m
 //
-// with the weight w of inertia and the mass m: vertices that carry their own weight sink in equally, and do not
-// strain the cloth. Friction holds it against its slip s, the way in the plane across n that it went with
+// with the weight w of inertia and the mass m: vertices that carry their own weight sink in equally, and do
+// not strain the cloth. Friction holds it against its slip s, the way in the plane across n that it went with
 // respect to the obstacle in this substep:
 //
 //   f_t = -k s,   k = κ where it holds, else min(κ, μ N / |s|)
