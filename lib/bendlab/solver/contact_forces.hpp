@@ -16,6 +16,11 @@
 // Lange 2004, §3). Friction holds if that takes no more than μ N. N is (κ + w) |P(x) - x|, because what the
 // vertex sinks in is taken back at the end; of this or the last iteration, whichever is less: where a vertex
 // has just sunk in it is far too large. μ is μ_s where friction holds, μ_k where it slides.
+//
+// Two rules make iterations converge. What was pushed is pushed until it leaves the plane of its last push: on
+// a curved obstacle a move across n leaves the surface, but not the plane. And what gives way in the later half
+// of the iterations holds again only where its spring alone is within the limit: else holding and sliding
+// would take turns, as the force that it takes to hold leaves out the cloth beside it.
 #pragma once
 
 #include <Eigen/Core>
