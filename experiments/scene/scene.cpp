@@ -199,8 +199,7 @@ SolverSettings solver_settings(const ParameterValues& values, const Method& meth
                           .order = named<ConstraintOrder>(values.text("order"), constraint_order_names),
                           .first = named<FirstConstraint>(values.text("first"), first_constraint_names),
                           .threads = static_cast<int>(values.integer("threads"))};
-  for (const Parameter& row : method.parameters)
-    settings.own.set(row.name, values.value(row.name));
+  for (const Parameter& row : method.parameters) settings.own.set(row.name, values.value(row.name));
   return settings;
 }
 
@@ -253,8 +252,10 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
   const Effect& effect = *find_effect(settings.type);
   if (!scene.input.method->takes_effect(effect.name, effect.needs_projection)) return {};
-  const bool contacts_used = std::ranges::any_of(
-      scene.effects, [](const EffectSettings& each) { return find_effect(each.type)->uses_contacts; });
+  const bool contacts_used =  // implicit steps tell obstacles from layers of cloth by them
+      !scene.input.method->projects || std::ranges::any_of(scene.effects, [](const EffectSettings& each) {
+        return find_effect(each.type)->uses_contacts;
+      });
   std::vector<Pass<Real>> passes;
   try {
     passes = effect.compile<Real>(

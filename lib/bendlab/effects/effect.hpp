@@ -20,7 +20,7 @@ struct EffectInput {
   const Pins& pins;
   std::span<const int> permutation;  ///< #V, the index of each vertex in State's arrays; empty: its own
 
-  bool contacts_used = false;  ///< a listed effect uses them: obstacles fill State::contacts
+  bool contacts_used = false;  ///< an effect or the method uses them: obstacles fill State::contacts
 
   std::size_t permuted(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);

@@ -120,7 +120,7 @@ void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   for (int i = 0; i < settings_.iterations; ++i) {
     is_first_ = i == 0, is_late_ = 2 * i >= settings_.iterations;
     this->run(iteration_, context);
-    if (static_cast<double>(last_move_) <= tolerance_) break;
+    if (static_cast<double>(last_move_) <= tolerance_ && contacts_.decided()) break;
   }
   this->run(contact_, context);
   if (has_contacts()) contacts_.hold(state_);
@@ -202,9 +202,8 @@ void ImplicitStep<Real>::update() {
                  second_order = gamma_[v] < Real(0.8) * h;  // 2/3 or 1
       if (touched && second_order) {
         const Vector3Of<Real> own = (state_.position[v].vector() - state_.previous[v].vector()) / h,
-                              q = Real(1.5) * state_.velocity[v].vector() - Real(0.5) * velocity_[v].vector(),
-                              n = contacts_.normal(v);
-        state_.velocity[v].set(contacts_.holds(v) ? own : Vector3Of<Real>(q - n.dot(q - own) * n));
+                              q = Real(1.5) * state_.velocity[v].vector() - Real(0.5) * velocity_[v].vector();
+        state_.velocity[v].set(contacts_.velocity(v, own, q));
       }
       if (touched || (has_contacts() && has_history_ && !second_order)) velocity_[v] = state_.velocity[v];
     }
@@ -239,8 +238,8 @@ void ImplicitStep<Real>::keep_momentum() {
     stiffness.diagonal().array() += weight;
     unbalanced += weight * (state_.position[v].vector() - target_[v].vector()).template cast<double>();
     if (!has_contacts() || !contacts_.pushes(v)) continue;
-    unbalanced -= contacts_.force_at(v, state_.position[v].vector()).template cast<double>();
-    stiffness += contacts_.stiffness(v).template cast<double>();
+    unbalanced -= contacts_.obstacle_force_at(v, state_.position[v].vector()).template cast<double>();
+    stiffness += contacts_.obstacle_stiffness(v).template cast<double>();
   }
   const Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
   for (auto& p : state_.position) p.set(p.vector() - move);
