@@ -127,8 +127,8 @@ TEST_CASE("a sheet that lands sliding loses speed by its kinetic coefficient", "
     }
 }
 
-// The layers of a folded strip are nearer than their thickness, and push each other; friction is between cloth
-// and obstacles, and the plane is far.
+// The layers of a folded strip are nearer than their thickness, and push each other; friction is between
+// cloth and obstacles, and the plane is far.
 TEST_CASE("friction leaves layers that push each other in flight alone", "[solver]") {
   const std::string flying = R"("initial": {"folds": 2, "fold_gap": 0.004, "velocity": [1, 0, 0]},
       "effects": [{"type": "plane", "point": [0, 0, -9]}, {"type": "self_collision", "thickness": 0.006})";

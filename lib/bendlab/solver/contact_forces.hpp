@@ -16,13 +16,13 @@
 // That is Coulomb's law: at its limit μ N if it slides, else what a stiff spring holds, whose slip is taken
 // back at the end. In the matrix of an iteration k is taken as it is at the present s, so that iterations of
 // a Newton method lower what they minimise (each has the curvature of a parabola that lies above: Hunter and
-// Lange 2004, §3). Friction holds if that takes no more than μ N. N is (κ + w) d, because what the vertex sinks
-// in is taken back at the end; of this or the last iteration, whichever is less: where a vertex has just sunk
-// in it is far too large. μ is μ_s where friction holds, μ_k where it slides.
+// Lange 2004, §3). Friction holds if that takes no more than μ N. N is (κ + w) d, because what the vertex
+// sinks in is taken back at the end; of this or the last iteration, whichever is less: where a vertex has
+// just sunk in it is far too large. μ is μ_s where friction holds, μ_k where it slides.
 //
 // Two rules make iterations converge. What an obstacle pushed it pushes until the vertex leaves the plane of
-// the last push: on a curved obstacle a move across n leaves the surface, but not the plane. And what gives way
-// in the later half of the iterations holds again only where its spring alone is within the limit: else
+// the last push: on a curved obstacle a move across n leaves the surface, but not the plane. And what gives
+// way in the later half of the iterations holds again only where its spring alone is within the limit: else
 // holding and sliding would take turns, as the force that it takes to hold leaves out the cloth beside it.
 #pragma once
 
@@ -106,8 +106,8 @@ class ContactForces {
         one.limit = sliding;
         // What it takes to hold it: the force that acted in the last iteration, and its inertia. That leaves
         // out its neighbours: what gave way once holds only where the spring alone is within its limit.
-        // What holds gives way only if it was beyond its limit before, too: else those that hold and those that
-        // slide may change places for ever, as each takes a part of the others' load.
+        // What holds gives way only if it was beyond its limit before, too: else those that hold and those
+        // that slide may change places for ever, as each takes a part of the others' load.
         const bool within = ((one.gave_way ? one.stiffness : one.last_grip) + one.inertia) * length <= most;
         one.holds = within || (held_before && !one.was_beyond);
         one.was_beyond = held_before && !within;
@@ -138,8 +138,8 @@ class ContactForces {
   /// Whether the last iteration changed nothing about which vertices friction holds.
   bool decided() const { return decided_; }
   bool touched(std::size_t v) const { return contacts_[v].touched; }  ///< in this substep
-  /// The velocity of what was pushed in this substep: `own`, that of the substep, along the push of an obstacle,
-  /// and all of it where friction holds; else `kept`.
+  /// The velocity of what was pushed in this substep: `own`, that of the substep, along the push of an
+  /// obstacle, and all of it where friction holds; else `kept`.
   Vector velocity(std::size_t v, const Vector& own, const Vector& kept) const {
     const One& one = contacts_[v];
     if (one.holds) return own;
@@ -179,7 +179,8 @@ class ContactForces {
     return one.grip * (Matrix::Identity() - one.slides_along * one.slides_along.transpose()) +
            (one.stiffness - one.grip) * one.normal * one.normal.transpose();
   }
-  /// What is left of a vertex' other forces at a position: those along pushes are carried, and friction holds.
+  /// What is left of a vertex' other forces at a position: those along pushes are carried, and friction
+  /// holds.
   Vector along(std::size_t v, const Vector& force, const Vector& position) const {
     const One& one = contacts_[v];
     Vector left = force;
