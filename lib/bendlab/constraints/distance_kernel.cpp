@@ -7,6 +7,8 @@
 //   group 1  b     b16    b17    b18        stacks[stack] + 16 group + lane
 //
 // The scalar code beside it: distance_constraint() and project_by_oracle() in oracle.hpp.
+#include <limits>
+
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/pack.hpp"
 
@@ -23,13 +25,16 @@ struct RestEnds {
   const Point<Real>* points;  // null: none
   const int *a, *b;           // offsets, a lane each
 
-  // In `collapsed` lanes sets d to the direction at rest with the length `length`.
+  // In `collapsed` lanes sets d to the direction at rest with the length `length`. Not in padded lanes, whose
+  // rest length is the largest number: a star that is shorter than its stack has its own centre there, and
+  // where that lies next to the dummy the length overflows.
   BENDLAB_INLINE void open(PackVector<Real>& d, const PackMask<Real>& collapsed,
                            const Pack<Real>& length) const {
     if (points == nullptr) return;
     const PackVector<Real> along = gather(points, a).position - gather(points, b).position;
     const Pack<Real> squared = dot(along, along), one = broadcast<Real>(1);
-    const auto opens = collapsed & (squared > Pack<Real>{});
+    const Pack<Real> largest = broadcast(std::numeric_limits<Real>::max());
+    const auto opens = collapsed & (squared > Pack<Real>{}) & (length * length < largest);
     const Pack<Real> scale = (opens ? length : one) * inverse_square_root(opens ? squared : one);
     d = select(opens, scaled<Real>(scale, along), d);
   }
