@@ -121,14 +121,11 @@ Message kinetic_above_static(const WarningInput& input) {
 
 // The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth
 // at the speed u with respect to the air is slowed within τ = ρ / (½ ρ_air C_D u): a substep h of more than τ
-// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster if wind is listed
-// before gravity, by 23 % at h = 1.2 τ. Listed after gravity it falls slower, by about h/τ: 10 % at 0.1, 61 %
-// at 0.6.
+// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster, by 23 % at h = 1.2 τ.
 Message coarse_wind(const WarningInput& input) {
   const std::vector<EffectSettings>& effects = input.scene.effects;
-  const auto wind = std::ranges::find(effects, "wind", &EffectSettings::type),
-             gravity = std::ranges::find(effects, "gravity", &EffectSettings::type);
-  if (wind == effects.end()) return std::nullopt;
+  const auto wind = std::ranges::find(effects, "wind", &EffectSettings::type);
+  if (wind == effects.end() || !input.scene.input.method->has_motion) return std::nullopt;
   const SimulationInput& scene = input.scene.input;
   const std::vector<double>& areas = input.scene.rest.areas();
   const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
@@ -138,17 +135,14 @@ Message coarse_wind(const WarningInput& input) {
                blowing = Vector3(wind->values.numbers("velocity").data()).norm(),
                substep = scene.settings.dt / scene.settings.substeps;
   if (!(drag > 0)) return std::nullopt;
-  const bool after = gravity < wind, falls = after && falling > 0 && input.scene.pins.all.empty();
-  const double slowed_within = density / (drag * std::max(blowing, terminal)),  // s
-      wanted = falls ? 0.02 : 0.5, most = falls ? 0.1 : 1;                      // substeps
-  if (!(substep > most * slowed_within)) return std::nullopt;
+  const double slowed_within = density / (drag * std::max(blowing, terminal));  // s
+  if (!(substep > slowed_within)) return std::nullopt;
+  constexpr double wanted = 0.5;  // substeps
   return fmt::format(
       "a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed within {:.2g} s: "
-      "{}. Take about {} /solver/substeps{}",
+      "its force is cut. Take about {} /solver/substeps",
       substep, slowed_within,
-      falls ? "speeds of falling are too low, as gravity is listed before wind" : "its force is cut",
-      static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within))),
-      falls ? ", or list wind before gravity" : "");
+      static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within))));
 }
 
 // ---- starts_inside

@@ -279,8 +279,10 @@ Precision precision_of(const Scene& scene, const std::string& asked) {
 template <class Real>
 std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
   std::vector<Pass<Real>> passes;
-  for (std::size_t index = 0; index < scene.effects.size(); ++index)
-    for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
+  for (const bool first : {true, false})
+    for (std::size_t index = 0; index < scene.effects.size(); ++index)
+      if (find_effect(scene.effects[index].type)->acts_first == first)
+        for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
   return make_simulation<Real>(scene.input, std::move(passes));
 }
 

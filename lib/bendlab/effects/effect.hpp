@@ -39,6 +39,9 @@ struct Effect {
   bool uses_contacts = false;     ///< reads State::contacts, at Stage::contact
   bool is_obstacle = false;       ///< a body that cloth may lie on
   bool repeatable = false;        ///< a scene may list it more than once
+  /// Its force depends on velocities: it acts first, on those that the last substep ended with, wherever the
+  /// scene lists it. Behind gravity it would see a speed g h of cloth that rests.
+  bool acts_first = false;
   double vertex_seconds = 3e-9;   ///< of CPU, of a vertex and substep, about
   /// The effect's passes for one scene, for each precision.
   std::vector<Pass<float>> (*compile_float)(const EffectInput&);

@@ -37,10 +37,9 @@ constexpr std::array parameters = {
         .unit = "m/s",
         .default_value = std::span<const double>(breeze),
         .meaning =
-            "mean velocity of the air; 0, 0, 0 is air at rest. List wind before gravity: it then sees the "
-            "velocities at the start of the substep, and terminal velocities are exact, unless the cloth "
-            "would "
-            "gain more speed in a substep than that",
+            "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it is "
+            "listed: on the velocities at the start of the substep. So terminal velocities are exact, unless "
+            "the cloth would gain more speed in a substep than that",
         .length = 3},
     Parameter{.name = "air_density",
               .type = ParameterType::number,
@@ -210,6 +209,7 @@ extern const Effect wind{
     .source =
         "Wilson et al. 2014 (drag, direction of lift) with Keckeisen et al. 2004's lift, zero along the flow",
     .parameters = parameters,
+    .acts_first = true,
     .compile_float = compile<float>,
     .compile_double = compile<double>,
     .idle = [](const ParameterValues& values) { return values.number("air_density") == 0; },
