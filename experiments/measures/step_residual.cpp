@@ -39,12 +39,13 @@ extern const Measure step_residual{
     .columns = []() -> std::vector<Column> {
       return {{"step_residual", "1",
                "forces, inertia among them, that the last substep left unbalanced: the sum of their lengths "
-               "over vertices, relative to that of the effects' forces; unknown without such forces"}};
+               "over vertices, relative to that of the effects' forces or, without such, to that of inertia; "
+               "unknown if nothing acts"}};
     },
     .gives = []() -> std::vector<Quantity> {
       return {{"step_residual", "1",
-               "unbalanced forces relative to those of the effects, both summed over the last substeps of "
-               "all frames"}};
+               "unbalanced forces relative to those of the effects or, without such, of inertia, both summed "
+               "over the last substeps of all frames"}};
     },
     .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
       return std::make_unique<StepResidualMeasurement>();

@@ -17,7 +17,8 @@ struct RoundingSpeed {
   double rounded = 0;
   double gained = 0;      ///< m/s, g h: what gravity adds to a speed in a substep; 0 without gravity
   bool matters = false;   ///< something in the scene rounds positions
-  bool friction = false;  ///< of an obstacle, by how far it pushes
+  double projections = 1;  ///< of a substep; each rounds
+  bool friction = false;   ///< of an obstacle, by how far it pushes
 
   /// Whether single precision resolves gravity.
   bool single_suffices() const;

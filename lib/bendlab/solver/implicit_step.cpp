@@ -265,17 +265,20 @@ std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
   const double least = std::max(tolerance_,
                                 100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),
                rounded = std::accumulate(weight_.begin(), weight_.end(), 0.0) * least;  // N
-  if (!(total_force_ > rounded)) return std::nullopt;
   const Points<Real>& reached = has_contacts() ? contacts_.before() : state_.position;
   const Points<Real> elastic = elastic_forces(reached);
-  double left = 0;
+  double left = 0, inertia = 0;
   for (std::size_t v = 0; v < weight_.size(); ++v) {
     if (!(weight_[v] > 0)) continue;
-    Vector3Of<Real> force = elastic[v].vector() + weight_[v] * (target_[v].vector() - reached[v].vector());
+    Vector3Of<Real> force = weight_[v] * (target_[v].vector() - reached[v].vector());
+    inertia += static_cast<double>(force.norm());
+    force += elastic[v].vector();
     if (has_contacts()) force = contacts_.along(v, force, reached[v].vector());
     left += static_cast<double>(force.norm());
   }
-  return StepResidual{left, total_force_};
+  const double scale = total_force_ > rounded ? total_force_ : inertia;
+  if (!(scale > rounded)) return std::nullopt;
+  return StepResidual{left, scale};
 }
 
 template <class Real>

@@ -117,7 +117,7 @@ struct Divergence {
 /// What the iterations of an implicit substep left of its forces; sums of lengths over free vertices, N.
 struct StepResidual {
   double unbalanced;  ///< of the forces, inertia among them; without vertices that touch something
-  double effects;     ///< of the effects' forces, without drag that is linear in the velocity
+  double effects;     ///< of the effects' forces, without linear drag; of inertia if there are none
   double share() const { return unbalanced / effects; }
 };
 
