@@ -23,6 +23,7 @@ import numpy as np
 import obstacles
 import render
 import style
+from facts import Facts
 from frame_coding import LEVELS, PARENTS, deflated, encode, lineage
 from load import Run
 
@@ -263,8 +264,8 @@ def _add_springs(sections, run):
     """What the page says of a run's bending constraints: their sections by kind, or why there are none."""
     found, missing = {}, None
     with h5py.File(run.file, "r") as file:
-        for kind, group in (file["constraints"].items() if "constraints" in file else ()):
-            count = int(np.ravel(group.attrs["count"])[0])
+        for kind, count in Facts(file).counts.items():
+            group = file[f"constraints/{kind}"] if f"constraints/{kind}" in file else {}
             if kind == "strain" or not count:
                 continue
             if "vertices" not in group:
@@ -307,10 +308,8 @@ def _add_obstacles(sections, run, notes):
 def _write_inputs(run, folder):
     """Writes the files that the run's config names, which its run file keeps, below a folder."""
     with h5py.File(run.file, "r") as file:
-        for entry in file["provenance/inputs"].values() if "provenance/inputs" in file else ():
-            name = entry.attrs["name"]
-            name = name.decode() if isinstance(name, bytes) else str(name)
+        for name, data in Facts(file).inputs:
             path = (folder / name).resolve()
             if folder.resolve() in path.parents:
                 path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_bytes(np.asarray(entry[()]).tobytes())
+                path.write_bytes(data)

@@ -17,13 +17,8 @@ import h5py
 import numpy as np
 
 from checksum import require_readable
+from facts import Facts
 from run_index import Index, number_json, number_of, stamp_of
-
-
-def _text(value):
-    if isinstance(value, np.ndarray):
-        value = value.reshape(-1)[0]
-    return value.decode() if isinstance(value, bytes) else str(value)
 
 
 def _opened(path):
@@ -37,12 +32,6 @@ def _has_table(metrics):
     return "values" in metrics
 
 
-def _metric_names(file):
-    """Of the columns of /metrics."""
-    metrics = file["metrics"]
-    return list(map(_text, metrics["names"][()])) if _has_table(metrics) else list(metrics)
-
-
 class Metrics(Mapping):
     """Name → (F) array of a run file. Each array is read on first use."""
 
@@ -54,7 +43,7 @@ class Metrics(Mapping):
             with _opened(self._path) as file:
                 if _has_table(file["metrics"]):
                     values = file["metrics/values"][:self.frames].T.copy()
-                    self._found.update(zip(_metric_names(file), values))
+                    self._found.update(zip(Facts(file).columns, values))
                 else:
                     self._found[name] = file[f"metrics/{name}"][:self.frames]
         return self._found[name]
@@ -68,12 +57,7 @@ class Metrics(Mapping):
     def about(self, name):
         """(unit, meaning) of a metric."""
         with _opened(self._path) as file:
-            metrics = file["metrics"]
-            if _has_table(metrics):
-                column = list(self).index(name)
-                return _text(metrics["units"][column]), _text(metrics["meanings"][column])
-            attributes = metrics[name].attrs
-            return _text(attributes.get("unit", "1")), _text(attributes.get("meaning", ""))
+            return Facts(file).columns[name]
 
 
 class Labels(dict):
@@ -259,25 +243,19 @@ def load_run(path):
 def _read(path):
     """What a run file says, but for metrics and frames, as an index has it."""
     with _opened(path) as file:
-        group = lambda name: file[name] if name in file else {}
-        attributes = lambda name: file[name].attrs if name in file else {}
-        number = lambda value: number_json(float(np.ravel(value)[0]))
-        timing, times = group("timing"), attributes("timing")
-        columns = [list(timing[name][()]) for name in ("pass", "seconds", "calls", "acted") if name in timing]
+        facts = Facts(file)
         return {
-            "id": _text(file.attrs["id"]),
-            "name": _text(file.attrs["name"]),
-            "status": _text(file.attrs["status"]),
+            "id": facts.id,
+            "name": facts.name,
+            "status": facts.status,
             "frames": len(file["metrics/values" if _has_table(file["metrics"]) else "metrics/time"]),
-            **{name: number(times.get(name, 0)) for name in ("wall_s", "cpu_s", "step_cpu_s")},
-            "metrics": _metric_names(file),
-            "constraints": {kind: int(np.ravel(data.attrs["count"])[0])
-                            for kind, data in group("constraints").items()},
-            "passes": [[_text(name), number(seconds), *map(int, [*counts, 0, 0][:2])]
-                       for name, seconds, *counts in zip(*columns)],
-            "summary": {name: number(value) for name, value in attributes("summary").items()},
-            "provenance": {name: _text(value) for name, value in attributes("provenance").items()},
-            "config": json.loads(_text(file["provenance/config"][()])),
+            **{name: number_json(facts.timing.get(name, 0.0)) for name in ("wall_s", "cpu_s", "step_cpu_s")},
+            "metrics": list(facts.columns),
+            "constraints": facts.counts,
+            "passes": [[name, number_json(seconds), *counts] for name, seconds, *counts in facts.passes],
+            "summary": {name: number_json(value) for name, value in facts.summary.items()},
+            "provenance": facts.provenance,
+            "config": json.loads(facts.config),
         }
 
 

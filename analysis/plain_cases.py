@@ -7,10 +7,9 @@ the rest box).
 import json
 from dataclasses import dataclass, field
 
-import h5py
 import numpy as np
 
-from load import _text, method_name
+from load import method_name
 
 FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")
@@ -312,9 +311,7 @@ def told_by(run):
     """The program's report on a run: its status if it went wrong, or its warnings; "" for neither."""
     if run.status in ("implausible", "diverged"):
         return run.status
-    with h5py.File(run.file, "r") as file:
-        warnings = json.loads(_text(file["provenance"].attrs.get("warnings", "[]")))
-    return ", ".join(dict.fromkeys(warning["code"] for warning in warnings
+    return ", ".join(dict.fromkeys(warning["code"] for warning in run.warnings
                                    if warning["code"] not in NO_ANSWER))
 
 

@@ -16,6 +16,9 @@ import h5py
 import numpy as np
 import usda
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
+from facts import Facts  # noqa: E402
+
 
 class Run:
     """A run file as h5py reads it."""
@@ -25,13 +28,11 @@ class Run:
             self.triangles = file["rest/triangles"][()]
             count = len(file["rest/positions"])
             self.points = file["VTKHDF/Points"][()].reshape(-1, count, 3)
-            metrics = file["metrics"]
-            names = metrics["names"].asstr()[()]
-            self.metrics = dict(zip(names, metrics["values"][()].T))
-            self.units = dict(zip(names, metrics["units"].asstr()[()]))
-            self.summary = dict(file["summary"].attrs)
-            self.config = json.loads(file["provenance/config"][0])
-            self.id, self.name = file.attrs["id"], file.attrs["name"]
+            facts = Facts(file)
+            self.metrics = dict(zip(facts.columns, file["metrics/values"][()].T))
+            self.units = {name: unit for name, (unit, _) in facts.columns.items()}
+            self.summary, self.config = facts.summary, json.loads(facts.config)
+            self.id, self.name = facts.id, facts.name
         self.times = self.metrics["time"]
         self.rate = self.config["output"]["frames_per_second"]
 

@@ -17,6 +17,7 @@ from program import run, run_files, write_config  # first: it knows where the sc
 import h5py
 import load
 import numpy as np
+from facts import Facts
 
 
 def of_file(file):
@@ -24,14 +25,12 @@ def of_file(file):
     with h5py.File(file, "r") as data:
         one = lambda value: value.reshape(-1)[0] if isinstance(value, np.ndarray) else value
         text = lambda value: one(value).decode() if isinstance(one(value), bytes) else str(one(value))
-        metrics = dict(zip(map(text, data["metrics/names"][()]), data["metrics/values"][()].T))
+        facts = Facts(data)
+        metrics = dict(zip(facts.columns, data["metrics/values"][()].T))
         return {"id": text(data.attrs["id"]), "status": text(data.attrs["status"]),
-                "summary": {name: float(one(value)) for name, value in data["summary"].attrs.items()},
-                "cells": json.loads(text(data["provenance/config"][()]))["mesh"]["cells"],
-                "commit": text(data["provenance"].attrs["git_commit"]),
-                "passes": dict(zip(map(text, data["timing/pass"][()]), data["timing/seconds"][()])),
-                "counts": {kind: int(one(group.attrs["count"]))
-                           for kind, group in data["constraints"].items()},
+                "summary": facts.summary, "cells": json.loads(facts.config)["mesh"]["cells"],
+                "commit": facts.provenance["git_commit"],
+                "passes": {name: seconds for name, seconds, *_ in facts.passes}, "counts": facts.counts,
                 "frames": len(metrics["time"]), "drop": list(metrics["drop"])}
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 from checksum import seal_of  # noqa: E402
+from facts import Facts  # noqa: E402
 
 TIMES = ("wall_s", "cpu_s", "step_cpu_s")
 
@@ -39,7 +40,7 @@ def run_files(out):
 def times_gone_on(file):
     """How often the run of a file went on from a checkpoint."""
     with h5py.File(file, "r") as run_file:
-        times = run_file["provenance"].attrs.get("went_on_at", "")
+        times = Facts(run_file).provenance.get("went_on_at", "")
     return len(times.split(",")) if times else 0
 
 
@@ -51,7 +52,7 @@ def differences(one, other):
         for file, seen in ((a, names[0]), (b, names[1])):
             file.visititems(lambda name, node: seen.add(name) if isinstance(node, h5py.Dataset) else None)
         for name in sorted(names[0] | names[1]):
-            if name.startswith("timing/"):
+            if name.startswith(("timing/", "facts/")):
                 continue
             if name not in a or name not in b:
                 found.append(name)
@@ -59,13 +60,14 @@ def differences(one, other):
                 found += [name] if a[name][()].tolist() != b[name][()].tolist() else []
             elif a[name].shape != b[name].shape or a[name][()].tobytes() != b[name][()].tobytes():
                 found.append(name)
-        summaries = [dict(file["summary"].attrs) for file in (a, b)]
+        facts = [Facts(file) for file in (a, b)]
+        summaries = [each.summary for each in facts]
         for key in sorted(summaries[0].keys() | summaries[1].keys()):
             values = [np.asarray(summary.get(key, "none")).tobytes() for summary in summaries]
             found += [f"summary {key}"] if values[0] != values[1] else []
         found += ["status"] if a.attrs["status"] != b.attrs["status"] else []
-        counts = [list(map(int, file["timing/calls"][()])) + list(map(int, file["timing/acted"][()]))
-                  for file in (a, b)]
+        found += ["config"] if facts[0].config != facts[1].config else []
+        counts = [[(name, *counts) for name, _, *counts in each.passes] for each in facts]
         found += ["calls of passes"] if counts[0] != counts[1] else []
     return found
 

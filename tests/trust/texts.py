@@ -31,15 +31,20 @@ def evil_copy(file, to):
             shape = node.attrs.get_id(name).shape if name in node.attrs else ()
             node.attrs.create(name, np.full(shape, value, object), dtype=h5py.string_dtype())
         put(run_file, "name", f"name{EVIL}")
-        run_file["summary"].attrs[f"number{EVIL}"] = 1.0
-        put(run_file["provenance"], f"key{EVIL}", f"value{EVIL}")
-        put(run_file["provenance"], "host", b"\xff\xfe\xc3(\xed\xa0\x80\x1b[2J")
-        config = json.loads(run_file["provenance/config"][()].reshape(-1)[0])
+        texts = run_file["facts/texts"][()].tobytes().split(b"\0")[:-1]
+        end = texts[::2].index(b"") * 2
+        pairs = [pair for pair in zip(texts[:end:2], texts[1:end:2]) if pair[0] != b"provenance/host"]
+        config = json.loads(dict(pairs)[b"config"])
         config["bending"]["model"] = f"model{EVIL}"
-        del run_file["provenance/config"]
-        text = np.empty(1, object)
-        text[0] = json.dumps(config, ensure_ascii=False)
-        run_file.create_dataset("provenance/config", data=text, dtype=h5py.string_dtype())
+        pairs = [(path, text) for path, text in pairs if path != b"config"]
+        pairs += [(b"provenance/host", b"\xff\xfe\xc3(\xed\xa0\x80\x1b[2J"),
+                  (f"provenance/key{EVIL}".encode(), f"value{EVIL}".encode()),
+                  (b"config", json.dumps(config, ensure_ascii=False).encode())]
+        texts = [*sum(pairs, ()), b"", *texts[end + 1:], f"summary/number{EVIL}".encode()]
+        numbers = [*run_file["facts/numbers"][()], 1.0]
+        del run_file["facts"]
+        run_file["facts/texts"] = np.frombuffer(b"".join(text + b"\0" for text in texts), np.uint8)
+        run_file["facts/numbers"] = np.array(numbers)
     to.write_bytes(to.read_bytes() + NAME + checksum(to, to.stat().st_size) + b"\n")
 
 

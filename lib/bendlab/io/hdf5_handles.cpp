@@ -78,6 +78,8 @@ Handle dataset_creation() {
   return creation;
 }
 
+bool is_small = false;  // within a SmallScope; the Lock guards it
+
 const Handle& plain_dataset() {
   static const Handle creation = dataset_creation();
   return creation;
@@ -85,9 +87,11 @@ const Handle& plain_dataset() {
 
 /// Creation list of groups, the root among them: links and attributes stay in the group's own header, however
 /// many there are. An index beside it would take more space than a run of four frames.
-Handle group_creation(hid_t kind) {
-  constexpr unsigned most = 10000;
+/// `links`: how many there will be, for which room is taken at once.
+Handle group_creation(hid_t kind, unsigned links) {
+  constexpr unsigned most = 10000, letters = 9;  // of a usual name
   Handle creation(H5Pcreate(kind), H5Pclose);
+  check(H5Pset_est_link_info(creation, links, letters));
   check(H5Pset_link_phase_change(creation, most, most));
   check(H5Pset_attr_phase_change(creation, most, most));
   check(H5Pset_obj_track_times(creation, false));  // equal runs give equal bytes
@@ -183,8 +187,22 @@ Handle create_small_file(const std::string& path) {
   constexpr std::size_t growth = 1 << 16;  // bytes
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   check(H5Pset_fapl_core(access, growth, true));
-  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_V18));
-  return {H5Fcreate(path.c_str(), H5F_ACC_EXCL, group_creation(H5P_FILE_CREATE), access), H5Fclose};
+  check(H5Pset_libver_bounds(access, H5F_LIBVER_V18, H5F_LIBVER_LATEST));
+  // Whatever is written gets its own place, without blocks that are larger than what comes to lie in them.
+  check(H5Pset_meta_block_size(access, 0));
+  check(H5Pset_small_data_block_size(access, 0));
+  Handle file(H5Fcreate(path.c_str(), H5F_ACC_EXCL, group_creation(H5P_FILE_CREATE, 4), access), H5Fclose);
+  // From HDF5 1.10 on a dataset of one chunk needs no index. The superblock stays one of 1.8.
+  check(H5Fset_libver_bounds(file, H5F_LIBVER_V110, H5F_LIBVER_LATEST));
+  return file;
+}
+
+SmallScope::SmallScope() {
+  is_small = true;
+}
+
+SmallScope::~SmallScope() {
+  is_small = false;
 }
 
 Handle open_file(const std::string& path, unsigned access) {
@@ -246,8 +264,8 @@ void flush(hid_t file) {
   check(H5Fflush(file, H5F_SCOPE_LOCAL));
 }
 
-Handle create_group(hid_t parent, const std::string& name) {
-  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, group_creation(H5P_GROUP_CREATE), H5P_DEFAULT),
+Handle create_group(hid_t parent, const std::string& name, unsigned links) {
+  return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, group_creation(H5P_GROUP_CREATE, links), H5P_DEFAULT),
           H5Gclose};
 }
 
@@ -278,6 +296,13 @@ std::vector<std::string> links(hid_t group) {
 }
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
+  if (is_small) {
+    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+    check(H5Tset_size(type, text.size() + 1));
+    check(H5Tset_cset(type, H5T_CSET_UTF8));
+    write_scalar_attribute(object, name, type, text.c_str());
+    return;
+  }
   const char* value = text.c_str();
   write_scalar_attribute(object, name, text_type(), &value);
 }
@@ -312,8 +337,13 @@ bool has_attribute(hid_t object, const std::string& name) {
 }
 
 std::string read_text_attribute(hid_t object, const std::string& name) {
-  const Handle attribute = open_attribute(object, name);
-  require_text(Handle(H5Aget_type(attribute), H5Tclose), name);
+  const Handle attribute = open_attribute(object, name), type(H5Aget_type(attribute), H5Tclose);
+  if (H5Tget_class(type) == H5T_STRING && check(H5Tis_variable_str(type)) == 0) {
+    std::string text(H5Tget_size(type) + 1, '\0');
+    check(H5Aread(attribute, type, text.data()));
+    return text.c_str();
+  }
+  require_text(type, name);
   char* value = nullptr;
   check(H5Aread(attribute, text_type(), &value));
   std::string text = value ? value : "";
@@ -350,12 +380,48 @@ Handle write_dataset(hid_t parent, const std::string& name, hid_t type, const vo
   return dataset;
 }
 
+constexpr std::size_t most_compressed = 32768;  // bytes of an array of a small file: more takes a millisecond
+
+std::size_t bytes_of(hid_t type, std::span<const hsize_t> shape) {
+  std::size_t bytes = H5Tget_size(type);
+  for (const hsize_t length : shape) bytes *= length;
+  return bytes;
+}
+
+/// How a small file holds an array of up to `most_compressed` bytes.
+Handle small_creation(hid_t type, std::span<const hsize_t> shape) {
+  constexpr std::size_t in_header = 96;  // bytes; a chunk costs 60 more, which compressing has to gain
+  Handle creation = dataset_creation();
+  check(H5Pset_dset_no_attrs_hint(creation, true));  // else 200 bytes are kept free for attributes
+  check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
+  const std::size_t bytes = bytes_of(type, shape);
+  if (bytes == 0) return creation;
+  if (bytes <= in_header) {
+    check(H5Pset_layout(creation, H5D_COMPACT));
+    return creation;
+  }
+  check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
+  // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many of
+  // them stay as they are from frame to frame, and so are repeated bytes.
+  if (H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) > 1) check(H5Pset_shuffle(creation));
+  check(H5Pset_deflate(creation, 9));
+  return creation;
+}
+
+bool is_small_array(hid_t type, std::span<const hsize_t> shape) {
+  return is_small && bytes_of(type, shape) <= most_compressed;
+}
+
 }  // namespace
 
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                  std::span<const hsize_t> shape) {
   constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
-  if (shape[0] <= 1024) {                    // not worth an index
+  if (is_small_array(type, shape)) {
+    write_dataset(parent, name, type, values, shape, small_creation(type, shape));
+    return;
+  }
+  if (shape[0] <= 1024) {  // not worth an index
     write_dataset(parent, name, type, values, shape, plain_dataset());
     return;
   }
@@ -370,6 +436,8 @@ void write_array(hid_t parent, const std::string& name, hid_t type, const void* 
 
 Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                          std::span<const hsize_t> shape) {
+  if (is_small_array(type, shape))
+    return write_dataset(parent, name, type, values, shape, small_creation(type, shape));
   return write_dataset(parent, name, type, values, shape, plain_dataset());
 }
 

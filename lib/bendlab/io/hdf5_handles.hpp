@@ -96,9 +96,19 @@ bool ends_before_its_bytes(hid_t file);
 /// For reading: a temporary copy of such a file, with all its bytes.
 Handle open_with_all_bytes(const std::string& path);
 
-/// A file that is in memory until it is closed, in the format of HDF5 1.8, which takes less space than the
-/// first. Fails if there is one of that name.
+/// A file that is in memory until it is closed, in the formats of HDF5 1.8 and 1.10, which take less space
+/// than the first. Fails if there is one of that name.
 Handle create_small_file(const std::string& path);
+
+/// In this scope texts of attributes have a fixed length, arrays of a few numbers lie in the headers of their
+/// datasets, and others of up to 32 KiB are compressed: for a file that is written at once and never grows.
+class SmallScope {
+ public:
+  SmallScope();
+  ~SmallScope();
+  SmallScope(const SmallScope&) = delete;
+  SmallScope& operator=(const SmallScope&) = delete;
+};
 
 /// Throws Failure unless the disk has room for 8 times as many bytes: other runs may be writing, too. Checked
 /// before a flush, because one that fails half-way on a full disk can leave a file that doesn't open.
@@ -108,7 +118,8 @@ void require_room(hid_t file, std::uint64_t bytes);
 /// cut.
 void flush(hid_t file);
 
-Handle create_group(hid_t parent, const std::string& name);
+/// `links`: how many it will have, if that is known; its header then takes no more room than it needs.
+Handle create_group(hid_t parent, const std::string& name, unsigned links = 4);
 Handle open_group(hid_t parent, const std::string& name);
 Handle open_dataset(hid_t parent, const std::string& name);
 bool has_link(hid_t parent, const std::string& name);
@@ -116,7 +127,7 @@ bool has_link(hid_t parent, const std::string& name);
 void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
-// Attributes. Texts are UTF-8 of variable length, which h5py reads as str; writing replaces what is there.
+// Attributes. Texts are UTF-8, of variable length unless in a SmallScope; writing replaces what is there.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, double number);
 void write_attribute(hid_t object, const std::string& name, std::int64_t number);
@@ -140,7 +151,7 @@ void write_array(hid_t parent, const std::string& name, const std::vector<T>& va
   write_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
 }
 
-/// The same, never compressed. Returns the dataset.
+/// The same, compressed only in a SmallScope. Returns the dataset.
 Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
                          std::span<const hsize_t> shape);
 template <class T>

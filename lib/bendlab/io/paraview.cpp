@@ -14,6 +14,13 @@ using hdf5::Handle;
 void write_cells(hid_t vtk, const std::string& name, const std::vector<int>& vertices,
                  int vertices_per_cell) {
   const Handle group = hdf5::create_group(vtk, name);
+  if (vertices.empty()) {
+    hdf5::write_array(group, "NumberOfCells", std::vector<std::int64_t>{0});
+    for (const char* zero : {"NumberOfConnectivityIds", "Offsets"})
+      hdf5::add_link(group, "NumberOfCells", zero);  // each is one zero
+    hdf5::write_array(group, "Connectivity", std::vector<std::int64_t>());
+    return;
+  }
   const std::size_t count = vertices.size() / static_cast<std::size_t>(vertices_per_cell);
   std::vector<std::int64_t> offsets(count + 1);
   for (std::size_t i = 0; i <= count; ++i) offsets[i] = static_cast<std::int64_t>(i) * vertices_per_cell;
@@ -98,7 +105,7 @@ std::string xdmf_frame(const std::string& file, const ParaViewShape& shape, std:
 }  // namespace
 
 Handle create_vtkhdf(hid_t file) {
-  Handle vtk = hdf5::create_group(file, "VTKHDF");
+  Handle vtk = hdf5::create_group(file, "VTKHDF", 9);
   hdf5::write_attribute(vtk, "Version", std::array<std::int64_t, 2>{2, 0});
   hdf5::write_fixed_ascii_attribute(vtk, "Type", "PolyData");
   return vtk;
@@ -110,12 +117,12 @@ void write_static_part(hid_t vtk, const RunHeader& header) {
   write_cells(vtk, "Vertices", {}, 1);
   for (const char* absent : {"Lines", "Strips"}) hdf5::add_link(vtk, "Vertices", absent);  // all empty
   write_cells(vtk, "Polygons", header.triangles, 3);
-  hdf5::write_array(hdf5::create_group(vtk, "PointData"), "pinned", header.pinned);
+  hdf5::add_link(hdf5::create_group(vtk, "PointData", 1), "/rest/pinned", "pinned");
 }
 
 void write_steps(hid_t file, const ParaViewShape& shape) {
   const Handle vtk = hdf5::open_group(file, "VTKHDF");
-  const Handle steps = hdf5::create_group(vtk, "Steps");
+  const Handle steps = hdf5::create_group(vtk, "Steps", 8);
   const std::size_t frames = shape.times.size();
   hdf5::write_attribute(steps, "NSteps", static_cast<std::int64_t>(frames));
   hdf5::write_array(steps, "Values", shape.times);
@@ -124,9 +131,10 @@ void write_steps(hid_t file, const ParaViewShape& shape) {
   hdf5::write_array(steps, "PointOffsets", offsets(frames, shape.vertices));
   hdf5::write_array(steps, "CellOffsets", offsets(4 * frames, 0), 4);
   hdf5::add_link(steps, "CellOffsets", "ConnectivityIdOffsets");
-  hdf5::create_group(steps, "PointDataOffsets");
+  hdf5::create_group(steps, "PointDataOffsets", 1);
   hdf5::add_link(steps, "PartOffsets", "PointDataOffsets/pinned");
-  const Handle cell_data = hdf5::create_group(steps, "CellDataOffsets");
+  const auto fields = static_cast<unsigned>(shape.cell_fields.size());
+  const Handle cell_data = hdf5::create_group(steps, "CellDataOffsets", fields);
   for (std::size_t i = 0; i < shape.cell_fields.size(); ++i)
     if (i == 0)
       hdf5::write_array(cell_data, shape.cell_fields[0], offsets(frames, shape.triangles));

@@ -13,6 +13,11 @@
 //   /summary                attributes, one number each
 //   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
 //
+// The file of a run that was in memory until its end has its texts and numbers in /facts (facts.hpp) instead:
+// what /provenance, /summary and /timing have here, the names, units and meanings of metrics and cell fields,
+// counts and hashes of constraints. Of these groups it has those with datasets: `inputs`, and recorded
+// constraints.
+//
 // The number of committed frames is that of the rows of /metrics/values, written last in every frame. After a
 // power cut the last row may be torn. Files of older programs have a dataset /metrics/<name> for every metric
 // instead, and are read as well.

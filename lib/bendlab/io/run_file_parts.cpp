@@ -52,8 +52,11 @@ std::map<std::string, std::string> small_parts(hid_t file) {
   const std::vector<std::string> names = metric_names(file);
   const auto columns = read_all_metrics(file, read_shape(file).times.size());
   for (std::size_t i = 0; i < names.size(); ++i) parts["metrics/" + names[i]] = bytes_of(columns[i]);
-  if (!hdf5::has_link(file, "summary")) return parts;
-  for (const auto& [name, value] : hdf5::read_number_attributes(hdf5::open_group(file, "summary")))
+  const std::optional<Facts> facts = read_facts(file);
+  if (!facts && !hdf5::has_link(file, "summary")) return parts;
+  for (const auto& [name, value] : facts
+                                       ? facts->numbers_in("summary")
+                                       : hdf5::read_number_attributes(hdf5::open_group(file, "summary")))
     parts["summary/" + name] = bytes_of(std::span(&value, 1));
   return parts;
 }

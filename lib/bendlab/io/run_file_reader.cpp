@@ -22,6 +22,18 @@ std::vector<PassTime> read_passes(hid_t timing) {
   return passes;
 }
 
+void take(const Facts& facts, RunRecord& run) {
+  run.provenance = facts.texts_in("provenance");
+  run.config = facts.text("config");
+  for (const Column& column : facts.metrics()) run.metrics.push_back(column.name);
+  for (const auto& [kind, count] : facts.numbers_in("counts"))
+    run.constraints[kind] = static_cast<std::uint64_t>(count);
+  run.summary = facts.numbers_in("summary");
+  run.passes = facts.passes();
+  std::map<std::string, double> timing = facts.numbers_in("timing");
+  run.wall_s = timing["wall_s"], run.cpu_s = timing["cpu_s"], run.step_cpu_s = timing["step_cpu_s"];
+}
+
 }  // namespace
 
 std::vector<fs::path> unfinished_files(const fs::path& folder) {
@@ -43,6 +55,10 @@ RunRecord read_run(const fs::path& path) {
     run.name = hdf5::read_text_attribute(file, "name");
     run.status = read_status(file);
     run.frames = read_shape(file).times.size();
+    if (const std::optional<Facts> facts = read_facts(file)) {
+      take(*facts, run);
+      return run;
+    }
     const Handle provenance = hdf5::open_group(file, "provenance");
     run.provenance = hdf5::read_text_attributes(provenance);
     run.config = hdf5::read_texts(provenance, "config").at(0);
@@ -76,15 +92,19 @@ RestRecord read_rest(const fs::path& path) {
 std::vector<InputFile> read_inputs(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
     std::vector<InputFile> inputs;
+    if (!hdf5::has_link(file, "provenance")) return inputs;  // a short run without such files
     const Handle provenance = hdf5::open_group(file, "provenance");
     if (!hdf5::has_link(provenance, "inputs")) return inputs;
     const Handle group = hdf5::open_group(provenance, "inputs");
+    const std::optional<Facts> facts = read_facts(file);
     for (const std::string& name : hdf5::links(group)) {
       const Handle dataset = hdf5::open_dataset(group, name);
       const auto bytes = hdf5::read_all<std::uint8_t>(group, name);
-      inputs.push_back({hdf5::read_text_attribute(dataset, "pointer"),
-                        hdf5::read_text_attribute(dataset, "name"),
-                        {bytes.begin(), bytes.end()}});
+      const std::string pointer = facts ? facts->text("pointers/" + name)
+                                        : hdf5::read_text_attribute(dataset, "pointer");
+      const std::string said =
+          facts ? facts->text("files/" + name) : hdf5::read_text_attribute(dataset, "name");
+      inputs.push_back({pointer, said, {bytes.begin(), bytes.end()}});
     }
     return inputs;
   });

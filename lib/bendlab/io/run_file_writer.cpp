@@ -20,20 +20,29 @@ using hdf5::Series;
 constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
 
+// Whether the scene's settings ask for the constraints themselves, not only for their number and hash.
+bool has_arrays(const ConstraintRecord& record) {
+  return !record.vertices.empty() || !record.rest.empty() || !record.softness.empty();
+}
+
+void write_arrays(hid_t group, const ConstraintRecord& record) {
+  if (!record.vertices.empty())
+    hdf5::write_array(group, "vertices", record.vertices,
+                      static_cast<hsize_t>(record.vertices_per_constraint));
+  if (!record.rest.empty() && record.rest_per_constraint == 1)
+    hdf5::write_array(group, "rest", record.rest);
+  else if (!record.rest.empty())
+    hdf5::write_array(group, "rest", record.rest, static_cast<hsize_t>(record.rest_per_constraint));
+  if (!record.softness.empty()) hdf5::write_array(group, "softness", record.softness);
+}
+
 void write_constraints(hid_t file, const std::vector<ConstraintRecord>& records) {
   const Handle constraints = hdf5::create_group(file, "constraints");
   for (const auto& record : records) {
     const Handle group = hdf5::create_group(constraints, record.kind);
     hdf5::write_attribute(group, "count", record.count);
     hdf5::write_attribute(group, "hash", record.hash);
-    if (!record.vertices.empty())
-      hdf5::write_array(group, "vertices", record.vertices,
-                        static_cast<hsize_t>(record.vertices_per_constraint));
-    if (!record.rest.empty() && record.rest_per_constraint == 1)
-      hdf5::write_array(group, "rest", record.rest);
-    else if (!record.rest.empty())
-      hdf5::write_array(group, "rest", record.rest, static_cast<hsize_t>(record.rest_per_constraint));
-    if (!record.softness.empty()) hdf5::write_array(group, "softness", record.softness);
+    write_arrays(group, record);
   }
 }
 
@@ -41,15 +50,29 @@ void write_texts(hid_t object, const std::map<std::string, std::string>& texts) 
   for (const auto& [name, text] : texts) hdf5::write_attribute(object, name, text);
 }
 
-void write_header(hid_t file, const RunHeader& header) {
+void write_identity(hid_t file, const RunHeader& header, RunStatus status) {
   hdf5::write_attribute(file, "id", header.id);
   hdf5::write_attribute(file, "name", header.name);
-  hdf5::write_attribute(file, "status", to_string(RunStatus::running));
+  hdf5::write_attribute(file, "status", to_string(status));
+}
+
+void write_rest(hid_t file, const RunHeader& header) {
   const Handle rest = hdf5::create_group(file, "rest");
   hdf5::write_array(rest, "positions", header.rest_positions, 3);
   hdf5::write_array(rest, "triangles", header.triangles, 3);
   hdf5::write_array(rest, "pinned", header.pinned);
   hdf5::write_array(rest, "pin_seeds", header.pin_seeds);
+}
+
+Handle write_input(hid_t inputs, std::size_t k, const InputFile& input) {
+  const std::string name = std::to_string(k);
+  hdf5::write_array(inputs, name, std::vector<std::uint8_t>(input.bytes.begin(), input.bytes.end()));
+  return hdf5::open_dataset(inputs, name);
+}
+
+void write_header(hid_t file, const RunHeader& header) {
+  write_identity(file, header, RunStatus::running);
+  write_rest(file, header);
   write_constraints(file, header.constraints);
   const Handle provenance = hdf5::create_group(file, "provenance");
   write_texts(provenance, header.provenance);
@@ -57,13 +80,24 @@ void write_header(hid_t file, const RunHeader& header) {
   if (header.inputs.empty()) return;
   const Handle inputs = hdf5::create_group(provenance, "inputs");
   for (std::size_t k = 0; k < header.inputs.size(); ++k) {
-    const InputFile& input = header.inputs[k];
-    const std::string name = std::to_string(k);
-    hdf5::write_array(inputs, name, std::vector<std::uint8_t>(input.bytes.begin(), input.bytes.end()));
-    const Handle dataset = hdf5::open_dataset(inputs, name);
-    hdf5::write_attribute(dataset, "pointer", input.pointer);
-    hdf5::write_attribute(dataset, "name", input.name);
+    const Handle dataset = write_input(inputs, k, header.inputs[k]);
+    hdf5::write_attribute(dataset, "pointer", header.inputs[k].pointer);
+    hdf5::write_attribute(dataset, "name", header.inputs[k].name);
   }
+}
+
+// What a short run's file has beside its facts and frames.
+void write_small_header(hid_t file, const RunHeader& header, RunStatus status) {
+  write_identity(file, header, status);
+  write_rest(file, header);
+  if (std::ranges::any_of(header.constraints, has_arrays)) {
+    const Handle constraints = hdf5::create_group(file, "constraints");
+    for (const ConstraintRecord& record : header.constraints)
+      if (has_arrays(record)) write_arrays(hdf5::create_group(constraints, record.kind), record);
+  }
+  if (header.inputs.empty()) return;
+  const Handle inputs = hdf5::create_group(hdf5::create_group(file, "provenance"), "inputs");
+  for (std::size_t k = 0; k < header.inputs.size(); ++k) write_input(inputs, k, header.inputs[k]);
 }
 
 void write_footer(hid_t file, const RunFooter& footer) {
@@ -97,11 +131,6 @@ std::vector<double> metric_row(const Frame& frame) {
   return row;
 }
 
-void describe(hid_t dataset, const Column& column) {
-  hdf5::write_attribute(dataset, "unit", column.unit);
-  hdf5::write_attribute(dataset, "meaning", column.meaning);
-}
-
 // All frames at once, as datasets that do not grow.
 void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>& frames) {
   const auto joined = [&]<class T>(T, const auto& part_of) {
@@ -120,17 +149,18 @@ void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>&
     hdf5::write_plain_array(vtk, "Points", joined(double{}, positions), 3);
   else
     hdf5::write_plain_array(vtk, "Points", joined(float{}, positions), 3);
-  const Handle cell_data = hdf5::create_group(vtk, "CellData");
+  const Handle cell_data =
+      hdf5::create_group(vtk, "CellData", static_cast<unsigned>(header.cell_fields.size()));
   for (std::size_t i = 0; i < header.cell_fields.size(); ++i) {
     const auto field = [&](const Frame& frame) -> const auto& {
       return frame.cell_fields[i];
     };
-    describe(hdf5::write_plain_array(cell_data, header.cell_fields[i].name, joined(float{}, field)),
-             header.cell_fields[i]);
+    hdf5::write_plain_array(cell_data, header.cell_fields[i].name, joined(float{}, field));
   }
   std::vector<double> values;
   for (const Frame& frame : frames) std::ranges::copy(metric_row(frame), std::back_inserter(values));
-  hdf5::write_plain_array(create_metrics(file, header), metric_values, values, 1 + header.metrics.size());
+  hdf5::write_plain_array(hdf5::create_group(file, "metrics", 1), metric_values, values,
+                          1 + header.metrics.size());
 }
 
 void require_size(const char* what, std::size_t size, std::size_t expected) {
@@ -165,9 +195,9 @@ struct RunFileWriter::Impl {
   };
 
   std::filesystem::path path, part;
-  ParaViewShape shape;  // grows with the frames
+  ParaViewShape shape;           // grows with the frames
   std::size_t metric_count = 0;  // without the time
-  std::vector<float> narrow;  // positions as they are stored
+  std::vector<float> narrow;     // positions as they are stored
   bool failed = false;
   std::optional<Open> open;
 
@@ -303,8 +333,8 @@ void RunFileWriter::Impl::append(const Frame& frame) {
 std::uint64_t RunFileWriter::Impl::frame_bytes() const {
   const std::uint64_t position = 3 * (shape.double_positions ? sizeof(double) : sizeof(float));
   const std::uint64_t fields = open->cell_fields.size();
-  return shape.vertices * position + fields * shape.triangles * sizeof(float) +
-         (2 + fields) * index_bytes + metric_rows_per_chunk * (1 + metric_count) * sizeof(double);
+  return shape.vertices * position + fields * shape.triangles * sizeof(float) + (2 + fields) * index_bytes +
+         metric_rows_per_chunk * (1 + metric_count) * sizeof(double);
 }
 
 // Writes the whole file of a run whose frames were all kept.
@@ -312,12 +342,13 @@ void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
   remove_abandoned(part);
   try {
     const hdf5::Lock lock;
+    const hdf5::SmallScope small;
     Handle file = hdf5::create_small_file(part.string());
-    write_header(file, kept->header);
+    write_small_header(file, kept->header, footer.status);
     write_static_part(create_vtkhdf(file), kept->header);
     write_frames(file, kept->header, kept->frames);
     write_steps(file, shape);
-    write_footer(file, footer);
+    write_facts(file, facts_of(kept->header, footer));
     file.close();
   } catch (const hdf5::Failure& failure) {
     throw file_error(part, "can't be written", failure.what(), failure.code());

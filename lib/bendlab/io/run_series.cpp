@@ -24,7 +24,11 @@ bool has_table(hid_t metrics) {
 
 std::vector<std::string> names_in(hid_t metrics) {
   if (!has_table(metrics)) return hdf5::links(metrics);
-  std::vector<std::string> names = hdf5::read_texts(metrics, "names");
+  std::vector<std::string> names;
+  if (hdf5::has_link(metrics, "names"))
+    names = hdf5::read_texts(metrics, "names");
+  else if (const auto facts = read_facts(Handle(H5Iget_file_id(metrics), H5Fclose)))
+    for (const Column& column : facts->metrics()) names.push_back(column.name);
   if (hdf5::shape_of(hdf5::open_dataset(metrics, metric_values)).at(1) != names.size())
     throw hdf5::Failure("its table of metrics has not a column for each name");
   return names;
@@ -82,8 +86,10 @@ Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewSha
 
 Handle create_metrics(hid_t file, const RunHeader& header) {
   Handle metrics = hdf5::create_group(file, "metrics");
-  std::vector<std::string> names = {"time"}, units = {"s"}, meanings = {"simulated time"};
-  for (const Column& column : header.metrics) {
+  std::vector<Column> columns = {time_column()};
+  columns.insert(columns.end(), header.metrics.begin(), header.metrics.end());
+  std::vector<std::string> names, units, meanings;
+  for (const Column& column : columns) {
     names.push_back(column.name);
     units.push_back(column.unit);
     meanings.push_back(column.meaning);
@@ -108,7 +114,9 @@ std::vector<Column> metric_columns(hid_t file) {
   const Handle metrics = hdf5::open_group(file, "metrics");
   const std::vector<std::string> names = names_in(metrics);
   std::vector<Column> columns;
-  if (has_table(metrics)) {
+  if (const auto facts = read_facts(file)) {
+    columns = facts->metrics();
+  } else if (has_table(metrics)) {
     const auto units = texts_of(metrics, "units", names.size()),
                meanings = texts_of(metrics, "meanings", names.size());
     for (std::size_t i = 0; i < names.size(); ++i) columns.push_back({names[i], units[i], meanings[i]});

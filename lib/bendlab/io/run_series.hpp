@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "bendlab/io/disk.hpp"
+#include "bendlab/io/facts.hpp"
 #include "bendlab/io/hdf5_handles.hpp"
 #include "bendlab/io/paraview.hpp"
 #include "bendlab/io/run_file.hpp"

@@ -16,6 +16,9 @@ from pathlib import Path
 
 import h5py
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
+from facts import Facts  # noqa: E402
+
 HERE = Path(__file__).resolve().parent
 MARKUP = "<script>document.title='injected'</script>\"'</script><!--<img src=x onerror=alert(2)>"
 SWEEP = {
@@ -33,9 +36,10 @@ def summaries(folder):
     found = []
     for path in sorted(folder.glob("**/run.vtkhdf")):
         with h5py.File(path, "r") as file:
-            config = json.loads(file["provenance/config"][0])
+            facts = Facts(file)
+            config = json.loads(facts.config)
             found.append((config["bending"]["model"], config["mesh"]["cells"], config["initial"]["seed"],
-                          file.attrs["id"], float(file["summary"].attrs["mean_strain"])))
+                          facts.id, facts.summary["mean_strain"]))
     return found
 
 
