@@ -15,6 +15,7 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/run/run.hpp"
 #include "experiments/scene/expected_mesh.hpp"
 #include "experiments/scene/start_after.hpp"
 
@@ -35,8 +36,10 @@ constexpr double bent_sheet_less = 1e7;
 constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
 constexpr double metric_per_vertex = 1500, metric_growth = 100;  // of `quasi_newton`, likewise; its pairs
 constexpr double levels_per_vertex = 330;
-constexpr double file = 36e3, file_per_vertex = 39;
+constexpr double file = 36e3, small_file = 8e3;
+constexpr double file_per_vertex = 39, file_per_regular_vertex = 5.5;  // the rest pose is compressed
 constexpr double frame_per_vertex = 12, frame_per_triangle = 8, frame = 560;
+constexpr double compressed = 0.65, most_compressed = 32768;  // a small file's arrays of frames
 }  // namespace bytes
 
 // Seconds of CPU time, on the processor of results/performance: fitted to the models on grids of 32 to 256
@@ -112,6 +115,20 @@ double left_in_limit() {
   return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
+double disk_bytes(const RunConfig& config, const ExpectedMesh& mesh, double frames, double cpu_s,
+                  bool in_double) {
+  const bool regular = config.mesh_file().empty() && config.section("/mesh").text("generator") != "delaunay";
+  const double points = mesh.vertices * bytes::frame_per_vertex * (in_double ? 2 : 1);
+  const double fields = mesh.triangles * bytes::frame_per_triangle;
+  // Positions are doubles until they are written.
+  const double kept = frames * (bytes::frame + mesh.vertices * 3 * sizeof(double) + fields);
+  const bool is_small = kept <= static_cast<double>(in_memory.bytes) && cpu_s < in_memory.seconds;
+  const bool is_compressed = is_small && frames * points <= bytes::most_compressed;
+  return (is_small ? bytes::small_file : bytes::file) +
+         mesh.vertices * (regular ? bytes::file_per_regular_vertex : bytes::file_per_vertex) +
+         frames * (bytes::frame + points + fields) * (is_compressed ? bytes::compressed : 1);
+}
+
 }  // namespace
 
 std::optional<Forecast> forecast(const RunConfig& config) {
@@ -144,9 +161,6 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
   needs.advice = advice_for(parts, config, fitted && pairs > 0);
   const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
-  needs.disk_bytes = bytes::file + vertices * bytes::file_per_vertex +
-                     frames * (bytes::frame + vertices * bytes::frame_per_vertex * (in_double ? 2 : 1) +
-                               mesh->triangles * bytes::frame_per_triangle);
 
   const auto count = [&](const char* name) {
     return method->reads(name) ? static_cast<double>(solver.integer(name)) : 1.0;
@@ -177,6 +191,7 @@ std::optional<Forecast> forecast(const RunConfig& config) {
             (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
   needs.cpu_s += method->has_motion ? steps * step
                                     : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices);
+  needs.disk_bytes = disk_bytes(config, *mesh, std::ceil(frames), needs.cpu_s, in_double);
   return needs;
 }
 

@@ -205,9 +205,6 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 
 namespace {
 
-// Short runs write small files. What a crash may cost is not worth more.
-constexpr InMemory in_memory{.bytes = 1 << 20, .seconds = 1};
-
 RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
                    const RunControl& control, const StartingPose* start, const Place& place) {
   RunClock clock;

@@ -18,6 +18,9 @@
 
 namespace bendlab {
 
+/// Runs that stay below this write small files. What a crash may cost is not worth more.
+inline constexpr InMemory in_memory{.bytes = 1 << 20, .seconds = 1};
+
 /// How a run is watched and stopped.
 struct RunControl {
   const std::atomic<bool>* stop = nullptr;  ///< set: the run finishes the current frame, keeps it and returns
