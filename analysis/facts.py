@@ -1,5 +1,9 @@
-"""Texts and numbers of a run file as h5py sees it: of a short run, which has them in two compressed datasets
-(lib/bendlab/io/facts.hpp), or of a longer one or an older program, which have them as attributes."""
+"""Texts and numbers of a run file as h5py sees it, which has them in compressed datasets
+(lib/bendlab/io/facts.hpp); or of an older program's, which has them as attributes. Needs h5py and numpy alone:
+
+    with h5py.File("run.vtkhdf") as file:
+        print(Facts(file).summary["drop"])
+"""
 from itertools import islice
 
 import numpy as np
@@ -17,8 +21,8 @@ def _number(value):
 
 class Facts:
     """`id`, `name`, `status`, `config` (a text), `provenance` (name → text), `summary` and `timing` (name →
-    number), `passes` [(name, seconds, calls, acted)], `counts` (kind of constraint → how many), `columns` (name
-    of a metric → (unit, meaning)) and `inputs` [(name, bytes)] of an open run file."""
+    number), `passes` [(name, seconds, calls, acted)], `counts` (kind of constraint → how many), `columns`
+    (name of a metric → (unit, meaning)) and `inputs` [(name, bytes)] of an open run file."""
 
     def __init__(self, file):
         self.id, self.name, self.status = (text_of(file.attrs[name]) for name in ("id", "name", "status"))
@@ -29,10 +33,15 @@ class Facts:
             self._read_attributes(file)
 
     def _read_datasets(self, file):
-        texts = file["facts/texts"][()].tobytes().decode(errors="surrogateescape").split("\0")[:-1]
-        end = texts[::2].index("") * 2  # an empty path
-        pairs = list(zip(texts[:end:2], texts[1:end:2]))
-        numbers = list(zip(texts[end + 1:], map(float, file["facts/numbers"][()])))
+        pairs, numbers = [], []
+        for group in ("facts", "outcome"):  # of a run that has not ended, or is short, the first alone
+            if group not in file:
+                continue
+            bytes_of = file[f"{group}/texts"][()].tobytes()
+            texts = bytes_of.decode(errors="surrogateescape").split("\0")[:-1]
+            end = texts[::2].index("") * 2  # an empty path
+            pairs += zip(texts[:end:2], texts[1:end:2])
+            numbers += zip(texts[end + 1:], map(float, file[f"{group}/numbers"][()]))
         below = lambda group, all_of: [(path[len(group) + 1:], value) for path, value in all_of
                                        if path.startswith(f"{group}/")]
         self.config = dict(pairs)["config"]

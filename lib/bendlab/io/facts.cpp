@@ -9,7 +9,7 @@ namespace {
 
 using hdf5::Handle;
 
-constexpr const char *group_name = "facts", *texts_name = "texts", *numbers_name = "numbers";
+constexpr const char *begun = "facts", *ended = "outcome", *texts_name = "texts", *numbers_name = "numbers";
 
 // The last part of a path directly below a group; none if it lies elsewhere.
 std::optional<std::string> name_in(std::string_view group, std::string_view path) {
@@ -83,16 +83,10 @@ std::vector<PassTime> Facts::passes() const {
   return passes;
 }
 
-Column time_column() {
-  return {"time", "s", "simulated time"};
-}
-
-Facts facts_of(const RunHeader& header, const RunFooter& footer) {
+Facts facts_of(const RunHeader& header) {
   Facts facts;
   facts.texts.emplace_back("config", header.config);
-  std::map<std::string, std::string> provenance = footer.provenance;  // what it adds replaces the header's
-  provenance.insert(header.provenance.begin(), header.provenance.end());
-  for (const auto& [name, text] : provenance) facts.texts.emplace_back("provenance/" + name, text);
+  for (const auto& [name, text] : header.provenance) facts.texts.emplace_back("provenance/" + name, text);
   for (std::size_t k = 0; k < header.inputs.size(); ++k) {
     facts.texts.emplace_back("pointers/" + std::to_string(k), header.inputs[k].pointer);
     facts.texts.emplace_back("files/" + std::to_string(k), header.inputs[k].name);
@@ -102,8 +96,14 @@ Facts facts_of(const RunHeader& header, const RunFooter& footer) {
     facts.numbers.emplace_back("counts/" + record.kind, static_cast<double>(record.count));
   }
   for (const Column& field : header.cell_fields) add_column(facts, "cell_fields", field);
-  add_column(facts, "metrics", time_column());
+  add_column(facts, "metrics", {"time", "s", "simulated time"});
   for (const Column& column : header.metrics) add_column(facts, "metrics", column);
+  return facts;
+}
+
+Facts facts_of(const RunFooter& footer) {
+  Facts facts;
+  for (const auto& [name, text] : footer.provenance) facts.texts.emplace_back("provenance/" + name, text);
   for (const auto& [name, value] : footer.summary) facts.numbers.emplace_back("summary/" + name, value);
   for (const PassTime& pass : footer.passes)
     for (const double number :
@@ -115,7 +115,14 @@ Facts facts_of(const RunHeader& header, const RunFooter& footer) {
   return facts;
 }
 
-void write_facts(hid_t file, const Facts& facts) {
+void Facts::append(const Facts& later) {
+  texts.insert(texts.end(), later.texts.begin(), later.texts.end());
+  numbers.insert(numbers.end(), later.numbers.begin(), later.numbers.end());
+}
+
+namespace {
+
+void write_facts(hid_t file, const char* name, const Facts& facts) {
   std::vector<std::uint8_t> bytes;
   const auto add = [&](const std::string& text) {
     std::copy_n(text.c_str(), std::string_view(text.c_str()).size() + 1, std::back_inserter(bytes));
@@ -124,14 +131,13 @@ void write_facts(hid_t file, const Facts& facts) {
   for (const auto& [path, text] : facts.texts) add(path), add(text);
   add("");
   for (const auto& [path, number] : facts.numbers) add(path), numbers.push_back(number);
-  const Handle group = hdf5::create_group(file, group_name, 2);
+  const Handle group = hdf5::create_group(file, name, 2);
   hdf5::write_array(group, texts_name, bytes);
   hdf5::write_array(group, numbers_name, numbers);
 }
 
-std::optional<Facts> read_facts(hid_t file) {
-  if (!hdf5::has_link(file, group_name)) return std::nullopt;
-  const Handle group = hdf5::open_group(file, group_name);
+Facts facts_in(hid_t file, const char* name) {
+  const Handle group = hdf5::open_group(file, name);
   const auto bytes = hdf5::read_all<std::uint8_t>(group, texts_name);
   const auto numbers = hdf5::read_all<double>(group, numbers_name);
   const std::vector<std::string> texts = split({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
@@ -142,6 +148,23 @@ std::optional<Facts> read_facts(hid_t file) {
   if (texts.size() != at + 1 + numbers.size())
     throw hdf5::Failure("it has not a number for each name, or not a name for each");
   for (const double number : numbers) facts.numbers.emplace_back(texts[++at], number);
+  return facts;
+}
+
+}  // namespace
+
+void write_facts(hid_t file, const Facts& facts) {
+  write_facts(file, begun, facts);
+}
+
+void write_outcome(hid_t file, const Facts& facts) {
+  write_facts(file, ended, facts);
+}
+
+std::optional<Facts> read_facts(hid_t file) {
+  if (!hdf5::has_link(file, begun)) return std::nullopt;
+  Facts facts = facts_in(file, begun);
+  if (hdf5::has_link(file, ended)) facts.append(facts_in(file, ended));
   return facts;
 }
 

@@ -1,5 +1,5 @@
-// The texts and numbers of a short run's file, in two compressed datasets: 3.3 KB for a run of 4 × 4 cells. As
-// attributes and texts of HDF5 they take about 25 KB, because each has a header of its own and texts of
+// The texts and numbers of a run file, in two compressed datasets: 3.3 KB for a run of 4 × 4 cells. As
+// attributes and texts of HDF5 they took about 25 KB, because each has a header of its own and texts of
 // variable length are not compressed. Only sources of this folder include this header.
 #pragma once
 
@@ -16,7 +16,7 @@
 namespace bendlab {
 
 /// Texts and numbers, each under a path, in the order in which they were written. A path may occur more than
-/// once.
+/// once; of provenance, summary and timing the last counts.
 struct Facts {
   std::vector<std::pair<std::string, std::string>> texts;
   std::vector<std::pair<std::string, double>> numbers;
@@ -28,19 +28,22 @@ struct Facts {
   const std::string& text(std::string_view path) const;
   std::vector<Column> metrics() const;
   std::vector<PassTime> passes() const;
+
+  void append(const Facts& later);
 };
 
-/// The first column of /metrics.
-Column time_column();
-
-/// All that a file has of header and footer, but for id, name, status and the arrays.
-Facts facts_of(const RunHeader& header, const RunFooter& footer);
+/// All that a file has of its header, or footer, but for id, name, status and the arrays.
+Facts facts_of(const RunHeader& header);
+Facts facts_of(const RunFooter& footer);
 
 /// /facts/texts: a byte for each character of path, text, path, text, …; every one ends with a zero. An empty
 /// path ends them; behind it are the paths of the numbers in /facts/numbers.
 void write_facts(hid_t file, const Facts& facts);
 
-/// None if the file has its texts and numbers as attributes, like those of longer runs and of older programs.
+/// The same in /outcome: what a file that grows with its run learns at the end.
+void write_outcome(hid_t file, const Facts& facts);
+
+/// Those of /facts and /outcome. None if an older program wrote the file, with attributes.
 std::optional<Facts> read_facts(hid_t file);
 
 }  // namespace bendlab

@@ -401,8 +401,8 @@ Handle small_creation(hid_t type, std::span<const hsize_t> shape) {
     return creation;
   }
   check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
-  // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many of
-  // them stay as they are from frame to frame, and so are repeated bytes.
+  // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many
+  // of them stay as they are from frame to frame, and so are repeated bytes.
   if (H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) > 1) check(H5Pset_shuffle(creation));
   check(H5Pset_deflate(creation, 9));
   return creation;
@@ -439,20 +439,6 @@ Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, cons
   if (is_small_array(type, shape))
     return write_dataset(parent, name, type, values, shape, small_creation(type, shape));
   return write_dataset(parent, name, type, values, shape, plain_dataset());
-}
-
-void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts) {
-  std::vector<const char*> values;
-  for (const auto& text : texts) values.push_back(text.c_str());
-  const hsize_t shape[] = {texts.size()};
-  const Handle& type = text_type();
-  const Handle dataset(
-      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, plain_dataset(), H5P_DEFAULT),
-      H5Dclose);
-  // The library clears a buffer of 1 MiB for every write of texts, unless it is told that less will do.
-  const Handle transfer(H5Pcreate(H5P_DATASET_XFER), H5Pclose);
-  check(H5Pset_buffer(transfer, 4096, nullptr, nullptr));
-  if (!texts.empty()) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, transfer, values.data()));
 }
 
 std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
@@ -529,11 +515,6 @@ void Series::append(hid_t type, const void* frame) {
   const Handle in_memory = simple_space(std::span(count).first(rank));
   check(H5Dwrite(dataset_, type, in_memory, in_file, H5P_DEFAULT, frame));
   size_ += rows_;
-}
-
-void Series::describe(const std::string& unit, const std::string& meaning) const {
-  write_attribute(dataset_, "unit", unit);
-  write_attribute(dataset_, "meaning", meaning);
 }
 
 }  // namespace bendlab::hdf5

@@ -161,7 +161,6 @@ Handle write_plain_array(hid_t parent, const std::string& name, const std::vecto
   return write_plain_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
 }
 
-void write_texts(hid_t parent, const std::string& name, const std::vector<std::string>& texts);
 std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 
 std::vector<hsize_t> shape_of(hid_t dataset);
@@ -201,7 +200,6 @@ class Series {
 
   void append(std::span<const float> frame) { append(H5T_NATIVE_FLOAT, frame.data()); }
   void append(std::span<const double> frame) { append(H5T_NATIVE_DOUBLE, frame.data()); }
-  void describe(const std::string& unit, const std::string& meaning) const;
 
  private:
   void append(hid_t type, const void* frame);

@@ -36,20 +36,6 @@ void write_arrays(hid_t group, const ConstraintRecord& record) {
   if (!record.softness.empty()) hdf5::write_array(group, "softness", record.softness);
 }
 
-void write_constraints(hid_t file, const std::vector<ConstraintRecord>& records) {
-  const Handle constraints = hdf5::create_group(file, "constraints");
-  for (const auto& record : records) {
-    const Handle group = hdf5::create_group(constraints, record.kind);
-    hdf5::write_attribute(group, "count", record.count);
-    hdf5::write_attribute(group, "hash", record.hash);
-    write_arrays(group, record);
-  }
-}
-
-void write_texts(hid_t object, const std::map<std::string, std::string>& texts) {
-  for (const auto& [name, text] : texts) hdf5::write_attribute(object, name, text);
-}
-
 void write_identity(hid_t file, const RunHeader& header, RunStatus status) {
   hdf5::write_attribute(file, "id", header.id);
   hdf5::write_attribute(file, "name", header.name);
@@ -64,30 +50,8 @@ void write_rest(hid_t file, const RunHeader& header) {
   hdf5::write_array(rest, "pin_seeds", header.pin_seeds);
 }
 
-Handle write_input(hid_t inputs, std::size_t k, const InputFile& input) {
-  const std::string name = std::to_string(k);
-  hdf5::write_array(inputs, name, std::vector<std::uint8_t>(input.bytes.begin(), input.bytes.end()));
-  return hdf5::open_dataset(inputs, name);
-}
-
-void write_header(hid_t file, const RunHeader& header) {
-  write_identity(file, header, RunStatus::running);
-  write_rest(file, header);
-  write_constraints(file, header.constraints);
-  const Handle provenance = hdf5::create_group(file, "provenance");
-  write_texts(provenance, header.provenance);
-  hdf5::write_texts(provenance, "config", {header.config});
-  if (header.inputs.empty()) return;
-  const Handle inputs = hdf5::create_group(provenance, "inputs");
-  for (std::size_t k = 0; k < header.inputs.size(); ++k) {
-    const Handle dataset = write_input(inputs, k, header.inputs[k]);
-    hdf5::write_attribute(dataset, "pointer", header.inputs[k].pointer);
-    hdf5::write_attribute(dataset, "name", header.inputs[k].name);
-  }
-}
-
-// What a short run's file has beside its facts and frames.
-void write_small_header(hid_t file, const RunHeader& header, RunStatus status) {
+// What a file has of its header beside the facts.
+void write_header(hid_t file, const RunHeader& header, RunStatus status) {
   write_identity(file, header, status);
   write_rest(file, header);
   if (std::ranges::any_of(header.constraints, has_arrays)) {
@@ -97,34 +61,13 @@ void write_small_header(hid_t file, const RunHeader& header, RunStatus status) {
   }
   if (header.inputs.empty()) return;
   const Handle inputs = hdf5::create_group(hdf5::create_group(file, "provenance"), "inputs");
-  for (std::size_t k = 0; k < header.inputs.size(); ++k) write_input(inputs, k, header.inputs[k]);
-}
-
-void write_footer(hid_t file, const RunFooter& footer) {
-  const Handle timing = hdf5::create_group(file, "timing");
-  std::vector<std::string> names;
-  std::vector<double> seconds;
-  std::vector<std::uint64_t> calls, acted;
-  for (const auto& pass : footer.passes) {
-    names.push_back(pass.name);
-    seconds.push_back(pass.seconds);
-    calls.push_back(pass.calls);
-    acted.push_back(pass.acted);
+  for (std::size_t k = 0; k < header.inputs.size(); ++k) {
+    const std::string& bytes = header.inputs[k].bytes;
+    hdf5::write_array(inputs, std::to_string(k), std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
   }
-  hdf5::write_texts(timing, "pass", names);
-  hdf5::write_array(timing, "seconds", seconds);
-  hdf5::write_array(timing, "calls", calls);
-  hdf5::write_array(timing, "acted", acted);
-  hdf5::write_attribute(timing, "wall_s", footer.wall_s);
-  hdf5::write_attribute(timing, "cpu_s", footer.cpu_s);
-  hdf5::write_attribute(timing, "step_cpu_s", footer.step_cpu_s);
-  write_texts(hdf5::open_group(file, "provenance"), footer.provenance);
-  const Handle summary = hdf5::create_group(file, "summary");
-  for (const auto& [name, value] : footer.summary) hdf5::write_attribute(summary, name, value);
-  hdf5::write_attribute(file, "status", to_string(footer.status));
 }
 
-// A row of /metrics/values, in the order of create_metrics().
+// A row of /metrics/values, in the order of facts_of().
 std::vector<double> metric_row(const Frame& frame) {
   std::vector<double> row = {frame.time};
   row.insert(row.end(), frame.metrics.begin(), frame.metrics.end());
@@ -280,16 +223,17 @@ void RunFileWriter::Impl::write_now(const Frame& frame) {
 void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& earlier) {
   auto& [file, points, metrics, cell_fields] = *open;
   file = hdf5::create_file(part.string());
-  write_header(file, header);
+  write_header(file, header, RunStatus::running);
+  write_facts(file, facts_of(header));
   const Handle vtk = create_vtkhdf(file);
   write_static_part(vtk, header);
   points = create_points(vtk, shape);
   const Handle cell_data = hdf5::create_group(vtk, "CellData");
   for (const auto& field : header.cell_fields) {
-    cell_fields.push_back(create_cell_field(cell_data, field, shape));
+    cell_fields.push_back(create_cell_field(cell_data, field.name, shape));
     shape.cell_fields.push_back(field.name);
   }
-  metrics = create_metric_values(create_metrics(file, header), 1 + header.metrics.size());
+  metrics = create_metric_values(hdf5::create_group(file, "metrics"), 1 + header.metrics.size());
   if (!earlier.file.empty()) copy_frames(earlier);
   hdf5::flush(file);
 }
@@ -344,11 +288,13 @@ void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
     const hdf5::Lock lock;
     const hdf5::SmallScope small;
     Handle file = hdf5::create_small_file(part.string());
-    write_small_header(file, kept->header, footer.status);
+    write_header(file, kept->header, footer.status);
     write_static_part(create_vtkhdf(file), kept->header);
     write_frames(file, kept->header, kept->frames);
     write_steps(file, shape);
-    write_facts(file, facts_of(kept->header, footer));
+    Facts facts = facts_of(kept->header);
+    facts.append(facts_of(footer));
+    write_facts(file, facts);
     file.close();
   } catch (const hdf5::Failure& failure) {
     throw file_error(part, "can't be written", failure.what(), failure.code());
@@ -360,7 +306,8 @@ void RunFileWriter::Impl::close(const RunFooter& footer) {
   // Steps has at most 16 numbers a frame; the footer is small.
   hdf5::require_room(open->file, footer_bytes + 8 * 16 * shape.times.size());
   write_steps(open->file, shape);
-  write_footer(open->file, footer);
+  write_outcome(open->file, facts_of(footer));
+  hdf5::write_attribute(open->file, "status", to_string(footer.status));
   hdf5::flush(open->file);
   Handle file = std::move(open->file);
   open.reset();

@@ -78,26 +78,8 @@ Series create_points(hid_t vtk, const ParaViewShape& shape) {
   return {vtk, "Points", {.type = real, .rows = shape.vertices, .columns = 3}};
 }
 
-Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape) {
-  Series series(cell_data, field.name, {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles});
-  series.describe(field.unit, field.meaning);
-  return series;
-}
-
-Handle create_metrics(hid_t file, const RunHeader& header) {
-  Handle metrics = hdf5::create_group(file, "metrics");
-  std::vector<Column> columns = {time_column()};
-  columns.insert(columns.end(), header.metrics.begin(), header.metrics.end());
-  std::vector<std::string> names, units, meanings;
-  for (const Column& column : columns) {
-    names.push_back(column.name);
-    units.push_back(column.unit);
-    meanings.push_back(column.meaning);
-  }
-  hdf5::write_texts(metrics, "names", names);
-  hdf5::write_texts(metrics, "units", units);
-  hdf5::write_texts(metrics, "meanings", meanings);
-  return metrics;
+Series create_cell_field(hid_t cell_data, const std::string& name, const ParaViewShape& shape) {
+  return {cell_data, name, {.type = H5T_NATIVE_FLOAT, .rows = shape.triangles}};
 }
 
 Series create_metric_values(hid_t metrics, std::size_t columns) {

@@ -13,9 +13,8 @@
 namespace bendlab {
 
 hdf5::Series create_points(hid_t vtk, const ParaViewShape& shape);
-hdf5::Series create_cell_field(hid_t cell_data, const Column& field, const ParaViewShape& shape);
-/// Creates /metrics with names, units and meanings of its columns: `time`, then those of the header.
-hdf5::Handle create_metrics(hid_t file, const RunHeader& header);
+hdf5::Series create_cell_field(hid_t cell_data, const std::string& name, const ParaViewShape& shape);
+/// In /metrics: `time`, then the metrics of the header.
 hdf5::Series create_metric_values(hid_t metrics, std::size_t columns);
 inline constexpr const char* metric_values = "values";
 inline constexpr hsize_t metric_rows_per_chunk = 32;
