@@ -79,7 +79,7 @@ TEST_CASE("wind: a level sheet ends at its terminal velocity", "[effects]") {
   // (x - x') / dt some meters down.
   for (const double dt : {1.0 / 60, 1.0 / 240}) {
     CHECK_THAT(terminal_speed(true, dt), WithinRel(law, 1e-9));
-    // Listed after it: k (v + h g)² = g.
+    // Behind it, k (v + h g)² = g: a scene has wind first, wherever it is listed.
     CHECK_THAT(terminal_speed(false, dt), WithinRel(law - gravity * dt, 1e-9));
   }
 }

@@ -241,6 +241,32 @@ TEST_CASE("a step's residual with BDF2 is of its own inertia, and leaves out wha
   }
 }
 
+TEST_CASE("a step's residual without loads is relative to inertia", "[solver]") {
+  const RestMesh rest(delaunay(1, 1, 5, 2));
+  SimulationInput input = compliant(test::sheet(rest, make_pins(rest, {0}, 0), "dihedral"), "pbd", 1e-3, 1);
+  disturb(input, 0.02);
+  const ElasticSystem system(input);
+  constexpr double h = 1.0 / 60;
+  for (const std::string_view method : implicit_methods) {
+    CAPTURE(method);
+    const auto simulation = test::implicit_steps(input, method, "euler", h, {}, 2, 0.0);
+    REQUIRE(simulation->step());
+    const Positions end = simulation->positions();
+    const Eigen::VectorXd gradient = system.gradient(end);
+    double left = 0, inertia = 0;
+    for (Eigen::Index v = 0; v < end.rows(); ++v) {
+      const auto at = system.free_index()[static_cast<std::size_t>(v)];
+      if (at < 0) continue;
+      const double mass = input.mass[static_cast<std::size_t>(v)];
+      const Vector3 passed_on = mass / (h * h) * (end.row(v) - input.positions.row(v)).transpose();  // m a
+      left += (passed_on + gradient.segment<3>(3 * at)).norm(), inertia += passed_on.norm();
+    }
+    CHECK(left / inertia > 1e-3);  // two iterations leave something
+    REQUIRE(simulation->step_residual());
+    CHECK_THAT(simulation->step_residual()->share(), WithinRel(left / inertia, 1e-6));
+  }
+}
+
 // XPBD adds up λ ∇C along the way of its iterations, so that what it converges to has forces along gradients
 // of poses before the last. Its distance from the minimum is of second order in how far the gradients turn.
 TEST_CASE("XPBD converges to another pose than the minimum, by the square of a start's disturbance",
