@@ -408,11 +408,20 @@ const tests = {
       await until(page, "!document.querySelector('dialog[open]')");
       await page.locator(".player-view").first().focus();
       await page.keyboard.press("v");
-      await page.keyboard.type("20");
+      await page.keyboard.type("2");
+      await page.evaluate(`${PLAYER}.drawNow()`); // as it does by itself a moment after the last change
+      await page.keyboard.type("0");
       await page.keyboard.press("Enter");
       await until(page, `${PLAYER}.views[0].picked.vertex === 20`);
-      await page.keyboard.press("Escape");
+      await page.keyboard.press("v");
+      await page.keyboard.type("9999");
+      await page.keyboard.press("Enter");
+      await until(page, `${PLAYER}.views[0].picked.vertex === 168`); // the last one
+      await until(page, "document.activeElement.value === '168'");
+      await page.keyboard.type("7");
+      await page.keyboard.press("Escape"); // what was typed is not chosen
       await until(page, `${PLAYER}.views[0].picked.vertex === null`);
+      assert.equal(await page.evaluate("document.activeElement.className"), "player-view player-left player-upper");
       const named = await page.evaluate(() => [...document.querySelectorAll(".player button, .player input, .player select")]
         .filter((each) => !(each.ariaLabel || each.textContent.trim() || each.labels?.length)).length);
       assert.equal(named, 0, "every control has a name");

@@ -7,7 +7,13 @@ export class Panel {
   /** @param {(kind: "vertex"|"triangle", index: number) => void} choose @param {() => void} close */
   constructor(choose, close) {
     const field = (kind) => html("input", { type: "number", min: 0, step: 1, "aria-label": `Number of a ${kind}`,
-      onchange: (event) => event.target.value !== "" && choose(kind, Number(event.target.value)) });
+      oninput: (event) => { this.typing = event.target; },
+      onblur: () => { this.typing = null; },
+      onchange: (event) => {
+        this.typing = null;
+        if (event.target.value !== "" && !this.element.hidden) choose(kind, Number(event.target.value));
+      } });
+    this.typing = null; // the field whose text is not chosen yet
     this.vertex = field("vertex");
     this.triangle = field("triangle");
     this.table = html("table", {});
@@ -26,8 +32,9 @@ export class Panel {
     this.element.hidden = !picked.length;
     if (!picked.length) return;
     const [first] = picked;
-    this.vertex.value = first.picked.vertex;
-    this.triangle.value = first.picked.triangle ?? "";
+    // A picture may be drawn while somebody types: what is typed stays.
+    if (this.typing !== this.vertex) this.vertex.value = first.picked.vertex;
+    if (this.typing !== this.triangle) this.triangle.value = first.picked.triangle ?? "";
     const row = (name, text, meaning = "") => html("tr", {}, html("th", { scope: "row", title: meaning }, name),
       ...picked.map((view) => html("td", {}, text(view))));
     const group = (name) => html("tr", { class: "player-group" },
