@@ -138,7 +138,7 @@ const tests = {
         if (run.springs[i] === vertex || run.springs[i + 1] === vertex)
           springs.push(run.springs[i] === vertex ? run.springs[i + 1] : run.springs[i]);
       assert.ok(springs.length > 0);
-      await until(page, `${PLAYER}.views[0].picked.springs.length > 0`);
+      await until(page, `${PLAYER}.views.every((view) => view.picked.read)`);
       const drawn = await page.evaluate(`${PLAYER}.views[0].picked.springs.flatMap((each) => each.others)`);
       assert.deepEqual(drawn.sort((a, b) => a - b), springs.sort((a, b) => a - b));
       const texts = await page.locator(".player-springs").textContent();
@@ -152,6 +152,20 @@ const tests = {
       assert.ok(away <= 1 / 17, `${away}`);
       await page.keyboard.press("Escape");
       assert.equal(await page.locator(".player-panel").isHidden(), true);
+    });
+  },
+
+  async "no springs are told before they are read"() {
+    await withPage("page", { calm: true }, async (page) => {
+      const told = await page.evaluate(() => {
+        const { player } = document.querySelector(".player");
+        player.pickNumber("vertex", 84);
+        player.drawNow();
+        return document.querySelector(".player-springs").textContent;
+      });
+      assert.match(told, /being read/);
+      assert.doesNotMatch(told, /No spring/);
+      await until(page, "/ring 1: /.test(document.querySelector('.player-springs').textContent)");
     });
   },
 

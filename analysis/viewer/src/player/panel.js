@@ -68,13 +68,13 @@ export class Panel {
       const { missing } = view.frames.head.springs;
       const text = view.picked.springs.length
         ? view.picked.springs.map(({ ring, count }) => ({ ring, text: `ring ${ring}: ${count}` }))
-        : missing ?? "No spring acts on this vertex.";
+        : missing ?? (view.picked.read ? "No spring acts on this vertex." : "Its springs are being read …");
       const key = typeof text === "string" ? text : view.run.id;
       lines.set(key, { label: lines.has(key) ? `${lines.get(key).label}; ${view.run.label}` : view.run.label, text,
                        rings: view.picked.rings });
     }
     for (const { label, text, rings } of lines.values()) {
-      const line = html("span", {}, html("b", {}, picked.length > 1 ? `${label} ` : "Springs "));
+      const line = html("span", {}, html("b", {}, picked.length > 1 ? `Springs of ${label} ` : "Springs "));
       if (typeof text === "string") line.append(text);
       else for (const { ring, text: said } of text) {
         const dot = html("i", { class: "player-ring" });

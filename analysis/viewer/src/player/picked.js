@@ -15,6 +15,7 @@ export class Picked {
     this.vertex = null;
     this.triangle = null;
     this.springs = []; // {ring, others: number[]} of the picked vertex
+    this.read = true; // whether the springs of the run are read
     this.rings = view.colours.rings;
     this.lines = this.#lines(2.2);
     this.arrows = this.#lines(2.4);
@@ -40,11 +41,15 @@ export class Picked {
     return drawn;
   }
 
-  /** @param {number|null} vertex @param {number|null} triangle @param {object[]} springs see springsOf() */
+  /**
+   * @param {number|null} vertex @param {number|null} triangle @param {object[]|null} springs see springsOf(); null:
+   * they are being read
+   */
   set(vertex, triangle, springs) {
     this.vertex = vertex;
     this.triangle = triangle;
-    this.springs = springs;
+    this.springs = springs ?? [];
+    this.read = springs !== null;
     this.moved();
   }
 

@@ -428,7 +428,7 @@ export class Player {
       return map ? { other, vertex: map.vertex(vertex), triangle: triangle === null ? null : map.face(triangle) }
         : { other, vertex: null, triangle: null };
     });
-    for (const { other, vertex: v, triangle: t } of chosen) other.picked.set(v, t, []);
+    for (const { other, vertex: v, triangle: t } of chosen) other.picked.set(v, t, null);
     this.draw();
     for (const { other, vertex: v, triangle: t } of chosen) {
       if (v === null) continue;
