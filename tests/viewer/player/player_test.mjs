@@ -169,6 +169,18 @@ const tests = {
     });
   },
 
+  async "printed cloth has a light ground, in dark too"() {
+    await withPage("page", { calm: true, dark: true }, async (page) => {
+      const ground = () => page.evaluate(`[...${PLAYER}.stage.ground.bottom]`);
+      assert.ok((await ground()).every((c) => c < 0.2));
+      await page.emulateMedia({ media: "print", colorScheme: "dark" });
+      await until(page, `[...${PLAYER}.stage.ground.bottom].every((c) => c > 0.8)`);
+      assert.equal(await page.locator(".player-top label:visible, .player-bottom:visible").count(), 0);
+      await page.emulateMedia({ media: "screen", colorScheme: "dark" });
+      await until(page, `[...${PLAYER}.stage.ground.bottom].every((c) => c < 0.2)`);
+    });
+  },
+
   async "time: play, pause, step, slider, speed, loop, different rates"() {
     await withPage("page", { calm: true }, async (page) => {
       const time = () => page.evaluate(`${PLAYER}.time`);

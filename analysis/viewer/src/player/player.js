@@ -50,6 +50,8 @@ export class Player {
     this.resizes.observe(this.controls.stage);
     this.theme = matchMedia("(prefers-color-scheme: dark)");
     this.theme.addEventListener("change", this.#restyled);
+    this.print = matchMedia("print");
+    this.print.addEventListener("change", this.#printed);
     element.addEventListener("fullscreenchange", () => this.#resized());
   }
 
@@ -190,6 +192,12 @@ export class Player {
       this.stage.ground[end].set(...[1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16) / 255));
     }
     this.draw();
+  };
+
+  /** Paper is white, and takes the picture that is there at once. */
+  #printed = () => {
+    this.#restyled();
+    this.drawNow();
   };
 
   /** Moves the cameras: all if they are linked, else that of a view. */
@@ -516,6 +524,7 @@ export class Player {
     this.turn = null;
     this.resizes.disconnect();
     this.theme.removeEventListener("change", this.#restyled);
+    this.print.removeEventListener("change", this.#printed);
     this.#dropViews();
     for (const texture of Object.values(this.textures ?? {})) texture.dispose();
     this.stage?.dispose();
