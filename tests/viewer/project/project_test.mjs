@@ -122,6 +122,8 @@ const tests = {
         Math.max(0, ...cells.filter((cell) => cell.getClientRects().length).map((cell) => cell.getBoundingClientRect().right)),
       );
       assert.ok(right <= 420, `${name}: ${right}`);
+      const tall = await page.$$eval(".scroll.tall", (all) => Math.max(0, ...all.map((element) => element.clientHeight)));
+      assert.ok(tall <= 900, `${name}: a table of ${tall} px lies before what follows it`);
       if (shots) await page.screenshot({ path: `${shots}/${name.replace("/", "") || "start"}-420.png` });
     });
   },

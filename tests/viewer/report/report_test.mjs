@@ -282,6 +282,11 @@ const tests = {
         await page.$eval("table.sortable td:nth-child(2)", (cell) => cell.dataset.label),
         "status",
       );
+      assert.deepEqual(
+        await page.$$eval("section[aria-labelledby=expectations] tbody tr:first-child td", (cells) => cells.map((cell) => cell.dataset.label)),
+        ["verdict", "what is expected", "worst", "in", "why"],
+      );
+      assert.equal(await page.$eval("section[aria-labelledby=expectations] td", (cell) => getComputedStyle(cell).display), "flex");
     });
   },
 
