@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { opened, usable } from "../player/browser.mjs";
+import { axisScale } from "../../../analysis/viewer/src/charts/scales.js";
 import { found } from "../../../analysis/viewer/src/chooser/found.js";
 
 if (!usable()) process.exit(77);
@@ -301,6 +302,13 @@ const tests = {
     assert.match(of({ family: "ball" }).notes[0], /not measured on ball/);
     assert.match(of({ cells: 16 }).notes[0], /Nothing was measured on 16 cells/);
     assert.deepEqual(of({}).others.map((other) => other.model), ["b"]);
+  },
+
+  async "an axis writes the values of a sweep in three digits"() {
+    const values = [1089, 66049, 263169, 1050625];
+    const { ticks, text } = axisScale("log", [1000, 2e6], [0, 600], values);
+    assert.deepEqual(ticks.map(text), ["1089", "66049", "2.63·10⁵", "1.05·10⁶"]);
+    assert.deepEqual([1e5, 2e-4, 1e-7].map(axisScale("log", [1e-7, 1e6], [0, 600]).text), ["10⁵", "2·10⁻⁴", "10⁻⁷"]);
   },
 
   async "charts tell values, and their data are a file"() {

@@ -174,7 +174,7 @@ export class LineChart {
 
   #categoryWidth(width) {
     const longest = Math.max(...this.chart.x.categories.map((text) => String(text).length));
-    return Math.min(longest * 7.2 + 16, width * 0.42);
+    return Math.min(longest * 7.8 + 16, width * 0.42);
   }
 
   // How many series stand beside one another at a category.

@@ -1,6 +1,6 @@
 /** From a chart's description to d3's scales. */
 import { scaleLinear, scaleLog, scalePoint } from "d3-scale";
-import { minus, number, raised } from "../page/numbers.js";
+import { minus, raised } from "../page/numbers.js";
 
 /**
  * The scale of an axis over [low, high], its ticks and how these are written.
@@ -81,7 +81,6 @@ function plain(x) {
 
 function logText(x) {
   if (x >= 1e-3 && x < 1e5) return minus(String(Number(x.toPrecision(3))));
-  const exponent = Math.floor(Math.log10(Math.abs(x)) + 1e-9),
-    first = x / 10 ** exponent;
-  return Math.abs(first - 1) < 1e-6 ? `10${raised(exponent)}` : number(x, 1);
+  const [first, exponent] = x.toExponential(2).split("e").map(Number);
+  return first === 1 ? `10${raised(exponent)}` : `${minus(String(first))}·10${raised(exponent)}`;
 }
