@@ -15,8 +15,9 @@ def top_html(report):
     """The page above its sections."""
     text = next((sweep.description for sweep in report.sweeps if sweep.description), "")
     lead = f"<p class='lead'>{escape(text)}</p>" if text and len(report.sweeps) == 1 else ""
-    return (f"<h1>{escape(report.title)}</h1>{lead}<p class='answer'>{_answer(report)}</p><ul class='tally'>"
-            f"{''.join(_tally(report))}</ul>{_going_on(report)}{''.join(_trouble(report))}")
+    tally = "" if report.live else f"<ul class='tally'>{''.join(_tally(report))}</ul>"  # would grow old
+    return (f"<h1>{escape(report.title)}</h1>{lead}<p class='answer'>{_answer(report)}</p>{tally}"
+            f"{_going_on(report)}{''.join(_trouble(report))}")
 
 
 def status_html(status, text=None):
@@ -29,7 +30,7 @@ def _answer(report):
     """One sentence: what there is, and from where to where the first number goes."""
     runs, count = report.runs, len(report.runs)
     if report.live:
-        return "This run goes on, and the page follows it."
+        return "The page follows this run while it is computed."
     done = sum(run.complete for run in runs)
     if count == 1:
         text = f"One run, {runs[0].status}"
@@ -97,7 +98,8 @@ def _trouble(report):
     for code, some in given.items():
         run, message = some[0]
         more = f" (and {len(some) - 1} more)" if len(some) > 1 else ""
-        yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: {escape(message)}</p>"
+        end = "" if message.endswith((".", "!", "?")) else "."
+        yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: {escape(message)}{end}</p>"
                "</div>")
     for sweep in report.sweeps:
         for note in sweep.notes:

@@ -287,6 +287,20 @@ class Page(unittest.TestCase):
             if not address.startswith("#run-"):
                 self.assertIn(address[1:], names)
 
+    def test_what_a_warning_says_ends_with_a_full_stop(self):
+        for message in ("1 iteration does not converge", "1 iteration does not converge."):
+            warnings = json.dumps([{"code": "unconverged", "message": message}])
+            run = run_at({CELLS: 8}, {"mean_strain": 1.0}, provenance={"warnings": warnings})
+            text = report_of(sweep_of([run], {CELLS: [8]})).html()
+            self.assertIn("1 iteration does not converge.</p>", text)
+
+    def test_a_page_that_follows_a_run_says_nothing_that_grows_old(self):
+        for status in ("running", "complete"):
+            report = report_of(sweep_of([run_at({CELLS: 8}, {}, status=status)], {CELLS: [8]}))
+            top, _, _ = report.html(live={"every": 1, "frames": 1}).partition("<p id='live'")
+            self.assertIn("The page follows this run while it is computed.", top)
+            self.assertNotIn("class='tally'", top)
+
     def test_configs_are_told_by_what_differs(self):
         runs = [run_at({CELLS: cells, "/x": [1, {"y": cells}]}, id=str(cells)) for cells in (8, 16, 16)]
         runs[2].id, runs[2].config = "other", {"mesh": {"cells": 99}}
