@@ -1,7 +1,7 @@
 // Uses the pages that test_player.py wrote, as a user does, and compares with what h5py read.
 import assert from "node:assert/strict";
 import { readFileSync } from "node:fs";
-import { opened, usable } from "./browser.mjs";
+import { opened, until, usable } from "./browser.mjs";
 
 if (!usable()) process.exit(77);
 const folder = process.argv[2];
@@ -10,15 +10,7 @@ const PLAYER = "document.querySelector('.player').player";
 const only = process.env.BENDLAB_VIEWER_TEST; // a part of a name
 
 async function ready(page) {
-  await page.waitForSelector(".player[data-decoded]", { timeout: 60_000 });
-}
-
-/** Waits until an expression is true. (The page forbids eval, which waitForFunction() needs.) */
-async function until(page, expression, seconds = 30) {
-  for (const end = Date.now() + 1000 * seconds; !(await page.evaluate(expression));) {
-    assert.ok(Date.now() < end, `not within ${seconds} s: ${expression}`);
-    await page.waitForTimeout(30);
-  }
+  await page.waitForSelector(".player[data-decoded]");
 }
 
 /** Where a vertex of the first view is on the screen. */
@@ -376,7 +368,7 @@ const tests = {
   async "a still, a WebM and an animated PNG are saved"() {
     await withPage("page", { calm: true }, async (page) => {
       const saved = async (key) => {
-        const [download] = await Promise.all([page.waitForEvent("download", { timeout: 60_000 }), page.keyboard.press(key)]);
+        const [download] = await Promise.all([page.waitForEvent("download"), page.keyboard.press(key)]);
         return { name: download.suggestedFilename(), bytes: readFileSync(await download.path()) };
       };
       await page.locator(".player-view").first().focus();
