@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <array>
 #include <random>
+#include <vector>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/constraints/build.hpp"
@@ -19,6 +21,10 @@ inline double uniform(std::mt19937_64& random, double low, double high) {
 
 inline Vector3 random_vector(std::mt19937_64& random, double size = 1) {
   return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+inline std::vector<std::array<int, 2>> plain(const PairList& pairs) {
+  return {pairs.begin(), pairs.end()};
 }
 
 /// A cloth with its bending model's springs, at rest in its rest shape, without effects.

@@ -49,9 +49,9 @@ std::vector<int> edges_from_pins(const Scene& scene) {
   return distance;
 }
 
-template <std::size_t arity, class Rest>
-void sort_by(const std::vector<int>& key_of_vertex, bool descending,
-             std::vector<std::array<int, arity>>& vertices, std::vector<Rest>& rest) {
+template <class Vertices, class Rest>
+void sort_by(const std::vector<int>& key_of_vertex, bool descending, Vertices& vertices,
+             std::vector<Rest>& rest) {
   std::vector<std::pair<int, std::size_t>> order;
   for (std::size_t c = 0; c < vertices.size(); ++c) {
     int sum = 0;
@@ -59,10 +59,12 @@ void sort_by(const std::vector<int>& key_of_vertex, bool descending,
     order.emplace_back(descending ? -sum : sum, c);
   }
   std::sort(order.begin(), order.end());
-  auto sorted_vertices = vertices;
-  auto sorted_rest = rest;
-  for (std::size_t c = 0; c < order.size(); ++c)
-    sorted_vertices[c] = vertices[order[c].second], sorted_rest[c] = rest[order[c].second];
+  Vertices sorted_vertices;
+  std::vector<Rest> sorted_rest;
+  for (const auto& [key, c] : order) {
+    sorted_vertices.push_back(vertices[c]);
+    if (!rest.empty()) sorted_rest.push_back(rest[c]);
+  }
   vertices = std::move(sorted_vertices), rest = std::move(sorted_rest);
 }
 

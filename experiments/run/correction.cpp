@@ -41,7 +41,7 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
     for (std::size_t c = 0; c < list.size(); ++c)
       if (concerns(list.vertices[c]))
         each(kind, list.vertices[c],
-             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]));
+             distance_constraint<double>(corners(positions, list.vertices[c]), list.rest(c)));
   };
   const StrainForm form = input.strain_stiffness.form;
   for (std::size_t c = 0; membrane && c < input.strain.size(); ++c) {

@@ -59,9 +59,8 @@ bool is_prestressed(const Scene& scene) {
   constexpr double longer = 1.001;
   const DistanceConstraints& springs = scene.input.distance;
   for (std::size_t c = 0; c < springs.size(); ++c) {
-    const auto& [a, b] = springs.vertices[c];
-    if (springs.rest_length[c] > longer * (scene.rest.position(a) - scene.rest.position(b)).norm())
-      return true;
+    const auto [a, b] = springs.vertices[c];
+    if (springs.rest(c) > longer * (scene.rest.position(a) - scene.rest.position(b)).norm()) return true;
   }
   return false;
 }

@@ -89,10 +89,10 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
           },
           [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
       record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
-                [&](std::size_t c) { return std::array{scene.input.distance.rest_length[c]}; })};
+                [&](std::size_t c) { return std::array{scene.input.distance.rest(c)}; })};
   if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
     header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
-                                           [&](std::size_t c) { return std::array{edges.rest_length[c]}; }));
+                                           [&](std::size_t c) { return std::array{edges.rest(c)}; }));
   for_each_kind(scene.input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (list.size() > 0)
       header.constraints.push_back(record_of(std::string(Kind::name), list,

@@ -85,7 +85,7 @@ TEST_CASE("a sheet grows by what its membrane gives way to the push", "[bending]
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
   double virial = 0, area = 0, stretched = 0;
   for (std::size_t s = 0; s < input.distance.size(); ++s) {
-    const double longer = input.distance.rest_length[s], length = longer / 1.02;
+    const double longer = input.distance.rest(s), length = longer / 1.02;
     virial += (longer - length) * length / (bending * input.distance.softness[s]);
   }
   for (const double a : rest.areas()) area += a;

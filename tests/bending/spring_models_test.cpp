@@ -41,7 +41,7 @@ DistanceConstraints in_the_middle(const DistanceConstraints& springs, const Rest
     const Vector3 at = (rest.position(a) + rest.position(b)) / 2 - rest.centre();
     if (std::max(std::abs(at.x()), std::abs(at.y())) > reach) continue;
     middle.vertices.push_back({a, b});
-    middle.rest_length.push_back(springs.rest_length[s]);
+    middle.rest_length.push_back(springs.rest(s));
     if (!springs.softness.empty()) middle.softness.push_back(springs.softness[s]);
   }
   return middle;
@@ -101,7 +101,7 @@ TEST_CASE("ring springs have the energy that a folded lattice shortens them by",
         std::swap(low, high);
       if ((rest.position(low) - rest.centre()).cwiseAbs().maxCoeff() > 0.25) continue;
       middle.vertices.push_back({low, high});
-      middle.rest_length.push_back(springs.rest_length[s]);
+      middle.rest_length.push_back(springs.rest(s));
       owners.push_back(low);
     }
     std::sort(owners.begin(), owners.end());
@@ -162,8 +162,7 @@ TEST_CASE("sparse_lod springs are as soft as they shorten little", "[bending]") 
   // An arc of length l at curvature κ has a chord shorter by l³ κ² / 24; squared and over the softness, the
   // same for all.
   for (std::size_t s = 0; s < springs.size(); ++s)
-    CHECK_THAT(std::pow(springs.rest_length[s], 6) / springs.softness[s],
-               WithinRel(std::pow(radius, 6), 1e-12));
+    CHECK_THAT(std::pow(springs.rest(s), 6) / springs.softness[s], WithinRel(std::pow(radius, 6), 1e-12));
 }
 
 }  // namespace bendlab

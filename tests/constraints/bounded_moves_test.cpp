@@ -128,7 +128,7 @@ TEMPLATE_TEST_CASE("a spring's projection is bounded by the spring", "[constrain
   for (const double unit : {1.0, 1e-3, 1e3}) {
     const Poses<2> all = poses<2>(1, unit);
     DistanceConstraints list;
-    list.vertices = vertices_of(all);
+    list.vertices = PairList(vertices_of(all));
     for (const auto& rest : all.rest) list.rest_length.push_back((rest[1] - rest[0]).norm());
     const auto error = [&](std::size_t c, const std::array<Vector3, 2>& p) -> std::optional<double> {
       return std::abs((p[1] - p[0]).norm() / list.rest_length[c] - 1);

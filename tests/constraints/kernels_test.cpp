@@ -51,7 +51,7 @@ struct Crumpled {
     DistanceBatch<Real> batch =
         make_distance_batch<Real>(list,
                                   stars ? star_order(list.vertices, rest.vertex_count())
-                                        : colour_order(list.vertices, rest.vertex_count()),
+                                        : colour_order(test::plain(list.vertices), rest.vertex_count()),
                                   rest.vertex_count());
     batch.kind = kind, batch.k = Real(0.6), batch.compliance = Real(1e-5);
     if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.b.size(), 0);

@@ -103,7 +103,7 @@ class Bounds {
     const DistanceConstraints& springs = scene_.input.distance;
     for (std::size_t i = 0; i < springs.size(); ++i) {
       const double length = (start_.row(springs.vertices[i][0]) - start_.row(springs.vertices[i][1])).norm();
-      if (std::abs(length / springs.rest_length[i] - 1) > 1e-3) return true;
+      if (std::abs(length / springs.rest(i) - 1) > 1e-3) return true;
     }
     return false;
   }

@@ -166,7 +166,7 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
     if (c < 0) continue;
     const auto [a, b] = input.distance.vertices[static_cast<std::size_t>(c)];
     const double length = (bent.row(a) - bent.row(b)).norm();
-    batch.multiplier[lane] = -(length - input.distance.rest_length[static_cast<std::size_t>(c)]) / alpha;
+    batch.multiplier[lane] = -(length - input.distance.rest(static_cast<std::size_t>(c))) / alpha;
   }
   const std::vector<char> free(at_rest.size(), 0);
   const auto share = [&](double scale) {

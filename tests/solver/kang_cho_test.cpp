@@ -107,7 +107,7 @@ struct Dense {
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
       const Vector3 d = (input.positions.row(b) - input.positions.row(a)).transpose();
-      const double length = d.norm(), rest = list.rest_length[c];
+      const double length = d.norm(), rest = list.rest(c);
       const Matrix3d along = d * d.transpose() / d.squaredNorm(), across = Matrix3d::Identity() - along;
       const double share = tangent == Tangent::along  ? 0
                            : tangent == Tangent::taut ? std::max(0.0, 1 - rest / length)
@@ -495,7 +495,7 @@ TEST_CASE("kang_cho: edge springs are the mesh's edges with a free end", "[const
     const auto [a, b] = list.vertices[c];
     CHECK_FALSE((a == 0 && b == 1));
     const double length = (rest.positions().row(a) - rest.positions().row(b)).norm();
-    CHECK_THAT(list.rest_length[c], WithinRel(length, 1e-15));
+    CHECK_THAT(list.rest(c), WithinRel(length, 1e-15));
     CHECK((std::abs(length - 1) < 1e-12 || std::abs(length - std::sqrt(2.0)) < 1e-12));
   }
 }

@@ -49,7 +49,7 @@ TEST_CASE("constraints nearest to the pins come first, each with its own rest va
     CHECK(pairs(input.strain) == pairs(before.strain));
     for (std::size_t c = 0; c < input.distance.size(); ++c) {
       const auto [a, b] = input.distance.vertices[c];
-      CHECK_THAT(input.distance.rest_length[c],
+      CHECK_THAT(input.distance.rest(c),
                  Catch::Matchers::WithinRel((rest.position(a) - rest.position(b)).norm(), 1e-14));
     }
   }

@@ -44,6 +44,7 @@ SimulationInput in_units(SimulationInput input, double factor) {
   input.size *= factor;
   for (auto& q : input.strain.inverse_rest)
     for (double& entry : q) entry /= factor;
+  input.distance.store_rest_lengths();
   for (double& length : input.distance.rest_length) length *= factor;
   // In J = kg m²/s² the strain terms' α = compliance / A0 scales as 1 / length²: compliance stays. A spring's
   // U = C² / 2α with C in lengths has α in s²/kg, which stays too.

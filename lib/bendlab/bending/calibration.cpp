@@ -300,8 +300,7 @@ class Calibration {
     list.softness.resize(list.size(), 1);
     for (std::size_t c = 0; c < list.size(); ++c) {
       const auto [a, b] = list.vertices[c];
-      const double length = (rest_.position(a) - rest_.position(b)).norm(),
-                   push = list.rest_length[c] - length;
+      const double length = (rest_.position(a) - rest_.position(b)).norm(), push = list.rest(c) - length;
       // The energy is ½ (push + δ)². Its part that is linear in δ is quadratic in κ: a spring that pushes has
       // a moment linear in κ.
       if (linear && push > at_rest * length)
@@ -314,7 +313,7 @@ class Calibration {
         throw std::invalid_argument(
             fmt::format("the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
                         "apart, rest length {:.6g} m): use straight rest lengths",
-                        a, b, length, list.rest_length[c]));
+                        a, b, length, list.rest(c)));
     }
   }
 

@@ -31,7 +31,7 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
   for (std::size_t s = 0; s < springs.size(); ++s) {
     const auto [a, b] = springs.vertices[s];
     length[s] = (rest.position(a) - rest.position(b)).norm();
-    const double push = springs.rest_length[s] - length[s];
+    const double push = springs.rest(s) - length[s];
     if (!(push > at_rest * length[s])) continue;
     virial += push / springs.softness[s] * length[s];
     bound.stated = std::max(bound.stated, push / length[s]);
@@ -48,8 +48,9 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
   // Excess and growth are both above tolerated_growth here, or `expected` would be below it.
   bound.taken = 1 / (1 / tolerated_growth - 1 / bound.growth);
   const double smaller = bound.taken / bound.stated;
+  springs.store_rest_lengths();
   for (std::size_t s = 0; s < springs.size(); ++s)
-    if (const double push = springs.rest_length[s] - length[s]; push > at_rest * length[s])
+    if (const double push = springs.rest(s) - length[s]; push > at_rest * length[s])
       springs.rest_length[s] = length[s] + smaller * push, springs.softness[s] *= smaller;
   const double largest = 1 / (1 / tolerated_growth - 1 / bound.stated);  // G that allows the stated excess
   constexpr double most = std::numeric_limits<int>::max();

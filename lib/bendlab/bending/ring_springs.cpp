@@ -101,8 +101,8 @@ std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rul
 DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
                                  const RingRule& rule) {
   DistanceConstraints springs;
+  if (!rule.path_rest_length) springs = springs_at_rest_in(rest.positions());
   springs.vertices.reserve(expected_springs(levels, rule));
-  springs.rest_length.reserve(springs.vertices.capacity());
   RingWalker walker(rest.one_ring());
   PathLengths path(rest);
   const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
@@ -121,8 +121,7 @@ DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const s
         if (from_both && !rule.shared_pairs_twice && vertex < centre) continue;
         if (!rule.keep_pinned_pairs && pins.pinned(centre) && pins.pinned(vertex)) continue;
         springs.vertices.push_back({centre, vertex});
-        springs.rest_length.push_back(rule.path_rest_length ? path(vertex)
-                                                            : edge_length(rest, centre, vertex));
+        if (rule.path_rest_length) springs.rest_length.push_back(path(vertex));
       }
   }
   return springs;

@@ -68,7 +68,9 @@ class Thinned {
         planes_(input.rest),
         per_vertex_(per_vertex),
         power_(power),
-        partners_(static_cast<std::size_t>(input.rest.vertex_count())) {}
+        partners_(static_cast<std::size_t>(input.rest.vertex_count())) {
+    springs = springs_at_rest_in(rest_.positions());
+  }
 
   // `per_vertex` springs from the vertex into the ring.
   void add(int vertex, std::span<const int> ring, double radius) {
@@ -121,7 +123,6 @@ class Thinned {
   void join(int vertex, int other, double radius) {
     const double length = (rest_.position(vertex) - rest_.position(other)).norm();
     springs.vertices.push_back({vertex, other});
-    springs.rest_length.push_back(length);
     springs.softness.push_back(std::pow(length / radius, power_));
     partners(other).push_back(vertex);
   }

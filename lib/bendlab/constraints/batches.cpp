@@ -3,15 +3,16 @@
 #include "bendlab/constraints/kinds.hpp"
 
 #include <limits>
+#include <tuple>
 
 namespace bendlab {
 namespace {
 
 // For every lane offset_of() the constraint's corner `corner`, or the lane's own dummy.
-template <std::size_t arity>
-LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
-                               int corner, int vertex_count) {
-  static_assert(arity <= dummy_corners, "padded lanes have no dummy points for so many vertices");
+template <class Vertices>
+LargeArray<int> corner_offsets(const Vertices& vertices, const BatchOrder& order, int corner,
+                               int vertex_count) {
+  static_assert(std::tuple_size_v<typename Vertices::value_type> <= dummy_corners, "padded lanes have no dummy points for so many vertices");
   LargeArray<int> offsets(order.constraint_of_lane.size());
   for (std::size_t lane = 0; lane < offsets.size(); ++lane) {
     const int constraint = order.constraint_of_lane[lane];
@@ -43,12 +44,12 @@ DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOr
   for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
     for (std::size_t lane = 0; lane < width; ++lane) {
       const int first = order.constraint_of_lane[order.stacks[stack] + lane];
-      batch.a.push_back(offset_of(first >= 0 ? list.vertices[static_cast<std::size_t>(first)][0]
+      batch.a.push_back(offset_of(first >= 0 ? list.vertices.first(static_cast<std::size_t>(first))
                                              : vertex_count + static_cast<int>(lane)));
     }
   batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
   batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::max(),
-                                        [&](std::size_t c) { return list.rest_length[c]; });
+                                        [&](std::size_t c) { return list.rest(c); });
   if (!list.softness.empty())
     batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
   batch.order = std::move(order);

@@ -43,12 +43,11 @@ StrainConstraints strain_constraints(const RestMesh& rest, const Pins& pins,
 }
 
 DistanceConstraints edge_springs(const RestMesh& rest, const Pins& pins) {
-  DistanceConstraints list;
+  DistanceConstraints list = springs_at_rest_in(rest.positions());
   for (Eigen::Index e = 0; e < rest.edges().rows(); ++e) {
     const int a = rest.edges()(e, 0), b = rest.edges()(e, 1);
     if (pins.pinned(a) && pins.pinned(b)) continue;
     list.vertices.push_back({a, b});
-    list.rest_length.push_back((rest.position(a) - rest.position(b)).norm());
   }
   return list;
 }

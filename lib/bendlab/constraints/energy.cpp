@@ -4,14 +4,24 @@
 #include "bendlab/constraints/oracle.hpp"
 
 namespace bendlab {
-double elastic_energy(const DistanceConstraints& list, const Positions& positions) {
+namespace {
+
+template <class SoftnessOf>
+double twice_energy(const DistanceConstraints& list, const Positions& positions, SoftnessOf softness_of) {
   double twice = 0;
   for (std::size_t c = 0; c < list.size(); ++c) {
-    const auto value = distance_constraint<double>(corners(positions, list.vertices[c]), list.rest_length[c]);
-    const double softness = list.softness.empty() ? 1 : list.softness[c];
-    if (value.defined) twice += value.value * value.value / softness;
+    const auto value = distance_constraint<double>(corners(positions, list.vertices[c]), list.rest(c));
+    if (value.defined) twice += value.value * value.value / softness_of(c);
   }
-  return 0.5 * twice;
+  return twice;
+}
+
+}  // namespace
+
+double elastic_energy(const DistanceConstraints& list, const Positions& positions) {
+  return 0.5 * (list.softness.empty()
+                    ? twice_energy(list, positions, [](std::size_t) { return 1.0; })
+                    : twice_energy(list, positions, [&](std::size_t c) { return list.softness[c]; }));
 }
 
 template <class Kind>

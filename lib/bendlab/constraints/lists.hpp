@@ -2,18 +2,37 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
+
+#include "bendlab/constraints/pair_list.hpp"
+#include "bendlab/mesh/triangle_mesh.hpp"
 
 namespace bendlab {
 
-/// |p_a - p_b| = rest_length.
+/// |p_a - p_b| = rest(c).
 struct DistanceConstraints {
-  std::vector<std::array<int, 2>> vertices;  ///< #C pairs (a, b)
-  std::vector<double> rest_length;           ///< #C, m
-  std::vector<double> softness;  ///< #C, or empty (all 1); XPBD: α is it times the scene's compliance
+  PairList vertices;  ///< #C pairs (a, b)
+  /// #C, m; or empty: a spring is as long as its vertices are apart in rest_shape. Most models mean that, and
+  /// a list of their millions of lengths would be the largest thing in memory.
+  std::vector<double> rest_length = {};
+  std::vector<double> softness = {};  ///< #C, or empty (all 1); XPBD: α is it times the scene's compliance
+  std::shared_ptr<const Positions> rest_shape = nullptr;  ///< #V by 3, m; null where the lengths are stored
 
   std::size_t size() const { return vertices.size(); }
+  double rest(std::size_t c) const {  ///< m
+    return rest_length.empty() ? length_in(*rest_shape, vertices[c]) : rest_length[c];
+  }
+  /// Stores every length, so that it can be changed.
+  void store_rest_lengths();
+  /// The same springs between vertices v' = permutation[v].
+  DistanceConstraints renumbered(const std::vector<int>& permutation) const;
+
+  static double length_in(const Positions& shape, const std::array<int, 2>& pair);  ///< m
 };
+
+/// A list to be filled with springs that are at rest in this shape (#V by 3, m).
+DistanceConstraints springs_at_rest_in(const Positions& shape);
 
 /// A triangle and its material coordinates: P = [p1 - p0, p2 - p0] = F Q.
 struct StrainConstraints {

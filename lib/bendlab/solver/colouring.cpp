@@ -87,7 +87,7 @@ struct Stars {
   std::vector<Star> stars;   // the first of every centre, then the second of every centre, …
 };
 
-Stars stars_of(const std::vector<std::array<int, 2>>& pairs, int vertex_count) {
+Stars stars_of(const PairList& pairs, int vertex_count) {
   std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
   for (const auto& pair : pairs) ++begin[static_cast<std::size_t>(pair[0]) + 1];
   const std::size_t most = *std::max_element(begin.begin(), begin.end());
@@ -107,7 +107,7 @@ Stars stars_of(const std::vector<std::array<int, 2>>& pairs, int vertex_count) {
 }
 
 // Stars of each colour.
-std::vector<std::vector<Star>> coloured(const Stars& all, const std::vector<std::array<int, 2>>& pairs,
+std::vector<std::vector<Star>> coloured(const Stars& all, const PairList& pairs,
                                         int vertex_count) {
   std::vector<std::vector<Star>> colours;
   UsedColours used(vertex_count, 64);
@@ -167,7 +167,7 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
   return order;
 }
 
-BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count) {
+BatchOrder star_order(const PairList& pairs, int vertex_count) {
   const Stars all = stars_of(pairs, vertex_count);
   BatchOrder order;
   order.constraint_of_lane.reserve(pairs.size() + pairs.size() / 16);

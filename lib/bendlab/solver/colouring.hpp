@@ -20,7 +20,7 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
 /// sorted by length within a colour and laid side by side. The last pairs of every vertex are projected
 /// first: models list a vertex's partners from near to far, and the near ones, which hold the strain, should
 /// come last.
-BatchOrder star_order(const std::vector<std::array<int, 2>>& pairs, int vertex_count);
+BatchOrder star_order(const PairList& pairs, int vertex_count);
 
 /// The order of the list, one constraint after another (for project_by_oracle()).
 BatchOrder list_order(std::size_t constraint_count);

@@ -139,7 +139,7 @@ void ElasticSystem::distance_term(std::size_t c, Eigen::Index& next, const Visit
   const double alpha = bending_compliance_ * (distance_.softness.empty() ? 1 : distance_.softness[c]);
   visit(
       next++, distance_.vertices[c],
-      [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest_length[c]); },
+      [&](const Corners<2>& p) { return distance_constraint(p, distance_.rest(c)); },
       [&](double value) { return quadratic(value, alpha); });
 }
 

@@ -29,6 +29,10 @@ inline std::size_t bytes_of(const Eigen::SparseMatrix<double>& matrix) {
          static_cast<std::size_t>(matrix.outerSize() + 1) * sizeof(int);
 }
 
+inline std::size_t bytes_of(const PairList& pairs) {
+  return pairs.memory_bytes();
+}
+
 inline std::size_t bytes_of(const BatchOrder& order) {
   return bytes_of(order.constraint_of_lane) + bytes_of(order.stacks) + bytes_of(order.colours);
 }

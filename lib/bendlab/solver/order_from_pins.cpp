@@ -39,10 +39,10 @@ std::vector<std::size_t> nearest_first(const Corners& vertices, const std::vecto
 }
 
 // An optional array that is empty stays empty.
-template <class Entry>
-void reorder(std::vector<Entry>& values, const std::vector<std::size_t>& order) {
+template <class Values>
+void reorder(Values& values, const std::vector<std::size_t>& order) {
   if (values.empty()) return;
-  std::vector<Entry> sorted;
+  Values sorted;
   sorted.reserve(values.size());
   for (const std::size_t from : order) sorted.push_back(values[from]);
   values = std::move(sorted);

@@ -12,26 +12,33 @@ namespace {
 template <class Real>
 constexpr int tile_vertices = 262144 / sizeof(Point<Real>);
 
-// A list's constraints with permuted vertices, sorted by the lowest of them, and the index of each in the
-// list.
-template <std::size_t arity>
-struct PermutedList {
-  std::vector<std::array<int, arity>> vertices;
+// The same constraints between vertices v' = permutation[v].
+template <class List>
+List renumbered(List list, const std::vector<int>& permutation) {
+  for (auto& corners : list.vertices)
+    for (int& v : corners) v = permutation[static_cast<std::size_t>(v)];
+  return list;
+}
+DistanceConstraints renumbered(const DistanceConstraints& list, const std::vector<int>& permutation) {
+  return list.renumbered(permutation);
+}
+
+// Constraints sorted by the lowest of their vertices, and the index of each in the list.
+template <class Vertices>
+struct SortedByLowest {
+  Vertices vertices;
   std::vector<int> original;
 
-  PermutedList(const std::vector<std::array<int, arity>>& list, const std::vector<int>& permutation)
-      : original(list.size()) {
-    std::vector<std::array<int, arity>> permuted(list.size());
-    for (std::size_t c = 0; c < list.size(); ++c)
-      for (std::size_t i = 0; i < arity; ++i)
-        permuted[c][i] = permutation[static_cast<std::size_t>(list[c][i])];
-    const auto first = [&](int c) {
-      const auto& corners = permuted[static_cast<std::size_t>(c)];
-      return *std::min_element(corners.begin(), corners.end());
-    };
+  explicit SortedByLowest(const Vertices& list) : original(list.size()) {
+    std::vector<int> lowest;
+    lowest.reserve(list.size());
+    for (const auto& corners : list) lowest.push_back(*std::min_element(corners.begin(), corners.end()));
     std::iota(original.begin(), original.end(), 0);
-    std::stable_sort(original.begin(), original.end(), [&](int l, int r) { return first(l) < first(r); });
-    for (const int c : original) vertices.push_back(permuted[static_cast<std::size_t>(c)]);
+    std::stable_sort(original.begin(), original.end(), [&](int l, int r) {
+      return lowest[static_cast<std::size_t>(l)] < lowest[static_cast<std::size_t>(r)];
+    });
+    vertices.reserve(list.size());
+    for (const int c : original) vertices.push_back(list[static_cast<std::size_t>(c)]);
   }
 
   BatchOrder in_terms_of_the_list(BatchOrder order) const {
@@ -56,10 +63,8 @@ auto batch_of(const SimulationInput& input, const List& list, Colour colour, Mak
   const bool in_list_order = input.settings.order != ConstraintOrder::colour;
   if (input.permutation.empty())
     return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices), vertex_count);
-  const PermutedList sorted(list.vertices, input.permutation);
-  List permuted_list = list;
-  for (std::size_t c = 0; c < list.size(); ++c)
-    permuted_list.vertices[static_cast<std::size_t>(sorted.original[c])] = sorted.vertices[c];
+  const List permuted_list = renumbered(list, input.permutation);
+  const SortedByLowest sorted(permuted_list.vertices);
   return make(permuted_list,
               in_list_order ? list_order(list.size()) : sorted.in_terms_of_the_list(ordered(sorted.vertices)),
               vertex_count);

@@ -10,9 +10,8 @@ struct Extent {
   int lowest = std::numeric_limits<int>::max(), highest = -1;
 };
 
-template <std::size_t arity>
-std::vector<Extent> extents_of_stacks(const BatchOrder& order,
-                                      const std::vector<std::array<int, arity>>& corners) {
+template <class Corners>
+std::vector<Extent> extents_of_stacks(const BatchOrder& order, const Corners& corners) {
   std::vector<Extent> extents(order.stack_count());
   for (std::size_t stack = 0; stack < extents.size(); ++stack)
     for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
@@ -26,9 +25,9 @@ std::vector<Extent> extents_of_stacks(const BatchOrder& order,
 
 }  // namespace
 
-template <std::size_t arity>
-std::vector<StackRange> tiled(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
-                              int vertex_count, int tile_vertices) {
+template <class Corners>
+std::vector<StackRange> tiled(const BatchOrder& order, const Corners& corners, int vertex_count,
+                              int tile_vertices) {
   const std::vector<Extent> extents = extents_of_stacks(order, corners);
   // The lowest vertex of a stack and of all behind it in its colour. Once the stacks before are done, the
   // colour has done its work below that vertex.
@@ -54,6 +53,7 @@ std::vector<StackRange> tiled(const BatchOrder& order, const std::vector<std::ar
   }
 }
 
+template std::vector<StackRange> tiled(const BatchOrder&, const PairList&, int, int);
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 2>>&, int, int);
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 3>>&, int, int);
 template std::vector<StackRange> tiled(const BatchOrder&, const std::vector<std::array<int, 4>>&, int, int);

@@ -20,8 +20,9 @@ struct StackRange {
 /// constraint c; the closer neighbours are numbered, the better. Without room for two tiles: one range per
 /// colour. Backwards, the ranges go from the last to the first. Known as time skewing (Wonnacott 2000), here
 /// over colours.
-template <std::size_t arity>
-std::vector<StackRange> tiled(const BatchOrder& order, const std::vector<std::array<int, arity>>& corners,
-                              int vertex_count, int tile_vertices);
+/// `Corners`: a vector of arrays, or a PairList.
+template <class Corners>
+std::vector<StackRange> tiled(const BatchOrder& order, const Corners& corners, int vertex_count,
+                              int tile_vertices);
 
 }  // namespace bendlab

@@ -31,9 +31,9 @@ BendingConstraints build(const BendingInput& input) {
   auto& list = std::get<ElementList<ArcSpring>>(constraints.elements);
   list.law = named<ArcSpring::Law>(input.parameters.text("force"), ArcSpring::law_names);
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-    if (!(pairs.rest_length[pair] > 0)) continue;  // no arc without a length
+    if (!(pairs.rest(pair) > 0)) continue;  // no arc without a length
     list.vertices.push_back(pairs.vertices[pair]);
-    list.rest.push_back({pairs.rest_length[pair]});
+    list.rest.push_back({pairs.rest(pair)});
     list.softness.push_back(1);
   }
   // Segments a width b apart would have the flexural rigidity k_b / b if the sheet between their ends were an

@@ -70,11 +70,11 @@ std::vector<std::array<int, 2>> straight_pairs(const RestMesh& rest) {
 BendingConstraints build(const BendingInput& input) {
   const bool opposite = input.parameters.text("pairs") == "opposite";
   BendingConstraints constraints;
+  constraints.distance = springs_at_rest_in(input.rest.positions());
   for (const auto& [a, b] :
        without_repeats(opposite ? opposite_pairs(input.rest) : straight_pairs(input.rest))) {
     if (input.pins.pinned(a) && input.pins.pinned(b)) continue;
     constraints.distance.vertices.push_back({a, b});
-    constraints.distance.rest_length.push_back((input.rest.position(a) - input.rest.position(b)).norm());
   }
   return constraints;
 }

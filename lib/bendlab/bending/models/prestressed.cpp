@@ -27,6 +27,7 @@ constexpr auto parameters = joined(own_parameters, thinned_ring_parameters);
 BendingConstraints build(const BendingInput& input) {
   BendingConstraints constraints = thinned_rings(input, 4);
   const double excess = input.parameters.number("excess");
+  constraints.distance.store_rest_lengths();
   for (double& length : constraints.distance.rest_length) length *= 1 + excess;
   return constraints;
 }

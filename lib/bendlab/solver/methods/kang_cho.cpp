@@ -133,7 +133,7 @@ class KangChoStep final : public TimeStep<Real> {
         const auto [a, b] = list.vertices[c];
         const double softness = list.softness.empty() ? 1 : list.softness[c];
         springs.push_back({static_cast<int>(permuted(static_cast<std::size_t>(a))),
-                           static_cast<int>(permuted(static_cast<std::size_t>(b))), list.rest_length[c],
+                           static_cast<int>(permuted(static_cast<std::size_t>(b))), list.rest(c),
                            1 / (compliance * softness)});
       }
     };
