@@ -38,8 +38,8 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   ConstraintRecord record{.kind = kind, .count = list.size()};
   const std::unique_ptr<XXH3_state_t, decltype(&XXH3_freeState)> hash(XXH3_createState(), &XXH3_freeState);
   XXH3_64bits_reset(hash.get());
-  for (const int constraint : order.constraint_of_lane) {
-    if (constraint < 0) continue;
+  for_each_lane(order, [&](std::size_t, int constraint) {
+    if (constraint < 0) return;
     const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
     const auto rest = rest_of(static_cast<std::size_t>(constraint));
     const auto hashed = hashed_of(static_cast<std::size_t>(constraint));
@@ -49,11 +49,11 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
     XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
     XXH3_64bits_update(hash.get(), hashed.data(), sizeof(hashed));
     if (softness) XXH3_64bits_update(hash.get(), softness, sizeof(*softness));
-    if (!in_full) continue;
+    if (!in_full) return;
     record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
     record.rest.insert(record.rest.end(), rest.begin(), rest.end());
     if (softness) record.softness.push_back(*softness);
-  }
+  });
   record.hash = fmt::format("{:016x}", XXH3_64bits_digest(hash.get()));
   return record;
 }

@@ -53,7 +53,7 @@ struct Pairs {
     }
     batch = make_element_batch<Real>(list, colour_order(list.vertices, 2 * count), 2 * count);
     batch.kind = StiffnessKind::compliance, batch.compliance = 1;
-    for (const int pair : batch.order.constraint_of_lane)
+    for (const int pair : batch.order.constraint_of_lane())
       batch.multiplier.push_back(pair < 0 ? Real(0)
                                           : static_cast<Real>(held[static_cast<std::size_t>(pair)]));
   }
@@ -143,8 +143,9 @@ TEMPLATE_TEST_CASE("projecting a buckled segment solves its equations", "[constr
     project(after.points.data(), after.batch, 0, after.batch.order.stack_count(), TestType(1));
     project_by_oracle(oracle.points.data(), oracle.batch, TestType(1));
     std::array<int, 3> solved{};  // released, straight, buckled
-    for (std::size_t lane = 0; lane < before.batch.order.constraint_of_lane.size(); ++lane) {
-      const int pair = before.batch.order.constraint_of_lane[lane];
+    const std::vector<int> pair_of_lane = before.batch.order.constraint_of_lane();
+    for (std::size_t lane = 0; lane < pair_of_lane.size(); ++lane) {
+      const int pair = pair_of_lane[lane];
       if (pair < 0) continue;
       const auto distance = [&](const Points<TestType>& points) {
         return (at(points, 2 * pair) - at(points, 2 * pair + 1)).norm();
@@ -246,7 +247,7 @@ TEST_CASE("a segment loaded on end stays straight up to 12 k_b / L²", "[constra
       for (const std::size_t end : {0u, 1u})
         points[end].x +=
             h * velocity[end] + h * h * points[end].w * (end ? -1 : 1) * load * k_b / (length * length);
-      batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+      batch.multiplier.assign(batch.order.lane_count(), 0);
       project(points.data(), batch, 0, 1, h);
       for (const std::size_t end : {0u, 1u}) velocity[end] = 0.5 * (points[end].x - before[end]) / h;
     }

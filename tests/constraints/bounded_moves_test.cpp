@@ -196,7 +196,7 @@ TEMPLATE_TEST_CASE("a hinge's projection is bounded", "[constraints]", float, do
             make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
                                          static_cast<int>(4 * all.size()));
         batch.compliance = TestType(1e-6);
-        set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
+        set_stiffness(batch, compliant, batch.order.lane_count());
         check_all_roads<TestType>(
             all, batch, largest_move,
             [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });
@@ -213,7 +213,7 @@ TEMPLATE_TEST_CASE("a hinge's projection is bounded", "[constraints]", float, do
             make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(4 * all.size())),
                                          static_cast<int>(4 * all.size()));
         batch.compliance = TestType(1e-6);
-        set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
+        set_stiffness(batch, compliant, batch.order.lane_count());
         // Kx, in sizes, is linear in the corners.
         const auto error = [&](std::size_t c, const std::array<Vector3, 4>& p) -> std::optional<double> {
           const auto value = QuadraticBend::value<double>(p, list.rest[c], QuadraticBend::Law::norm);
@@ -240,7 +240,7 @@ TEMPLATE_TEST_CASE("an arc's projection is bounded", "[constraints]", float, dou
             make_element_batch<TestType>(list, colour_order(list.vertices, static_cast<int>(2 * all.size())),
                                          static_cast<int>(2 * all.size()));
         batch.compliance = TestType(1e-6);
-        set_stiffness(batch, compliant, batch.order.constraint_of_lane.size());
+        set_stiffness(batch, compliant, batch.order.lane_count());
         check_all_roads<TestType>(
             all, batch, largest_move,
             [](std::size_t, const auto&) -> std::optional<double> { return std::nullopt; });

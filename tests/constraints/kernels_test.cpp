@@ -71,7 +71,7 @@ struct Crumpled {
         make_element_batch<Real>(list, colour_order(list.vertices, rest.vertex_count()), rest.vertex_count());
     // Of one-sided kinds some yield to their load.
     batch.kind = kind, batch.k = Real(0.3), batch.compliance = Real(OneSided<Kind> ? 1e3 : 1e-2);
-    if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+    if (kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);
     return batch;
   }
 
@@ -200,8 +200,9 @@ TEMPLATE_TEST_CASE("kernels agree with the oracle on collapsed elements", "[cons
       // One colour: what comes after it meets elements that are nearly collapsed, where rounding decides.
       project(by_kernel.data(), kernel_batch, batch.order.colours[0], batch.order.colours[1], TestType(1e-2));
       auto& order = oracle_batch.order;
-      const auto first_lane = static_cast<std::ptrdiff_t>(order.stacks[order.colours[1]]);
-      std::fill(order.constraint_of_lane.begin() + first_lane, order.constraint_of_lane.end(), -1);
+      const auto first_lane = static_cast<std::ptrdiff_t>(max_lanes * order.colours[1]);
+      std::fill(order.first.begin() + first_lane, order.first.end(), -1);
+      if (!order.length.empty()) std::fill(order.length.begin() + first_lane, order.length.end(), 0);
       project_by_oracle(by_oracle.data(), oracle_batch, TestType(1e-2));
       double size = 1;  // XPBD's arcs push as hard as they must
       for (const auto& point : by_oracle) size = std::max<double>(size, point.vector().norm());

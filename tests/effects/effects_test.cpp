@@ -43,8 +43,8 @@ Motion motion_after(const SimulationInput& input, std::vector<Pass<double>> pass
     for (std::size_t c = 0; c < constraints_count; ++c) {
       each.colours.push_back(c);
       each.stacks.push_back(c * max_lanes);
-      each.constraint_of_lane.push_back(static_cast<int>(c));
-      each.constraint_of_lane.resize((c + 1) * max_lanes, -1);
+      each.first.push_back(static_cast<int>(c));
+      each.first.resize((c + 1) * max_lanes, -1);
     }
     each.colours.push_back(constraints_count);
     each.stacks.push_back(constraints_count * max_lanes);

@@ -105,10 +105,12 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
   const Pins pins = make_pins(rest, {}, 0);
   const ElementList<HingeAngle> list = angle_constraints(rest_hinges(rest, pins), HingeAngle::Law::angle,
                                                          [](const RestHinge&) { return 2.0; });
-  BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0, 1}};
-  for (std::size_t c = 0; c < list.size(); ++c) order.constraint_of_lane.push_back(static_cast<int>(c));
-  while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-  order.stacks.push_back(order.constraint_of_lane.size());
+  BatchOrder order{.stacks = {0}, .colours = {0, 1}};
+  for (std::size_t c = 0; c < list.size(); ++c) order.first.push_back(static_cast<int>(c));
+  while (order.first.size() % max_lanes != 0) order.first.push_back(-1);
+  for (std::size_t lane = max_lanes; lane <= order.first.size(); lane += max_lanes)
+    order.stacks.push_back(lane);
+  order.colours.back() = order.stack_count();
   Constraints<double> constraints;
   auto& batch = std::get<ElementBatch<double, HingeAngle>>(constraints.elements);
   batch = make_element_batch<double>(list, order, rest.vertex_count());
@@ -118,7 +120,7 @@ TEST_CASE("the share of a batch is that of its multipliers", "[effective stiffne
   std::vector<Vector3> positions, at_rest;
   for (int v = 0; v < rest.vertex_count(); ++v)
     positions.push_back(bent.row(v).transpose()), at_rest.push_back(rest.position(v));
-  for (std::size_t lane = 0; lane < order.constraint_of_lane.size(); ++lane) {
+  for (std::size_t lane = 0; lane < order.lane_count(); ++lane) {
     batch.multiplier.push_back(0);
     if (lane >= list.size()) continue;
     std::array<Vector3, 4> p;
@@ -141,12 +143,12 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   Constraints<double> constraints;
   const auto in_list_order = [](std::size_t count) {
-    BatchOrder order{.constraint_of_lane = {}, .stacks = {0}, .colours = {0}};
+    BatchOrder order{.stacks = {0}, .colours = {0}};
     // A stack for each star: one spring and padding.
     for (std::size_t c = 0; c < count; ++c) {
-      order.constraint_of_lane.push_back(static_cast<int>(c));
-      while (order.constraint_of_lane.size() % max_lanes != 0) order.constraint_of_lane.push_back(-1);
-      order.stacks.push_back(order.constraint_of_lane.size()), order.colours.push_back(c + 1);
+      order.first.push_back(static_cast<int>(c));
+      while (order.first.size() % max_lanes != 0) order.first.push_back(-1);
+      order.stacks.push_back(order.first.size()), order.colours.push_back(c + 1);
     }
     return order;
   };
@@ -161,13 +163,12 @@ TEST_CASE("springs are measured by the bend and not by what the membrane gives w
   const Positions bent = test::bent(rest, curvature, 0);
   std::vector<Vector3> at_rest;
   for (int v = 0; v < rest.vertex_count(); ++v) at_rest.push_back(rest.position(v));
-  for (std::size_t lane = 0; lane < batch.b.size(); ++lane) {
-    const int c = batch.order.constraint_of_lane[lane];
-    if (c < 0) continue;
+  for_each_lane(batch.order, [&](std::size_t lane, int c) {
+    if (c < 0) return;
     const auto [a, b] = input.distance.vertices[static_cast<std::size_t>(c)];
     const double length = (bent.row(a) - bent.row(b)).norm();
     batch.multiplier[lane] = -(length - input.distance.rest(static_cast<std::size_t>(c))) / alpha;
-  }
+  });
   const std::vector<char> free(at_rest.size(), 0);
   const auto share = [&](double scale) {
     std::vector<Vector3> positions;

@@ -32,7 +32,7 @@ void check_orders(const SimulationInput& input) {
   const auto simulation = make_simulation<Real>(input, {});
   const auto constraints_of = [](const BatchOrder& order) {
     std::multiset<int> all;
-    for (const int constraint : order.constraint_of_lane)
+    for (const int constraint : order.constraint_of_lane())
       if (constraint >= 0) all.insert(constraint);
     return all;
   };

@@ -356,7 +356,7 @@ TEMPLATE_TEST_CASE("a collapsed sheet opens to its rest shape", "[solver]", floa
 
 TEST_CASE("an unknown kind of element has no order, and the error names those that have", "[solver]") {
   const auto simulation = make_simulation<double>(pinned_sheet(4), {});
-  CHECK(simulation->element_order("hinge").constraint_of_lane.empty());
+  CHECK(simulation->element_order("hinge").constraint_of_lane().empty());
   CHECK_THROWS_WITH(simulation->element_order("hinges"), Catch::Matchers::ContainsSubstring("hinge, "));
 }
 

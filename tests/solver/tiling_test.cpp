@@ -30,7 +30,7 @@ void check_tiles(const BatchOrder& order, const Corners& corners, int vertex_cou
     for (std::size_t stack = range.first; stack < range.last; ++stack) {
       ++seen[stack];
       for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
-        if (const int constraint = order.constraint_of_lane[lane]; constraint >= 0)
+        if (const int constraint = order.constraint(stack, lane); constraint >= 0)
           for (const int vertex : corners[static_cast<std::size_t>(constraint)]) {
             std::size_t& at_vertex = latest[static_cast<std::size_t>(vertex)];
             REQUIRE(at_vertex <= colour);

@@ -3,22 +3,40 @@
 #include "bendlab/constraints/kinds.hpp"
 
 #include <limits>
-#include <tuple>
 
 namespace bendlab {
 namespace {
 
-// For every lane offset_of() the constraint's corner `corner`, or the lane's own dummy.
-template <class Vertices>
-LargeArray<int> corner_offsets(const Vertices& vertices, const BatchOrder& order, int corner,
-                               int vertex_count) {
-  static_assert(std::tuple_size_v<typename Vertices::value_type> <= dummy_corners, "padded lanes have no dummy points for so many vertices");
-  LargeArray<int> offsets(order.constraint_of_lane.size());
-  for (std::size_t lane = 0; lane < offsets.size(); ++lane) {
-    const int constraint = order.constraint_of_lane[lane];
-    offsets[lane] = offset_of(
-        constraint >= 0 ? vertices[static_cast<std::size_t>(constraint)][static_cast<std::size_t>(corner)]
-                        : vertex_count + corner * max_lanes + static_cast<int>(lane) % max_lanes);
+// For every lane offset_of() the constraint's corner `corner`, which is vertex_of(constraint), or the lane's
+// own dummy.
+template <class VertexOf>
+LargeArray<int> offsets_of(const BatchOrder& order, int corner, int vertex_count, VertexOf vertex_of) {
+  LargeArray<int> offsets(order.lane_count());
+  for_each_lane(order, [&](std::size_t lane, int constraint) {
+    offsets[lane] =
+        offset_of(constraint >= 0 ? vertex_of(static_cast<std::size_t>(constraint))
+                                  : vertex_count + corner * max_lanes + static_cast<int>(lane) % max_lanes);
+  });
+  return offsets;
+}
+
+template <std::size_t arity>
+LargeArray<int> corner_offsets(const std::vector<std::array<int, arity>>& vertices, const BatchOrder& order,
+                               int corner, int vertex_count) {
+  static_assert(arity <= dummy_corners, "padded lanes have no dummy points for so many vertices");
+  return offsets_of(order, corner, vertex_count,
+                    [&](std::size_t c) { return vertices[c][static_cast<std::size_t>(corner)]; });
+}
+
+// For every star offset_of() its centre. A padded lane's is its own dummy.
+LargeArray<int> centre_offsets(const PairList& pairs, const BatchOrder& order, int vertex_count) {
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  LargeArray<int> offsets(order.stack_count() * width);
+  for (std::size_t star = 0; star < offsets.size(); ++star) {
+    const std::size_t stack = star / width, lane = star % width;
+    const int first = order.constraint(stack, order.stacks[stack] + lane);
+    offsets[star] = offset_of(first >= 0 ? pairs.first(static_cast<std::size_t>(first))
+                                         : vertex_count + static_cast<int>(lane));
   }
   return offsets;
 }
@@ -26,10 +44,10 @@ LargeArray<int> corner_offsets(const Vertices& vertices, const BatchOrder& order
 // Rest values of all lanes; a padded lane gets `padding`.
 template <class Real, class Get>
 LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
-  LargeArray<Real> values(order.constraint_of_lane.size(), padding);
-  for (std::size_t lane = 0; lane < values.size(); ++lane)
-    if (order.constraint_of_lane[lane] >= 0)
-      values[lane] = static_cast<Real>(get(static_cast<std::size_t>(order.constraint_of_lane[lane])));
+  LargeArray<Real> values(order.lane_count(), padding);
+  for_each_lane(order, [&](std::size_t lane, int constraint) {
+    if (constraint >= 0) values[lane] = static_cast<Real>(get(static_cast<std::size_t>(constraint)));
+  });
   return values;
 }
 
@@ -39,17 +57,10 @@ template <class Real>
 DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOrder order, int vertex_count) {
   DistanceBatch<Real> batch;
   batch.count = list.size();
-  // A star that is shorter than its stack ends in padded lanes: its centre is that of its first spring.
-  constexpr auto width = static_cast<std::size_t>(max_lanes);
-  for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
-    for (std::size_t lane = 0; lane < width; ++lane) {
-      const int first = order.constraint_of_lane[order.stacks[stack] + lane];
-      batch.a.push_back(offset_of(first >= 0 ? list.vertices.first(static_cast<std::size_t>(first))
-                                             : vertex_count + static_cast<int>(lane)));
-    }
-  batch.b = corner_offsets(list.vertices, order, 1, vertex_count);
-  batch.rest_length = lane_values<Real>(order, std::numeric_limits<Real>::max(),
-                                        [&](std::size_t c) { return list.rest(c); });
+  batch.a = centre_offsets(list.vertices, order, vertex_count);
+  batch.b = offsets_of(order, 1, vertex_count, [&](std::size_t c) { return list.vertices.second(c); });
+  batch.rest_length =
+      lane_values<Real>(order, std::numeric_limits<Real>::max(), [&](std::size_t c) { return list.rest(c); });
   if (!list.softness.empty())
     batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
   batch.order = std::move(order);

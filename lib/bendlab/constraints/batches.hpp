@@ -12,6 +12,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,17 +29,53 @@ namespace bendlab {
 /// is the same on all.
 inline constexpr int max_lanes = 16;
 
-/// The order of a batch's constraints.
+/// The order of a batch's constraints. A star's springs mostly follow one another in the list. Then two
+/// numbers for the star say where they are, and none is needed for each spring.
 struct BatchOrder {
-  /// For each lane the constraint's index in the list, or -1 if it is padded; a multiple of max_lanes of
-  /// them.
-  std::vector<int> constraint_of_lane;
+  /// max_lanes per stack: the place of the constraint in the lane's first group; -1: the lane is padded. The
+  /// next groups have the constraints at the places before it.
+  std::vector<int> first;
+  std::vector<std::uint8_t> length;  ///< likewise, groups that are not padded; empty: one, where there is any
+  std::vector<int> at_place;         ///< index in the list of the constraint at each place; empty: the place
   std::vector<std::size_t> stacks;   ///< first lane of each stack, then the number of lanes
   std::vector<std::size_t> colours;  ///< first stack of each colour, then the number of stacks
   bool conflict_free = true;  ///< false: lanes of a group may share vertices; only the oracle may project it
 
   std::size_t stack_count() const { return stacks.size() - 1; }
+  std::size_t lane_count() const { return stacks.empty() ? 0 : stacks.back(); }
+  /// Whether a lane of that stack holds a constraint.
+  bool holds(std::size_t stack, std::size_t lane) const;
+  /// Its index in the list, or -1 if the lane is padded.
+  int constraint(std::size_t stack, std::size_t lane) const;
+  std::vector<int> constraint_of_lane() const;  ///< of every lane
 };
+
+inline bool BatchOrder::holds(std::size_t stack, std::size_t lane) const {
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  const std::size_t at = stack * width + lane % width;
+  return length.empty() ? first[at] >= 0 : (lane - stacks[stack]) / width < length[at];
+}
+
+inline int BatchOrder::constraint(std::size_t stack, std::size_t lane) const {
+  if (!holds(stack, lane)) return -1;
+  constexpr auto width = static_cast<std::size_t>(max_lanes);
+  const int place = first[stack * width + lane % width] - static_cast<int>((lane - stacks[stack]) / width);
+  return at_place.empty() ? place : at_place[static_cast<std::size_t>(place)];
+}
+
+/// Calls visit(lane, constraint) for every lane; the constraint of a padded one is -1.
+template <class Visit>
+void for_each_lane(const BatchOrder& order, Visit visit) {
+  for (std::size_t stack = 0; stack + 1 < order.stacks.size(); ++stack)
+    for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
+      visit(lane, order.constraint(stack, lane));
+}
+
+inline std::vector<int> BatchOrder::constraint_of_lane() const {
+  std::vector<int> all(lane_count());
+  for_each_lane(*this, [&](std::size_t lane, int constraint) { all[lane] = constraint; });
+  return all;
+}
 
 /// The most vertices that a constraint has.
 inline constexpr int dummy_corners = 4;

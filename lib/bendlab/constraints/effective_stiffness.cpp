@@ -17,7 +17,7 @@ template <class Visit>
 void for_constraints(const BatchOrder& order, Visit visit) {
   for (std::size_t stack = 0; stack < order.stack_count(); ++stack)
     for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
+      if (order.holds(stack, lane)) visit(lane, stack);
 }
 
 std::size_t index_at(int offset) {
@@ -56,7 +56,7 @@ template <class Real>
 AppliedWork membrane_work(const StrainBatch<Real>& batch, const PermutedState& state) {
   AppliedWork work;
   if (!has_compliance(batch)) return work;
-  const std::size_t count = batch.order.constraint_of_lane.size();
+  const std::size_t count = batch.a.size();
   for_constraints(batch.order, [&](std::size_t lane, std::size_t) {
     const std::array<Vector3d, 3> p = {state.positions[index_at(batch.a[lane])],
                                        state.positions[index_at(batch.b[lane])],

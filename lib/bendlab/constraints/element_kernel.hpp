@@ -232,8 +232,7 @@ template <class Real, class Kind, typename Kind::Law law>
 void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
                 Real k) {
   const Pack<Real> zero{}, one = broadcast<Real>(1);
-  for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size();
-       lane += static_cast<std::size_t>(lanes<Real>)) {
+  for (std::size_t lane = 0; lane < batch.order.lane_count(); lane += static_cast<std::size_t>(lanes<Real>)) {
     const auto p = gather_points<Real>(points, batch.corner, lane);
     auto v = gather_points<Real>(velocities, batch.corner, lane);
     PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(

@@ -15,7 +15,7 @@ void for_lanes(const BatchOrder& order, bool backwards, Visit visit) {
     const std::size_t begin = order.stacks[stack], end = order.stacks[stack + 1];
     for (std::size_t at = begin; at < end; ++at) {
       const std::size_t lane = backwards ? end - 1 - (at - begin) : at;
-      if (order.constraint_of_lane[lane] >= 0) visit(lane, stack);
+      if (order.holds(stack, lane)) visit(lane, stack);
     }
   }
 }
@@ -116,7 +116,7 @@ void project_by_oracle(const PlacesOf<Real>& places, DistanceBatch<Real>& batch,
 
 template <class Real>
 void project_by_oracle(const PlacesOf<Real>& places, StrainBatch<Real>& batch, Real substep, bool backwards) {
-  const std::size_t count = batch.order.constraint_of_lane.size();
+  const std::size_t count = batch.a.size();
   const bool compliant = batch.kind == StiffnessKind::compliance;
   for_lanes(batch.order, backwards, [&](std::size_t lane, std::size_t) {
     const auto p = corners_at<Real>(places, batch.a[lane], batch.b[lane], batch.c[lane]);

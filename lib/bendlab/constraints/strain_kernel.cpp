@@ -154,7 +154,7 @@ BENDLAB_INLINE Corners<Real, split> gather_triangles(const Places<Real>& places,
 template <class Real, StrainForm form, bool compliant, bool careful, bool split>
 BENDLAB_INLINE bool project_pack(const Places<Real>& places, StrainBatch<Real>& batch, std::size_t lane,
                                  Real twice_compliance_over_h2) {
-  const std::size_t count = batch.order.constraint_of_lane.size();
+  const std::size_t count = batch.a.size();
   Corners<Real, split> t = gather_triangles<Real, split>(places, batch, lane);
   TriangleLanes<Real> triangles(batch, lane);
   // α̃ = compliance / (A0 h²), A0 = 1 / (2 |det Q⁻¹|), and four times that for S_ii - 1 = 2 E_ii.

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <span>
 #include <tuple>
+#include <utility>
 
 namespace bendlab {
 namespace {
@@ -70,75 +72,124 @@ std::size_t padded(std::size_t count) {
 
 // Colours with one group per stack: lanes [0, 16), [16, 32), …
 void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
-  for (std::size_t lane = 0; lane <= order.constraint_of_lane.size(); lane += width)
-    order.stacks.push_back(lane);
+  for (std::size_t lane = 0; lane <= order.first.size(); lane += width) order.stacks.push_back(lane);
   for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / width);
 }
 
-// Up to star_length pairs with the same first vertex: members[begin .. end) of Stars.
-struct Star {
-  int centre;
-  std::size_t begin, end;
-  std::size_t length() const { return end - begin; }
-};
-
-struct Stars {
-  std::vector<int> members;  // pair indices, grouped by first vertex, each group in reverse list order
-  std::vector<Star> stars;   // the first of every centre, then the second of every centre, …
-};
-
-Stars stars_of(const PairList& pairs, int vertex_count) {
-  std::vector<std::size_t> begin(static_cast<std::size_t>(vertex_count) + 1, 0);
-  for (const auto& pair : pairs) ++begin[static_cast<std::size_t>(pair[0]) + 1];
-  const std::size_t most = *std::max_element(begin.begin(), begin.end());
-  std::partial_sum(begin.begin(), begin.end(), begin.begin());
-  Stars all;
-  all.members.resize(pairs.size());
-  std::vector<std::size_t> next(begin.begin(), begin.end() - 1);
-  for (std::size_t p = pairs.size(); p-- > 0;)
-    all.members[next[static_cast<std::size_t>(pairs[p][0])]++] = static_cast<int>(p);
-  for (std::size_t done = 0; done < most; done += star_length)
-    for (int centre = 0; centre < vertex_count; ++centre) {
-      const std::size_t first = begin[static_cast<std::size_t>(centre)] + done;
-      const std::size_t end = begin[static_cast<std::size_t>(centre) + 1];
-      if (first < end) all.stars.push_back({centre, first, std::min(end, first + star_length)});
+// Pairs as stars: up to star_length pairs with the same first vertex, the centre. Stars are numbered centre
+// by centre, and a centre's begin with its last pairs in the list.
+class Stars {
+ public:
+  Stars(const PairList& pairs, int vertex_count)
+      : pairs_(pairs), vertices_(static_cast<std::size_t>(vertex_count)), begin_(vertices_ + 1, 0) {
+    for (const auto& pair : pairs) ++begin_[static_cast<std::size_t>(pair[0]) + 1];
+    std::partial_sum(begin_.begin(), begin_.end(), begin_.begin());
+    first_star_.reserve(vertices_ + 1);
+    first_star_.push_back(0);
+    for (std::size_t centre = 0; centre < vertices_; ++centre) {
+      const std::size_t stars = (pairs_at(centre) + star_length - 1) / star_length;
+      first_star_.push_back(first_star_.back() + stars);
+      most_ = std::max(most_, stars);
     }
-  return all;
-}
+    if (!pairs.ascends()) group();
+  }
 
-// Stars of each colour.
-std::vector<std::vector<Star>> coloured(const Stars& all, const PairList& pairs,
-                                        int vertex_count) {
-  std::vector<std::vector<Star>> colours;
+  std::size_t size() const { return first_star_.back(); }
+
+  // Calls visit(star, centre, place of its first pair, length) for every star, centre by centre.
+  template <class Visit>
+  void for_each(Visit visit) const {
+    for (std::size_t centre = 0; centre < vertices_; ++centre)
+      for (std::size_t rank = 0; first_star_[centre] + rank < first_star_[centre + 1]; ++rank)
+        visit_star(visit, centre, rank);
+  }
+
+  // The same: the first star of every centre, then the second of every centre, …
+  template <class Visit>
+  void for_each_by_rank(Visit visit) const {
+    for (std::size_t rank = 0; rank < most_; ++rank)
+      for (std::size_t centre = 0; centre < vertices_; ++centre)
+        if (first_star_[centre] + rank < first_star_[centre + 1]) visit_star(visit, centre, rank);
+  }
+
+  // The far vertex of the pair at that place.
+  int far_end(std::size_t place) const {
+    return pairs_.second(at_place_.empty() ? place : static_cast<std::size_t>(at_place_[place]));
+  }
+
+  // The index in the list of the pair at each place; empty if that is the place.
+  std::vector<int> take_places() { return std::move(at_place_); }
+
+ private:
+  std::size_t pairs_at(std::size_t centre) const { return begin_[centre + 1] - begin_[centre]; }
+
+  template <class Visit>
+  void visit_star(Visit& visit, std::size_t centre, std::size_t rank) const {
+    const std::size_t done = rank * star_length;
+    visit(first_star_[centre] + rank, static_cast<int>(centre), begin_[centre + 1] - 1 - done,
+          std::min(star_length, pairs_at(centre) - done));
+  }
+
+  // Places that hold the pairs of one centre after another, each centre's in list order.
+  void group() {
+    at_place_.resize(pairs_.size());
+    std::vector<std::size_t> next(begin_.begin(), begin_.end() - 1);
+    for (std::size_t p = 0; p < pairs_.size(); ++p)
+      at_place_[next[static_cast<std::size_t>(pairs_.first(p))]++] = static_cast<int>(p);
+  }
+
+  const PairList& pairs_;
+  std::size_t vertices_;
+  std::vector<std::size_t> begin_;       // the first place of each centre
+  std::vector<std::size_t> first_star_;  // of each centre
+  std::size_t most_ = 0;                 // stars of a centre
+  std::vector<int> at_place_;
+};
+
+// The colour of each star.
+std::vector<int> coloured(const Stars& stars, int vertex_count) {
+  std::vector<int> colours(stars.size());
   UsedColours used(vertex_count, 64);
   std::vector<int> vertices;
-  for (const Star& star : all.stars) {
-    vertices.assign(1, star.centre);
-    for (std::size_t at = star.begin; at < star.end; ++at)
-      vertices.push_back(pairs[static_cast<std::size_t>(all.members[at])][1]);
+  stars.for_each_by_rank([&](std::size_t star, int centre, std::size_t first, std::size_t length) {
+    vertices.assign(1, centre);
+    for (std::size_t group = 0; group < length; ++group) vertices.push_back(stars.far_end(first - group));
     int colour = used.take_first_free(vertices);
     while (colour < 0) {
       used.make_room();
       colour = used.take_first_free(vertices);
     }
-    if (static_cast<std::size_t>(colour) >= colours.size())
-      colours.resize(static_cast<std::size_t>(colour) + 1);
-    colours[static_cast<std::size_t>(colour)].push_back(star);
-  }
+    colours[star] = colour;
+  });
   return colours;
 }
 
+// Where each colour begins if all are numbered colour by colour, each colour padded to whole groups; then the
+// count.
+std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
+  std::vector<std::size_t> sizes;
+  for (const int colour : colours) {
+    if (static_cast<std::size_t>(colour) >= sizes.size()) sizes.resize(static_cast<std::size_t>(colour) + 1);
+    ++sizes[static_cast<std::size_t>(colour)];
+  }
+  std::vector<std::size_t> first(1, 0);
+  for (const std::size_t size : sizes) first.push_back(first.back() + padded(size));
+  return first;
+}
+
 // Stars of one length share a stack without padding, but only within a neighbourhood: a stack that spans
-// the mesh could not be tiled.
-void sort_by_length_where_they_are(std::vector<Star>& stars) {
+// the mesh could not be tiled. Stars [begin, end) are a colour's; those of one length stay in the order of
+// their centres, and those without pairs, which fill the last stack, stay its last.
+void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::size_t end) {
   constexpr std::size_t neighbourhood = 64 * width;  // a partly filled stack wastes 1 in 128 of its lanes
-  std::sort(stars.begin(), stars.end(), [](const Star& l, const Star& r) {
-    return std::tuple(l.centre, l.begin) < std::tuple(r.centre, r.begin);
-  });
-  for (std::size_t first = 0; first < stars.size(); first += neighbourhood) {
-    const auto begin = stars.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = begin + static_cast<std::ptrdiff_t>(std::min(neighbourhood, stars.size() - first));
-    std::stable_sort(begin, end, [](const Star& l, const Star& r) { return l.length() > r.length(); });
+  std::vector<std::pair<int, std::uint8_t>> stars;
+  for (std::size_t first = begin; first < end; first += neighbourhood) {
+    stars.clear();
+    for (std::size_t at = first; at < std::min(end, first + neighbourhood); ++at)
+      stars.emplace_back(order.first[at], order.length[at]);
+    std::ranges::stable_sort(stars, std::greater{}, &std::pair<int, std::uint8_t>::second);
+    for (std::size_t at = 0; at < stars.size(); ++at)
+      std::tie(order.first[first + at], order.length[first + at]) = stars[at];
   }
 }
 
@@ -149,52 +200,47 @@ BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int
   // When a constraint's colour is chosen, its corners together have used at most arity · (degree - 1)
   // colours.
   UsedColours used(vertex_count, static_cast<int>(arity) * largest_degree(vertices, vertex_count));
-  std::vector<int> colour(vertices.size());
-  std::vector<std::size_t> sizes;
-  for (std::size_t c = 0; c < vertices.size(); ++c) {
-    colour[c] = used.take_first_free(vertices[c]);
-    if (static_cast<std::size_t>(colour[c]) >= sizes.size())
-      sizes.resize(static_cast<std::size_t>(colour[c]) + 1, 0);
-    ++sizes[static_cast<std::size_t>(colour[c])];
-  }
-  std::vector<std::size_t> first_lane(1, 0);
-  for (const std::size_t size : sizes) first_lane.push_back(first_lane.back() + padded(size));
+  std::vector<int> colours(vertices.size());
+  for (std::size_t c = 0; c < vertices.size(); ++c) colours[c] = used.take_first_free(vertices[c]);
+  std::vector<std::size_t> lanes = begin_of_colours(colours);
   BatchOrder order;
-  order.constraint_of_lane.assign(first_lane.back(), -1);
-  give_each_group_a_stack(order, first_lane);
+  order.first.assign(lanes.back(), -1);
+  give_each_group_a_stack(order, lanes);
   for (std::size_t c = 0; c < vertices.size(); ++c)
-    order.constraint_of_lane[first_lane[static_cast<std::size_t>(colour[c])]++] = static_cast<int>(c);
+    order.first[lanes[static_cast<std::size_t>(colours[c])]++] = static_cast<int>(c);
   return order;
 }
 
 BatchOrder star_order(const PairList& pairs, int vertex_count) {
-  const Stars all = stars_of(pairs, vertex_count);
+  Stars stars(pairs, vertex_count);
+  const std::vector<int> colours = coloured(stars, vertex_count);
+  const std::vector<std::size_t> colour_begin = begin_of_colours(colours);
   BatchOrder order;
-  order.constraint_of_lane.reserve(pairs.size() + pairs.size() / 16);
-  for (std::vector<Star>& stars : coloured(all, pairs, vertex_count)) {
-    sort_by_length_where_they_are(stars);
-    order.colours.push_back(order.stacks.size());
-    for (std::size_t first = 0; first < stars.size(); first += width) {
-      const std::size_t begin = order.constraint_of_lane.size();
-      order.stacks.push_back(begin);
-      order.constraint_of_lane.resize(begin + stars[first].length() * width, -1);
-      for (std::size_t lane = 0; lane < width && first + lane < stars.size(); ++lane)
-        for (std::size_t step = 0; step < stars[first + lane].length(); ++step)
-          order.constraint_of_lane[begin + step * width + lane] =
-              all.members[stars[first + lane].begin + step];
-    }
-  }
-  order.colours.push_back(order.stacks.size());
-  order.stacks.push_back(order.constraint_of_lane.size());
+  order.first.assign(colour_begin.back(), -1);
+  order.length.assign(colour_begin.back(), 0);
+  std::vector<std::size_t> next = colour_begin;
+  stars.for_each([&](std::size_t star, int, std::size_t first, std::size_t length) {
+    const std::size_t at = next[static_cast<std::size_t>(colours[star])]++;
+    order.first[at] = static_cast<int>(first), order.length[at] = static_cast<std::uint8_t>(length);
+  });
+  for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour)
+    sort_by_length_where_they_are(order, colour_begin[colour], colour_begin[colour + 1]);
+  for (const std::size_t lane : colour_begin) order.colours.push_back(lane / width);
+  // A stack is as long as its first star, its longest.
+  order.stacks.reserve(order.first.size() / width + 1);
+  order.stacks.push_back(0);
+  for (std::size_t at = 0; at < order.first.size(); at += width)
+    order.stacks.push_back(order.stacks.back() + order.length[at] * width);
+  order.at_place = stars.take_places();
   return order;
 }
 
 BatchOrder list_order(std::size_t constraint_count) {
   BatchOrder order;
-  order.constraint_of_lane.resize(constraint_count);
-  std::iota(order.constraint_of_lane.begin(), order.constraint_of_lane.end(), 0);
-  order.constraint_of_lane.resize(padded(constraint_count), -1);
-  give_each_group_a_stack(order, {0, order.constraint_of_lane.size()});
+  order.first.resize(constraint_count);
+  std::iota(order.first.begin(), order.first.end(), 0);
+  order.first.resize(padded(constraint_count), -1);
+  give_each_group_a_stack(order, {0, order.first.size()});
   order.conflict_free = false;
   return order;
 }

@@ -34,7 +34,8 @@ inline std::size_t bytes_of(const PairList& pairs) {
 }
 
 inline std::size_t bytes_of(const BatchOrder& order) {
-  return bytes_of(order.constraint_of_lane) + bytes_of(order.stacks) + bytes_of(order.colours);
+  return bytes_of(order.first) + bytes_of(order.length) + bytes_of(order.at_place) + bytes_of(order.stacks) +
+         bytes_of(order.colours);
 }
 
 template <class Real>

@@ -42,8 +42,11 @@ struct SortedByLowest {
   }
 
   BatchOrder in_terms_of_the_list(BatchOrder order) const {
-    for (int& constraint : order.constraint_of_lane)
-      if (constraint >= 0) constraint = original[static_cast<std::size_t>(constraint)];
+    if (order.at_place.empty()) {
+      order.at_place = original;
+    } else {
+      for (int& constraint : order.at_place) constraint = original[static_cast<std::size_t>(constraint)];
+    }
     return order;
   }
 };
@@ -103,8 +106,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
     batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
     batch.rest_points = rest_points;
     batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
-    if (d.kind == StiffnessKind::compliance)
-      batch.multiplier.assign(batch.order.constraint_of_lane.size(), 0);
+    if (d.kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);
   });
   return constraints;
 }

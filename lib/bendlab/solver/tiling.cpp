@@ -15,7 +15,7 @@ std::vector<Extent> extents_of_stacks(const BatchOrder& order, const Corners& co
   std::vector<Extent> extents(order.stack_count());
   for (std::size_t stack = 0; stack < extents.size(); ++stack)
     for (std::size_t lane = order.stacks[stack]; lane < order.stacks[stack + 1]; ++lane)
-      if (const int constraint = order.constraint_of_lane[lane]; constraint >= 0)
+      if (const int constraint = order.constraint(stack, lane); constraint >= 0)
         for (const int vertex : corners[static_cast<std::size_t>(constraint)]) {
           extents[stack].lowest = std::min(extents[stack].lowest, vertex);
           extents[stack].highest = std::max(extents[stack].highest, vertex);

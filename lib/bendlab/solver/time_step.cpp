@@ -135,8 +135,9 @@ void TimeStep<Real>::name_worst_triangle() {
   std::vector<int> vertex_at(static_cast<std::size_t>(state_.vertex_count));
   for (std::size_t v = 0; v < vertex_at.size(); ++v) vertex_at[permuted(v)] = static_cast<int>(v);
   double worst = 0;
-  for (std::size_t lane = 0; lane < batch.order.constraint_of_lane.size(); ++lane) {
-    if (batch.order.constraint_of_lane[lane] < 0) continue;
+  const std::vector<int> triangles = batch.order.constraint_of_lane();
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+    if (triangles[lane] < 0) continue;
     const std::array<int, 3> offset = {batch.a[lane], batch.b[lane], batch.c[lane]};
     const auto at = [&](std::size_t c) -> Vector3 {
       return point_at(state_.position.data(), offset[c]).vector().template cast<double>();
