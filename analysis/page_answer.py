@@ -99,8 +99,8 @@ def _trouble(report):
         run, message = some[0]
         more = f" (and {len(some) - 1} more)" if len(some) > 1 else ""
         end = "" if message.endswith((".", "!", "?")) else "."
-        yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: {escape(message)}{end}</p>"
-               "</div>")
+        yield (f"<div class='note open'><p><b>{escape(code)}</b> {link(run)}{more}: "
+               f"{escape(message)}{end}</p></div>")
     for sweep in report.sweeps:
         for note in sweep.notes:
             yield f"<div class='note'><p>{escape(note)}.</p></div>"

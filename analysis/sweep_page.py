@@ -217,8 +217,8 @@ def _axes_table(varied, fixed):
                         f"{escape(_beginning(axis.meaning))}</td></tr>")
     rows = "".join(map(row, [*varied, *fixed]))
     head = "<th class=t>axis</th><th class=t>values</th><th>how many</th><th class=t>what it is</th>"
-    return (f"<div class='scroll'><table class='cards'><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
-            "</div>")
+    return (f"<div class='scroll'><table class='cards'><thead><tr>{head}</tr></thead>"
+            f"<tbody>{rows}</tbody></table></div>")
 
 
 def _beginning(text, most=110):
