@@ -201,12 +201,6 @@ Message k_overshoot(const WarningInput& input) {
 // A sheet on tethers, or on a plane, in single precision: see precision.cpp.
 Message single_precision(const WarningInput& input) {
   if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
-  const Method& method = *input.scene.input.method;
-  if (method.make_float == nullptr && method.has_motion)  // not a reference, whose settings are its run's
-    return fmt::format(
-        "{} computes in double precision whatever /solver/precision says. auto says what is so; quasi_newton "
-        "and pbd compute in single precision",
-        method.name);
   const RoundingStrain strain = rounding_strain(input.scene);
   if (!strain.single_suffices())
     return fmt::format(

@@ -29,8 +29,7 @@ constexpr std::array kinds = {
     WarningKind{"vbd_reach", "vbd has too few iterations for the stiffness of the membrane", true, vbd_reach},
     WarningKind{"k_overshoot", "bending springs with this k stretch the sheet", true, k_overshoot},
     WarningKind{"single_precision",
-                "single precision is asked for where it does not resolve gravity or the membrane's strain, "
-                "or of a method that computes in double",
+                "single precision is asked for where it does not resolve gravity or the membrane's strain",
                 true, single_precision},
     WarningKind{"weaker_push", "prestressed springs push with a smaller excess than stated", false,
                 weaker_push},

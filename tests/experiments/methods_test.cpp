@@ -40,7 +40,7 @@ Positions after_steps(const Scene& scene, int steps) {
 // The angle with the vertical at which a stiff plate, hung from its top, rests in a horizontal wind.
 double angle_in_wind(const std::string& solver, const std::string& effects) {
   const std::string text = fmt::format(
-      R"({{"name": "plate", "defaults": "paper", "mesh": {{"cells": 4}}, "pins": {{"vertices": ["top"]}},
+      R"({{"name": "plate", "defaults": "paper", "mesh": {{"cells": 4}}, "pins": {{"vertices": ["top"], "ring": 0}},
            "initial": {{"tilt": 90, "perturbation": 0}}, "material": {{"density": 0.2,
            "strain": {{"stiffness": "compliance", "compliance": 1e-6}}}}, "solver": {},
            "bending": {{"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1}}, {}}})",
@@ -78,7 +78,8 @@ TEST_CASE("the smallest meshes step to finite positions with every model", "[sce
   for (const char* generator : {"grid", "equilateral", "delaunay", "disc", "tube"})
     for (int cells = 1; cells <= 6; ++cells)
       for (const BendingModel* model : bending_models()) {
-        if (generator == std::string_view("tube") && cells < 3) continue;  // refused
+        const std::string_view name = generator;
+        if (cells < (name == "tube" ? 3 : name == "equilateral" ? 2 : 1)) continue;  // refused
         CAPTURE(generator, cells, model->name);
         const std::string text = fmt::format(
             R"({{"name": "small", "mesh": {{"generator": "{}", "cells": {}}},

@@ -420,24 +420,6 @@ TEST_CASE("auto takes double where rounded positions hide the strain that quasi_
   CHECK(codes_of(scene_of(1, 1e-4, single)).empty());
 }
 
-TEST_CASE("a method that computes in double says so where single precision is asked for", "[scene]") {
-  const auto codes = [](const std::string& method, const std::string& precision) {
-    return codes_of(
-        R"("mesh": {"cells": 4}, "material": {"strain": {"stiffness": "compliance", "compliance": 0.1}},
-           "bending": {"model": "none"}, "effects": [{"type": "gravity"}],
-           "solver": {"method": ")" +
-        method + R"(", "precision": ")" + precision + R"("})");
-  };
-  for (const char* method : {"newton", "vbd"}) {
-    CAPTURE(method);
-    CHECK(codes(method, "single") == Codes{"single_precision"});
-    CHECK(codes(method, "auto").empty());
-    CHECK(codes(method, "double").empty());
-  }
-  CHECK(codes("pbd", "single").empty());
-  CHECK(codes("equilibrium", "single").empty());  // as a reference it has the settings of its run
-}
-
 TEST_CASE("single precision keeps a substep's moves apart where rounding is a hundredth of gravity's",
           "[scene]") {
   // ε d 60² s² / (9.81 × h s), d = √2 m: 0.0062 with 10 substeps, 0.014 with 15.
