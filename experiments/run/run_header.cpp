@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <tuple>
 
 #include "bendlab/constraints/pack.hpp"
 #include "bendlab/parameters/input_file.hpp"
@@ -41,15 +42,15 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   for_each_lane(order, [&](std::size_t, int constraint) {
     if (constraint < 0) return;
     const auto& vertices = list.vertices[static_cast<std::size_t>(constraint)];
-    const auto rest = rest_of(static_cast<std::size_t>(constraint));
     const auto hashed = hashed_of(static_cast<std::size_t>(constraint));
     const double* const softness = softness_of(list, static_cast<std::size_t>(constraint));
-    record.vertices_per_constraint = static_cast<int>(vertices.size());
-    record.rest_per_constraint = static_cast<int>(rest.size());
     XXH3_64bits_update(hash.get(), vertices.data(), sizeof(vertices));
     XXH3_64bits_update(hash.get(), hashed.data(), sizeof(hashed));
     if (softness) XXH3_64bits_update(hash.get(), softness, sizeof(*softness));
+    record.vertices_per_constraint = static_cast<int>(vertices.size());
+    record.rest_per_constraint = static_cast<int>(std::tuple_size_v<decltype(rest_of(0))>);
     if (!in_full) return;
+    const auto rest = rest_of(static_cast<std::size_t>(constraint));
     record.vertices.insert(record.vertices.end(), vertices.begin(), vertices.end());
     record.rest.insert(record.rest.end(), rest.begin(), rest.end());
     if (softness) record.softness.push_back(*softness);
