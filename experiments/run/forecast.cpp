@@ -28,7 +28,8 @@ namespace fs = std::filesystem;
 namespace bytes {
 constexpr double of_program = 26e6;
 constexpr double per_vertex = 1130;  // mesh, membrane, frames on their way to the file
-constexpr double per_pair = 32;      // springs and arcs: as a list, and in the order of the kernels
+// As a list, and in the order of the kernels; springs on grids of 64 to 512 cells.
+constexpr double per_spring = 15, per_spring_in_double = 20, per_arc = 32;
 constexpr double per_hinge = 105;
 constexpr double fitted = 85, fitted_by_reach = 16, most_fitted = 213;
 constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of pairs (a sparse factor)
@@ -147,7 +148,9 @@ std::optional<Forecast> forecast(const RunConfig& config) {
 
   Forecast needs{.constraints = pairs + bending.hinges};
   Parts parts{.program = bytes::of_program, .mesh = vertices * bytes::per_vertex};
-  parts.bending = pairs * bytes::per_pair + bending.hinges * bytes::per_hinge;
+  const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
+  parts.bending = bending.springs * (in_double ? bytes::per_spring_in_double : bytes::per_spring) +
+                  bending.arcs * bytes::per_arc + bending.hinges * bytes::per_hinge;
   if (fitted && pairs > 0)
     parts.bending =
         std::max({parts.bending, bent_sheet_bytes(vertices), pairs * fitted_bytes(bending.reach)});
@@ -160,7 +163,6 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   if (levels) parts.mesh += vertices * bytes::levels_per_vertex;
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
   needs.advice = advice_for(parts, config, fitted && pairs > 0);
-  const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
 
   const auto count = [&](const char* name) {
     return method->reads(name) ? static_cast<double>(solver.integer(name)) : 1.0;
