@@ -117,6 +117,7 @@ void ImplicitStep<Real>::take_drag_over(Pass<Real>& pass) {
 template <class Real>
 void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   this->run(before_, context);
+  has_stepped_ = true;
   for (int i = 0; i < settings_.iterations; ++i) {
     is_first_ = i == 0, is_late_ = 2 * i >= settings_.iterations;
     this->run(iteration_, context);
@@ -261,6 +262,7 @@ void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
 
 template <class Real>
 std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
+  if (!has_stepped_) return std::nullopt;
   // What moves vertices by less than the tolerance, or than rounding, is no force to measure by.
   const double least = std::max(tolerance_,
                                 100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),

@@ -135,7 +135,7 @@ class ImplicitStep : public TimeStep<Real> {
   double tolerance_, size_;  // m
   std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
   bool has_unknowns_ = false, has_history_ = false, is_first_ = true, is_late_ = false;
-  bool weights_changed_ = false;
+  bool weights_changed_ = false, has_stepped_ = false;  // here, not before a checkpoint
   double total_force_ = 0;
   Real last_move_ = 0;
   std::vector<double> drag_;  // by slot, kg/s; empty: no drag
