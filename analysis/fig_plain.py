@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import group, models
+from load import group
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, figure_main
 from sweeps import load_experiment
@@ -15,10 +15,12 @@ COLOURS = {SILENT: "#c8402f", TOLD: "#f0bf4f", ALARM: "#6f8fc7", SOUND: "#dfe8e3
 NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
          ALARM: "sound, but reported as implausible", SOUND: "sound"}
 WRONG = (SILENT, TOLD)
+MODELS_PICTURE = "fig_plain_models.png"  # for papers and the start page; the page has its matrix as HTML
 MIXED = ("metres", "millimetres", "methods")  # covering arrays: their values are mixed evenly
 ORDER = {"method": ["pbd", "quasi_newton", "quasi_newton, bdf2", "newton", "newton, euler", "vbd"],
          "mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
+         "model": list(style.MODEL_COLOURS),  # not what files tell: a page is laid out without runs, too
          "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
          "height / width": ["0.25", "1", "4"],
          "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"],
@@ -121,9 +123,13 @@ def _caption(judged):
 
 def values_of(judged, axis):
     """The values of an axis in the runs, in the order of ORDER."""
-    values = sorted({one.settings[axis] for one in judged})
-    known = models() if axis == "model" else ORDER.get(axis, [])
-    return sorted(values, key=lambda value: known.index(value) if value in known else len(known))
+    return in_order(axis, {one.settings[axis] for one in judged})
+
+
+def in_order(axis, values):
+    """These values of an axis in the order of ORDER, and others after them."""
+    known = ORDER.get(axis, [])
+    return sorted(sorted(values), key=lambda value: known.index(value) if value in known else len(known))
 
 
 def _shares(judged, out):
@@ -194,7 +200,7 @@ def _models_and_meshes(judged, out):
     axes.grid(False)
     for side in axes.spines.values():
         side.set_visible(False)
-    return style.save(figure, out, "fig_plain_models")
+    return style.save(figure, out, MODELS_PICTURE.removesuffix(".png"))
 
 
 def pairs(judged):

@@ -7,6 +7,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import fig_plain
 import numpy as np
 import plain_cases
+import plain_matrix
 import project_pages
 import style
 from html_parts import Part, escape, section_part, table_html
@@ -51,7 +52,10 @@ def lay_out(out):
     for number, one in enumerate(judged):
         one["id"] = f"{one['config']}-{number}"
     covered, section.text = section.text, ""
-    parts = [section_part(section, EVERYTHING, [pairs_html(judged)], link="What fails")]
+    matrix = plain_matrix.matrix_html(judged)
+    if matrix:  # which says what the picture says, that is for print
+        section.pictures = [picture for picture in section.pictures if picture[0] != fig_plain.MODELS_PICTURE]
+    parts = [section_part(section, EVERYTHING, [matrix, pairs_html(judged)], link="What fails")]
     for verdict, title in TITLES.items():
         some = [one for one in judged if one["verdict"] == verdict]
         if some:

@@ -229,9 +229,53 @@ const tests = {
       const share = page.locator("td:has(> button.share)").nth(0);
       const count = (await share.getAttribute("data-run")).split(" ").length;
       await share.locator("button").click();
-      assert.match(await page.textContent("dialog.run header"), new RegExp(`1 of \\d+`));
+      assert.match(await page.textContent("dialog.run header"), new RegExp(`1 of ${count}\\b`));
       assert.ok(count > 1);
       await page.keyboard.press("Escape");
+    });
+  },
+
+  async "a cell of models and meshes counts runs of the summary, and opens those that broke a bound"() {
+    const mixed = JSON.parse(readFileSync(`${results}/plain/summary.json`, "utf8")).filter((run) =>
+      ["metres", "millimetres", "methods"].includes(run.config),
+    );
+    const title = (run) => Object.entries(run.settings).map((pair) => pair.join(" ")).join(", ");
+    await withPage("plain/", {}, async (page) => {
+      const cells = await page.$$eval("table.matrix tbody tr", (rows) => {
+        const heads = [...rows[0].closest("table").tHead.rows[0].cells].map((head) => head.textContent);
+        return rows.flatMap((row) =>
+          [...row.cells].slice(1).map((cell, i) => ({
+            model: row.cells[0].textContent,
+            mesh: heads[i + 1],
+            text: cell.textContent,
+            ring: Boolean(cell.querySelector(".ring")),
+          })),
+        );
+      });
+      const inCell = ({ model, mesh }) =>
+        mixed.filter(({ settings }) => settings.model === model && settings.mesh === mesh);
+      const wrong = (cell) => inCell(cell).filter((run) => run.broken.length);
+      let counted = 0;
+      for (const cell of cells) {
+        const all = inCell(cell).length;
+        counted += all;
+        assert.equal(cell.text, all ? `${wrong(cell).length}/${all}` : "–", `${cell.model} on ${cell.mesh}`);
+        assert.equal(cell.ring, wrong(cell).some((run) => run.verdict === "silent"));
+      }
+      assert.equal(counted, mixed.length);
+      const most = cells.reduce((a, b) => (wrong(b).length > wrong(a).length ? b : a));
+      const one = cells.find((cell) => wrong(cell).length === 1);
+      for (const cell of [most, one].filter(Boolean)) {
+        await page.locator(`table.matrix button[aria-label^="${cell.model} on ${cell.mesh}:"]`).focus();
+        await page.keyboard.press("Enter");
+        const shown = [];
+        for (const next = page.getByLabel("The next run"); ; await next.click()) {
+          shown.push(await page.textContent("#run-title"));
+          if (!(await next.count()) || (await next.isDisabled())) break;
+        }
+        assert.deepEqual(shown.sort(), wrong(cell).map(title).sort(), `${cell.model} on ${cell.mesh}`);
+        await page.keyboard.press("Escape");
+      }
     });
   },
 

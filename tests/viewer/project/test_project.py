@@ -149,7 +149,9 @@ class Kept(unittest.TestCase):
             run = {"config": MARKUP, "settings": {MARKUP: MARKUP, "b": MARKUP}, "verdict": "told",
                    "status": MARKUP, "worst": {"what": MARKUP, "value": 2.0, "limit": 1.0, "unit": MARKUP},
                    "broken": [MARKUP], "told": MARKUP, "seconds": 1.0, "command": MARKUP}
-            (out / "summary.json").write_text(json.dumps([run] * 3), encoding="utf-8")
+            mixed = run | {"config": "metres", "settings": {"model": MARKUP, "mesh": MARKUP}}
+            (out / "summary.json").write_text(json.dumps([run] * 3 + [mixed | {"settings": run["settings"] |
+                                              mixed["settings"]}]), encoding="utf-8")
             plain_page.lay_out(out)
             self.only_ours((out / "index.html").read_text(encoding="utf-8"))
 

@@ -337,6 +337,7 @@ class Colours(unittest.TestCase):
         pairs = [(text, ground) for text in ("ink", "grey", "accent", "yes", "no", "open", "diverged")
                  for ground in ("paper", "soft")]
         pairs += [("ink", "holds"), ("ink", "fails"), ("ink", "open-soft"), ("accent-ink", "accent")]
+        pairs += [(f"step-{i}-ink", f"step-{i}") for i in range(1, 5)]
         for name, colours in self.schemes().items():
             for text, ground in pairs:
                 with self.subTest(scheme=name, text=text, ground=ground):

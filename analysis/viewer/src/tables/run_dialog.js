@@ -29,9 +29,10 @@ function fromAddress() {
   if (id && pageData().byId.has(id)) open([id], null);
 }
 
-// The runs in the order in which the table shows them now.
+// The runs in the order in which the table shows them now; a cell that counts runs has these alone.
 function neighbours(cell) {
-  const shown = [...(cell.closest("tbody")?.querySelectorAll("[data-run]") ?? [cell])]
+  const table = cell.closest("table.shares") ? null : cell.closest("tbody");
+  const shown = [...(table?.querySelectorAll("[data-run]") ?? [cell])]
     .filter((other) => other.getClientRects().length)
     .flatMap((other) => other.dataset.run.split(" "));
   const all = [...new Set(shown)];
