@@ -1,5 +1,5 @@
 """Texts and numbers of a run file as h5py sees it, which has them in compressed datasets
-(lib/bendlab/io/facts.hpp); or of an older program's, which has them as attributes. Needs h5py and numpy alone:
+(lib/bendlab/io/facts.hpp); or of an older program's, which has them as attributes. Needs h5py and numpy:
 
     with h5py.File("run.vtkhdf") as file:
         print(Facts(file).summary["drop"])

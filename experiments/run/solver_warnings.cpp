@@ -244,7 +244,8 @@ Message softened_membrane(const WarningInput& input) {
 
 namespace {
 
-// Sheets of 16 cells, under gravity, hinges, pinned at two corners or at the top, Y = 10³ to 10⁷ N/m, 1 to 100 iterations,
+// Sheets of 16 cells, under gravity, hinges, pinned at two corners or at the top, Y = 10³ to 10⁷ N/m, 1 to
+// 100 iterations,
 // 2 s: how far they are from the converged motion (RMS over vertices, mean over time), in sizes, by what
 // their steps leave in the mean over time. The median would not show it: newton leaves nothing once the cloth
 // rests.
@@ -293,8 +294,8 @@ Message lagging(const WarningInput& input) {
   if (found == input.summary->end() || !(found->second > most_residual(input))) return std::nullopt;
   const SimulationInput& scene = input.scene.input;
   return fmt::format(
-      "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects or, without "
-      "such, of inertia: {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
+      "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects or, "
+      "without such, of inertia: {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
       found->second, counted(scene.settings.substeps, "substep"),
       counted(scene.settings.iterations, "iteration"),
       found->second > residual_of_lag
@@ -317,9 +318,9 @@ Message no_equilibrium(const WarningInput& input) {
       "this run are those of its last steps. {}",
       found->second,
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
-      : blows               ? "The wind's force follows the pose, which Newton's method does not know: let the "
-                              "cloth come to rest with the method newton and viscous_drag. In tests it did at 2 and "
-                              "3 m/s, where equilibrium left 100 times the loads"
+      : blows               ? "The wind's force follows the pose, which Newton's method does not know: let "
+                              "the cloth come to rest with the method newton and viscous_drag. In tests it "
+                              "did at 2 and 3 m/s, where equilibrium left 100 times the loads"
                             : "A longer /duration allows more steps");
 }
 

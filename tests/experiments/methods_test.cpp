@@ -40,7 +40,8 @@ Positions after_steps(const Scene& scene, int steps) {
 // The angle with the vertical at which a stiff plate, hung from its top, rests in a horizontal wind.
 double angle_in_wind(const std::string& solver, const std::string& effects) {
   const std::string text = fmt::format(
-      R"({{"name": "plate", "defaults": "paper", "mesh": {{"cells": 4}}, "pins": {{"vertices": ["top"], "ring": 0}},
+      R"({{"name": "plate", "defaults": "paper", "mesh": {{"cells": 4}},
+           "pins": {{"vertices": ["top"], "ring": 0}},
            "initial": {{"tilt": 90, "perturbation": 0}}, "material": {{"density": 0.2,
            "strain": {{"stiffness": "compliance", "compliance": 1e-6}}}}, "solver": {},
            "bending": {{"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1}}, {}}})",
@@ -83,7 +84,8 @@ TEST_CASE("the smallest meshes step to finite positions with every model", "[sce
         CAPTURE(generator, cells, model->name);
         const std::string text = fmt::format(
             R"({{"name": "small", "mesh": {{"generator": "{}", "cells": {}}},
-                 "effects": [{{"type": "gravity"}}], "bending": {{"model": "{}", "stiffness": "k", "k": 0.5}}}})",
+                 "effects": [{{"type": "gravity"}}],
+                 "bending": {{"model": "{}", "stiffness": "k", "k": 0.5}}}})",
             generator, cells, model->name);
         const Scene scene = build_scene(parse_experiment(text, "test").runs.front());
         CHECK(after_steps(scene, 2).allFinite());

@@ -114,7 +114,7 @@ assert steps.attrs['NSteps'] == frames == len(steps['CellDataOffsets/shape'])
 assert len(steps['PointDataOffsets/pinned']) == frames
 assert all(len(steps[name]) == frames for name in steps if isinstance(steps[name], h5py.Dataset))
 assert run['VTKHDF/Points'].shape == (4 * frames, 3) and run['VTKHDF/CellData/stretch'].shape == (2 * frames,)
-assert run['metrics/values'][-1, 0] == 0.25 * (frames - 1) and run.attrs['status'] == 'interrupted'
+assert run['metrics/values'][-1, 0] == 0.25 * (frames - 1) and run.attrs['status'] == b'interrupted'
 )"));
   }
 }

@@ -65,7 +65,7 @@ def differences(one, other):
         for key in sorted(summaries[0].keys() | summaries[1].keys()):
             values = [np.asarray(summary.get(key, "none")).tobytes() for summary in summaries]
             found += [f"summary {key}"] if values[0] != values[1] else []
-        found += ["status"] if a.attrs["status"] != b.attrs["status"] else []
+        found += ["status"] if facts[0].status != facts[1].status else []
         found += ["config"] if facts[0].config != facts[1].config else []
         counts = [[(name, *counts) for name, _, *counts in each.passes] for each in facts]
         found += ["calls of passes"] if counts[0] != counts[1] else []

@@ -37,9 +37,9 @@ constexpr std::array parameters = {
         .unit = "m/s",
         .default_value = std::span<const double>(breeze),
         .meaning =
-            "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it is "
-            "listed: on the velocities at the start of the substep. So terminal velocities are exact, unless "
-            "the cloth would gain more speed in a substep than that",
+            "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it "
+            "is listed: on the velocities at the start of the substep. So terminal velocities are exact, "
+            "unless the cloth would gain more speed in a substep than that",
         .length = 3},
     Parameter{.name = "air_density",
               .type = ParameterType::number,

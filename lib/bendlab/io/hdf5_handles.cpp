@@ -296,15 +296,10 @@ std::vector<std::string> links(hid_t group) {
 }
 
 void write_attribute(hid_t object, const std::string& name, const std::string& text) {
-  if (is_small) {
-    const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-    check(H5Tset_size(type, text.size() + 1));
-    check(H5Tset_cset(type, H5T_CSET_UTF8));
-    write_scalar_attribute(object, name, type, text.c_str());
-    return;
-  }
-  const char* value = text.c_str();
-  write_scalar_attribute(object, name, text_type(), &value);
+  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  check(H5Tset_size(type, text.size() + 1));
+  check(H5Tset_cset(type, H5T_CSET_UTF8));
+  write_scalar_attribute(object, name, type, text.c_str());
 }
 
 void write_attribute(hid_t object, const std::string& name, double number) {

@@ -127,7 +127,7 @@ bool has_link(hid_t parent, const std::string& name);
 void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
-// Attributes. Texts are UTF-8, of variable length unless in a SmallScope; writing replaces what is there.
+// Attributes. Texts are UTF-8, of fixed length; writing replaces what is there.
 void write_attribute(hid_t object, const std::string& name, const std::string& text);
 void write_attribute(hid_t object, const std::string& name, double number);
 void write_attribute(hid_t object, const std::string& name, std::int64_t number);
