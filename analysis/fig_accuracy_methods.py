@@ -204,7 +204,8 @@ def _set_up_table(runs):
                          style.number(per_frame + 1e3 * set_up / frames)])
     return Table("Set-up apart and amortised, of the cheapest run to 1 %. Set-up is the mesh, its "
                  "constraints and their order. The factorisation is that of quasi_newton's metric, once; "
-                 "the matrices of newton are a part of its steps. The last two columns spread these over the 3 s of the run.",
+                 "the matrices of newton are a part of its steps. The last two columns spread these over "
+                 "the 3 s of the run.",
                  ["scene", "method", "set-up (ms)", "factorisation (ms)", "ms per frame without both",
                   "with the factorisation", "with both"], rows)
 
