@@ -2,10 +2,10 @@
 import assert from "node:assert/strict";
 import { readFileSync, writeFileSync } from "node:fs";
 import { opened, until, usable } from "../player/browser.mjs";
-import { axisScale } from "../../../analysis/viewer/src/charts/scales.js";
 import { found } from "../../../analysis/viewer/src/chooser/found.js";
 
 if (!usable()) process.exit(77);
+const { axisScale } = await import("../../../analysis/viewer/src/charts/scales.js"); // it needs npm's packages
 const [results, folder, shots] = process.argv.slice(2);
 const only = process.env.BENDLAB_VIEWER_TEST; // a part of a name
 const PAGES = ["", "paper/", "stiffness/", "accuracy/", "stability/", "performance/", "plain/"];
