@@ -55,7 +55,7 @@ TEST_CASE("a list of one vertex after another takes little more than a number a 
   PairList list;
   for (int centre = 0; centre < 100; ++centre)
     for (int other = 0; other < 100; ++other) list.push_back({centre, other});
-  CHECK(list.memory_bytes() < 4.2 * static_cast<double>(list.size()));
+  CHECK(static_cast<double>(list.memory_bytes()) < 4.2 * static_cast<double>(list.size()));
 }
 
 TEST_CASE("a rest length that is not stored is the distance at rest", "[constraints]") {
