@@ -21,7 +21,6 @@
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/run/folder.hpp"
-#include "experiments/run/forecast.hpp"
 #include "experiments/terminal/progress.hpp"
 #include "experiments/terminal/signals.hpp"
 
@@ -144,15 +143,9 @@ double expected_cpu_s(const RunConfig& config) {
   return needs ? needs->cpu_s : unknown;
 }
 
-Needs needs_of(const std::vector<CampaignRun>& runs) {
-  Needs all;
-  for (const CampaignRun& run : runs) {
-    const std::optional<Forecast> needs = forecast(*run.config);
-    if (!needs) continue;
-    all.cpu_s += needs->cpu_s, all.disk_bytes += needs->disk_bytes;
-    all.most_memory_bytes = std::max(all.most_memory_bytes, needs->memory_bytes);
-  }
-  return all;
+void Needs::add(const Forecast& run) {
+  cpu_s += run.cpu_s, disk_bytes += run.disk_bytes;
+  most_memory_bytes = std::max(most_memory_bytes, run.memory_bytes);
 }
 
 std::vector<std::size_t> shards_of(const std::vector<double>& expected_s, std::size_t count) {

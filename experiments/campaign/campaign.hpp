@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "experiments/run/forecast.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bendlab {
@@ -52,12 +53,13 @@ std::string failure_in(const std::filesystem::path& folder);
 /// Every run of every experiment, in sweep order.
 std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiments);
 
-/// What they need together, if none of them is there yet.
+/// What runs need together.
 struct Needs {
   double cpu_s = 0, disk_bytes = 0;
   double most_memory_bytes = 0;  ///< of the largest
+
+  void add(const Forecast& run);
 };
-Needs needs_of(const std::vector<CampaignRun>& runs);
 
 /// Executes the runs, the ones expected to be long first, side by side as far as they fit into memory; a run
 /// that fails does not stop the others.

@@ -148,7 +148,7 @@ struct Entry {
   Stamp stamp;
   std::string_view line, head, summary, provenance, config;
 
-  RunRecord record(const fs::path& file) const {
+  RunRecord record(const fs::path& file, Part part) const {
     const json first = json::parse(head);
     RunRecord run{.file = file,
                   .id = first.at("id"),
@@ -158,11 +158,12 @@ struct Entry {
                   .wall_s = number_of(first.at("wall_s")),
                   .cpu_s = number_of(first.at("cpu_s")),
                   .step_cpu_s = number_of(first.at("step_cpu_s")),
-                  .config = std::string(config),
                   .metrics = first.at("metrics"),
                   .constraints = first.at("constraints")};
     for (const json& pass : first.at("passes"))
       run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
+    if (part == Part::state) return run;
+    run.config = config;
     FlatObject(run.summary).read(summary);
     FlatObject(run.provenance).read(provenance);
     return run;
@@ -229,7 +230,8 @@ struct Known {
 };
 
 /// Of each file.
-std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files) {
+std::vector<Known> known_in(const Index& index, const fs::path& folder, const std::vector<fs::path>& files,
+                            Part part) {
   std::vector<Known> known(files.size());
   const std::size_t prefix = folder.native().size() + (folder.native().ends_with('/') ? 0 : 1);
   in_parallel(files.size(), 500, [&](std::size_t i) {
@@ -237,7 +239,7 @@ std::vector<Known> known_in(const Index& index, const fs::path& folder, const st
     const Entry* const entry = index.find(files[i].native().substr(prefix));
     if (!entry || entry->stamp != known[i].stamp) return;
     try {
-      known[i].record = entry->record(files[i]);
+      known[i].record = entry->record(files[i], part);
       known[i].line = entry->line;
     } catch (const std::exception&) {  // it is read anew
     }
@@ -258,10 +260,10 @@ std::vector<fs::path> find_run_files(const fs::path& folder) {
 }
 
 std::vector<RunRecord> read_runs(const fs::path& folder,
-                                 const std::function<void(const std::string&)>& unreadable) {
+                                 const std::function<void(const std::string&)>& unreadable, Part part) {
   const std::vector<fs::path> files = find_run_files(folder);
   const Index index(folder);
-  std::vector<Known> known = known_in(index, folder, files);
+  std::vector<Known> known = known_in(index, folder, files, part);
   std::vector<RunRecord> runs;
   runs.reserve(files.size());
   std::size_t from_index = 0, finished = 0;

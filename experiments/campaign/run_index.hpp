@@ -24,7 +24,10 @@ std::vector<std::filesystem::path> find_run_files(const std::filesystem::path& f
 
 /// The runs below a folder, by path. Files that the folder's index does not know are read (read_checked), and
 /// the index is written anew where it may be. `unreadable` is called with what is wrong with a file.
+/// Part::state leaves out what takes long for thousands of runs: summary, provenance and config.
+enum class Part { state, all };
 std::vector<RunRecord> read_runs(const std::filesystem::path& folder,
-                                 const std::function<void(const std::string&)>& unreadable);
+                                 const std::function<void(const std::string&)>& unreadable,
+                                 Part part = Part::all);
 
 }  // namespace bendlab

@@ -1,10 +1,10 @@
 #include "experiments/campaign/work.hpp"
 
 #include <algorithm>
-#include <map>
 #include <set>
 #include <system_error>
 #include <thread>
+#include <unordered_map>
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/campaign/run_index.hpp"
@@ -83,19 +83,18 @@ std::vector<PlannedState> states_of(const PlanOverview& plan,
                                     const std::function<void(const std::string&)>& unreadable) {
   std::set<fs::path> folders;
   for (const PlannedRun& run : plan.runs) folders.insert(run.folder.parent_path());
-  std::map<fs::path, RunRecord> found;  // by folder
+  std::unordered_map<std::string, RunRecord> found;  // by folder
   for (const fs::path& folder : folders) {
     std::error_code none;
     if (!fs::is_directory(folder, none)) continue;
-    for (RunRecord& run : read_runs(folder, unreadable))
-      if (const fs::path place = run.file.parent_path(); is_over(run.status))
-        found.emplace(place, std::move(run));
+    for (RunRecord& run : read_runs(folder, unreadable, Part::state))
+      if (is_over(run.status)) found.emplace(run.file.parent_path().string(), std::move(run));
   }
   std::vector<PlannedState> states;
   for (const PlannedRun& run : plan.runs) {
     using Kind = PlannedState::Kind;
     PlannedState& state = states.emplace_back();
-    if (const auto over = found.find(run.folder); over != found.end() && over->second.id == run.id) {
+    if (const auto over = found.find(run.folder.string()); over != found.end() && over->second.id == run.id) {
       const RunRecord& record = over->second;
       state = {Kind::over, record.status, "", record.wall_s, record.cpu_s};
     } else if (std::string owner = owner_of(run.folder); !owner.empty()) {

@@ -6,10 +6,10 @@
 #include <array>
 #include <cerrno>
 #include <chrono>
-#include <map>
 #include <set>
 #include <stdexcept>
 #include <system_error>
+#include <unordered_map>
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/campaign/errors.hpp"
@@ -23,6 +23,7 @@
 #include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/counted.hpp"
+#include "experiments/config/in_parallel.hpp"
 #include "experiments/config/json_text.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/forecast.hpp"
@@ -103,11 +104,6 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
   return known;
 }
 
-/// How the runs are reported on stdout.
-enum class Report { tables, lines, json, explanations };
-
-/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
-/// were not started because of a signal are left out.
 /// What runs need: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".
 std::string needs_text(const Needs& needs) {
   return fmt::format("about {} of CPU time, up to {} of memory for a run, {} of disk",
@@ -118,12 +114,19 @@ std::string needs_text(const Needs& needs) {
 /// Says on stderr what the runs need if that is much. (`plan` always says it.)
 void tell_large_needs(const std::vector<CampaignRun>& runs) {
   constexpr double long_s = 60, large_bytes = 1e9;
-  const Needs needs = needs_of(runs);
+  Needs needs;
+  for (const CampaignRun& run : runs)
+    if (const std::optional<Forecast> of_run = forecast(*run.config)) needs.add(*of_run);
   if (needs.cpu_s < long_s && needs.most_memory_bytes < large_bytes && needs.disk_bytes < large_bytes) return;
   print_text(stderr, "bendlab: {}: {}, if none is there yet\n", counted(runs.size(), "run"),
              needs_text(needs));
 }
 
+/// How the runs are reported on stdout.
+enum class Report { tables, lines, json, explanations };
+
+/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
+/// were not started because of a signal are left out.
 int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, Report report,
                    bool strict = false) {
   if (const KnownBefore known = strict ? look_before(experiments, true) : KnownBefore{};
@@ -214,35 +217,67 @@ constexpr std::array reproducibles = {
     Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
 };
 
-/// What lies in the folders of an experiment's runs.
-using RecordsByFolder = std::map<fs::path, RunRecord>;
+/// What lies in the folders of an experiment's runs, by folder. (As text: comparing paths is slow.)
+using StatesByFolder = std::unordered_map<std::string, RunRecord>;
 
-RecordsByFolder records_of(const fs::path& out, const Experiment& experiment) {
-  RecordsByFolder records;
+StatesByFolder states_in(const fs::path& out, const Experiment& experiment) {
+  StatesByFolder states;
   const fs::path folder = out / experiment.name;
-  if (!fs::is_directory(folder)) return records;
-  for (RunRecord& run : read_runs(folder, [](const std::string&) {})) {
-    const fs::path place = run.file.parent_path();
-    records.emplace(place, std::move(run));  // the finished file of a folder comes first
-  }
-  return records;
+  if (!fs::is_directory(folder)) return states;
+  for (RunRecord& run : read_runs(
+           folder, [](const std::string&) {}, Part::state))
+    states.emplace(run.file.parent_path().string(), std::move(run));  // a folder's finished file comes first
+  return states;
 }
 
 /// "complete", "implausible", "diverged, 12 frames", "running", "unreadable" or "new".
-std::string state_on_disk(const RecordsByFolder& records, const fs::path& folder, const std::string& id) {
+std::string state_on_disk(const StatesByFolder& states, const fs::path& folder, const std::string& id) {
   const auto with_frames = [](RunStatus status, std::uint64_t frames) {
     return fmt::format("{}, {}", to_string(status), counted(frames, "frame"));
   };
-  const auto found = records.find(folder);
-  if (found != records.end() && is_whole(found->second.status))
+  const auto found = states.find(folder.string());
+  if (found != states.end() && is_whole(found->second.status))
     return found->second.id == id ? to_string(found->second.status) : "unreadable";
   if (!owner_of(folder).empty()) return "running";
-  if (found != records.end())
+  if (found != states.end())
     return with_frames(
         found->second.status == RunStatus::running ? RunStatus::interrupted : found->second.status,
         found->second.frames);
   if (fs::exists(folder / "run.vtkhdf") || !unfinished_files(folder).empty()) return "unreadable";
   return "new";
+}
+
+/// What is known of a run without computing it.
+struct KnownRun {
+  std::string id;
+  fs::path folder;
+  std::string state;
+  std::optional<Forecast> needs;
+};
+
+std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path& out) {
+  const StatesByFolder states = states_in(out, experiment);
+  std::vector<KnownRun> known(experiment.runs.size());
+  in_parallel(known.size(), 200, [&](std::size_t i) {
+    const RunConfig& config = experiment.runs[i];
+    auto& [id, folder, state, needs] = known[i];
+    id = run_id(config);
+    folder = run_folder(out, experiment, config, id);
+    state = state_on_disk(states, folder, id);
+    needs = forecast(config);
+  });
+  return known;
+}
+
+Json known_run_json(const Experiment& experiment, const RunConfig& config, const KnownRun& run) {
+  Json line = {
+      {"experiment", experiment.name}, {"point", point_json(config)}, {"id", run.id}, {"state", run.state},
+      {"folder", run.folder.string()}, {"config", config.resolved()}};
+  if (run.needs)
+    line["needs"] = {{"cpu_s", run.needs->cpu_s},
+                     {"memory_bytes", run.needs->memory_bytes},
+                     {"disk_bytes", run.needs->disk_bytes}};
+  return line;
 }
 
 /// Which combinations a covering array has and lacks, in a few lines; empty for a whole sweep.
@@ -273,32 +308,25 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
   const std::vector<Experiment> experiments = load_experiments(configs);
   if (!write.empty()) write_plan(write, experiments, out);
   for (const Experiment& experiment : experiments) {
-    const RecordsByFolder records = records_of(out, experiment);
+    const std::vector<KnownRun> known = look_at_runs(experiment, out);
+    if (json) {
+      for (std::size_t i = 0; i < known.size(); ++i)
+        print_text("{}\n", json_text(known_run_json(experiment, experiment.runs[i], known[i])));
+      continue;
+    }
     std::vector<std::string> headings = axis_headings(experiment);
     headings.insert(headings.end(), {"id", "state", "CPU time", "memory", "disk"});
     Table table(headings);
-    std::size_t complete = 0;
-    std::vector<CampaignRun> left;
-    for (const RunConfig& config : experiment.runs) {
-      const std::string id = run_id(config);
-      const fs::path folder = run_folder(out, experiment, config, id);
-      const std::string state = state_on_disk(records, folder, id);
+    std::size_t complete = 0, over = 0;
+    Needs left;
+    for (std::size_t i = 0; i < known.size(); ++i) {
+      const auto& [id, folder, state, needs] = known[i];
       if (state == "complete") ++complete;
-      if (state != "complete" && state != "implausible")
-        left.push_back({.experiment = &experiment, .config = &config});
-      const std::optional<Forecast> needs = forecast(config);
-      if (json) {
-        Json line = {
-            {"experiment", experiment.name}, {"point", point_json(config)}, {"id", id}, {"state", state},
-            {"folder", folder.string()},     {"config", config.resolved()}};
-        if (needs)
-          line["needs"] = {{"cpu_s", needs->cpu_s},
-                           {"memory_bytes", needs->memory_bytes},
-                           {"disk_bytes", needs->disk_bytes}};
-        print_text("{}\n", json_text(line));
-        continue;
-      }
-      std::vector<std::string> cells = axis_cells(experiment, config);
+      if (state == "complete" || state == "implausible")
+        ++over;
+      else if (needs)
+        left.add(*needs);
+      std::vector<std::string> cells = axis_cells(experiment, experiment.runs[i]);
       cells.insert(cells.end(), {id, state});
       if (needs)
         cells.insert(cells.end(), {duration_text(needs->cpu_s), bytes_text(needs->memory_bytes),
@@ -307,10 +335,9 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
         cells.insert(cells.end(), 3, "-");
       table.add_row(std::move(cells));
     }
-    if (!json)
-      print_text("{}: {}, {} complete; {}\n{}\n{}\n", experiment.name, counted(experiment.runs.size(), "run"),
-                 complete, left.empty() ? "nothing is left to do" : "left are " + needs_text(needs_of(left)),
-                 cover_text(experiment.cover), table.text());
+    print_text("{}: {}, {} complete; {}\n{}\n{}\n", experiment.name, counted(known.size(), "run"), complete,
+               over == known.size() ? "nothing is left to do" : "left are " + needs_text(left),
+               cover_text(experiment.cover), table.text());
   }
   return exit_ok;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 
 #include "bendlab/bending/model.hpp"
@@ -124,6 +125,22 @@ bool is_object(const Json& given, const std::string& pointer, ConfigProblems& pr
   return given.is_object();
 }
 
+// The settings of a section that states none, if none has to be stated: a config states few sections, and a
+// sweep is thousands of configs.
+const Json* unstated(const ConfigSection& section) {
+  static const std::map<std::string_view, Json> all = [] {
+    std::map<std::string_view, Json> sections;
+    for (const ConfigSection& each : config_sections()) {
+      ConfigProblems missing;
+      Json defaults = read_settings(Json::object(), std::string(each.pointer), each.parameters, {}, missing);
+      if (missing.empty()) sections.emplace(each.pointer, std::move(defaults));
+    }
+    return sections;
+  }();
+  const auto found = all.find(section.pointer);
+  return found == all.end() ? nullptr : &found->second;
+}
+
 Json read_section(const Json& given, const ConfigSection& section, ConfigProblems& problems) {
   static const Json nothing = Json::object();
   const std::string pointer(section.pointer);
@@ -133,10 +150,14 @@ Json read_section(const Json& given, const ConfigSection& section, ConfigProblem
   for (const ConfigSection* child : children) keys.push_back(section_key(*child));
   if (pointer.empty())
     for (const ConfigList& list : config_lists()) keys.push_back(list.name);
-  Json canonical = read_settings(object, pointer, section.parameters, keys, problems);
+  const Json* const defaults = object.empty() ? unstated(section) : nullptr;
+  Json canonical =
+      defaults != nullptr ? *defaults : read_settings(object, pointer, section.parameters, keys, problems);
   for (const ConfigSection* child : children) {
     const std::string key(section_key(*child));
     const auto found = object.find(key);
+    const bool of_another_model = pointer == "/bending" && canonical["model"] != key;
+    if (found == object.end() && of_another_model) continue;
     canonical[key] = read_section(found != object.end() ? *found : nothing, *child, problems);
   }
   return canonical;
@@ -214,12 +235,13 @@ Json read_settings(const Json& given, const std::string& pointer, std::span<cons
 
   Json canonical = Json::object();
   for (const Parameter& row : table) {
-    const std::string key(row.name), place = child_pointer(pointer, key);
+    const std::string key(row.name);
     std::optional<Value> value;
-    if (given.contains(key))
-      value = read_value(row, given[key], place, problems);
+    if (const auto found = given.find(key); found != given.end())
+      value = read_value(row, *found, child_pointer(pointer, key), problems);
     else if (row.required)
-      problems.push_back({place, fmt::format("is missing: expected {}", expected_text(row))});
+      problems.push_back(
+          {child_pointer(pointer, key), fmt::format("is missing: expected {}", expected_text(row))});
     Json json = json_of(value ? *value : default_of(row));
     if (!json.is_null()) canonical[key] = std::move(json);
   }

@@ -37,7 +37,7 @@ struct RunConfig::Settings {
 
   Json resolved = Json::object();
   std::filesystem::path folder, mesh_file;
-  std::map<std::string, ParameterValues, std::less<>> sections;
+  std::map<std::string_view, std::shared_ptr<const ParameterValues>> sections;
   ParameterValues no_parameters;
   std::vector<EffectSettings> effects;
 
@@ -47,13 +47,21 @@ struct RunConfig::Settings {
 
 RunConfig::RunConfig() : settings_(std::make_shared<Settings>()) {}
 
-RunConfig::RunConfig(Json resolved, const std::filesystem::path& folder) : RunConfig() {
+RunConfig::RunConfig(Json resolved, const std::filesystem::path& folder, const RunConfig* like)
+    : RunConfig() {
   Settings& settings = *settings_;
   settings.resolved = std::move(resolved);
   settings.folder = folder;
-  for (const ConfigSection& section : config_sections())
-    if (const Json* values = value_at(settings.resolved, std::string(section.pointer)))
-      settings.sections.emplace(section.pointer, values_of(*values, section.parameters));
+  for (const ConfigSection& section : config_sections()) {
+    const std::string pointer(section.pointer);
+    const Json* const values = value_at(settings.resolved, pointer);
+    if (values == nullptr) continue;
+    const Json* const alike = like != nullptr ? value_at(like->resolved(), pointer) : nullptr;
+    settings.sections[section.pointer] =
+        alike != nullptr && *alike == *values
+            ? like->settings_->sections.at(section.pointer)
+            : std::make_shared<const ParameterValues>(values_of(*values, section.parameters));
+  }
   settings.effects = effects_of(settings.resolved, folder);
   if (const Json* file = value_at(settings.resolved, "/mesh/file"))
     settings.mesh_file = folder / file->get<std::string>();
@@ -75,7 +83,7 @@ const ParameterValues& RunConfig::section(std::string_view pointer) const {
   const auto found = settings_->sections.find(pointer);
   if (found == settings_->sections.end())
     throw std::logic_error(fmt::format("a run's config has no section '{}'", pointer));
-  return found->second;
+  return *found->second;
 }
 
 const std::string& RunConfig::bending_model() const {
@@ -84,7 +92,7 @@ const std::string& RunConfig::bending_model() const {
 
 const ParameterValues& RunConfig::bending_parameters() const {
   const auto found = settings_->sections.find("/bending/" + bending_model());
-  return found == settings_->sections.end() ? settings_->no_parameters : found->second;
+  return found == settings_->sections.end() ? settings_->no_parameters : *found->second;
 }
 
 const std::vector<EffectSettings>& RunConfig::effects() const {
@@ -126,9 +134,18 @@ Json point_json(const RunConfig& config) {
 }
 
 std::string identity_text(const Json& resolved) {
-  Json identity = resolved;
-  identity["solver"].erase("threads");
-  return identity.dump();
+  std::string text;  // as Json::dump() writes it, without a copy of it all: for thousands of runs
+  for (const auto& [key, value] : resolved.items()) {
+    text += fmt::format("{}{}:", text.empty() ? '{' : ',', Json(key).dump());
+    if (key == "solver") {
+      Json solver = value;
+      solver.erase("threads");
+      text += solver.dump();
+    } else {
+      text += value.dump();
+    }
+  }
+  return text + "}";
 }
 
 }  // namespace bendlab

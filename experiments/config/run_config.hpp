@@ -29,8 +29,10 @@ class RunConfig {
   RunConfig();
   /// `resolved` is what resolve() returns if nothing is wrong. Files are relative to `folder`, the config's
   /// folder; it is empty if the config came from text. Throws std::invalid_argument for a value that is
-  /// unknown, as it may be in a run file of another version.
-  explicit RunConfig(Json resolved, const std::filesystem::path& folder = {});
+  /// unknown, as it may be in a run file of another version. Sections that are equal to those of `like`, a
+  /// neighbour on a sweep, are shared with it.
+  explicit RunConfig(Json resolved, const std::filesystem::path& folder = {},
+                     const RunConfig* like = nullptr);
 
   const Json& resolved() const;  ///< canonical: equal runs have equal text; holds no name and no description
   const std::filesystem::path& folder() const;

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
-#include <set>
 #include <stdexcept>
+#include <unordered_set>
 
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/in_parallel.hpp"
@@ -85,9 +86,10 @@ std::string point_text(const std::vector<Axis>& axes, const std::vector<std::siz
   return tuple_text(axes, whole);
 }
 
-// The run at one combination; its problems are those of values that do not go together.
+// The run at one combination, which shares what it can with the run `like`; its problems are those of values
+// that do not go together.
 RunConfig make_run(Json settings, const std::filesystem::path& folder, const std::vector<Axis>& axes,
-                   const std::vector<std::size_t>& indices, ConfigProblems& problems) {
+                   const std::vector<std::size_t>& indices, const RunConfig* like, ConfigProblems& problems) {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (!set_at(settings, axes[a].first, axes[a].second[indices[a]]))
       problems.push_back(
@@ -99,11 +101,20 @@ RunConfig make_run(Json settings, const std::filesystem::path& folder, const std
                                                       : fmt::format("{} (at {})", problem.message,
                                                                     point_text(axes, indices))});
   if (!problems.empty()) return {};
-  RunConfig run(std::move(resolved), folder);
+  RunConfig run(std::move(resolved), folder, like);
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (depends_on(run.resolved(), axes[a].first))
       run.point.emplace_back(axes[a].first, axes[a].second[indices[a]]);
   return run;
+}
+
+// Of runs with equal settings the first.
+std::vector<RunConfig> without_repeats(std::vector<RunConfig> runs) {
+  const auto hash = [](const RunConfig& run) { return std::hash<Json>()(run.resolved()); };
+  const auto equal = [](const RunConfig& a, const RunConfig& b) { return a.resolved() == b.resolved(); };
+  std::unordered_set<RunConfig, decltype(hash), decltype(equal)> seen(2 * runs.size(), hash, equal);
+  std::erase_if(runs, [&](const RunConfig& run) { return !seen.insert(run).second; });
+  return runs;
 }
 
 }  // namespace
@@ -193,26 +204,24 @@ std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem:
   struct Point {
     std::vector<std::size_t> indices;
     RunConfig run;
-    std::string text;
     ConfigProblems problems;
   };
   std::vector<Point> points;
   std::vector<std::size_t> indices(axes.size(), 0);
-  do points.push_back({indices, {}, {}, {}});
+  do points.push_back({indices, {}, {}});
   while (advance(indices, axes));
-  in_parallel(points.size(), 200, [&](std::size_t i) {
-    Point& point = points[i];
-    point.run = make_run(settings, folder, axes, point.indices, point.problems);
-    if (point.problems.empty()) point.text = point.run.resolved().dump();
-  });
+  const auto make = [&](Point& point, const RunConfig* like) {
+    point.run = make_run(settings, folder, axes, point.indices, like, point.problems);
+  };
+  make(points.front(), nullptr);
+  in_parallel(points.size() - 1, 200, [&](std::size_t i) { make(points[i + 1], &points.front().run); });
   std::vector<RunConfig> runs;
-  std::set<std::string> seen;
   for (Point& point : points) {
     problems.insert(problems.end(), point.problems.begin(), point.problems.end());
     if (!problems.empty()) return runs;
-    if (seen.insert(std::move(point.text)).second) runs.push_back(std::move(point.run));
+    runs.push_back(std::move(point.run));
   }
-  return runs;
+  return without_repeats(std::move(runs));
 }
 
 std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem::path& folder,
@@ -224,7 +233,7 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
   std::vector<RunConfig> allowed_runs;
   const auto allowed = [&](const CoverRow& row) {
     ConfigProblems found;
-    RunConfig run = make_run(settings, folder, axes, row, found);
+    RunConfig run = make_run(settings, folder, axes, row, nullptr, found);
     if (found.empty()) allowed_runs.push_back(std::move(run));
     for (std::size_t a = 0; a < axes.size() && !found.empty(); ++a) why[{{a, row[a]}}] = found.front();
     return found.empty();
@@ -256,11 +265,7 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
   covered.tuples = covering.tuples;
   covered.missing = covering.missing;
 
-  std::vector<RunConfig> runs;
-  std::set<std::string> seen;
-  for (RunConfig& run : allowed_runs)
-    if (seen.insert(run.resolved().dump()).second) runs.push_back(std::move(run));
-  return runs;
+  return without_repeats(std::move(allowed_runs));
 }
 
 }  // namespace bendlab

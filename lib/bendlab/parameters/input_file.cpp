@@ -45,7 +45,7 @@ std::string read_input_file(const std::filesystem::path& file, std::uint64_t mos
   if (!S_ISREG(status.st_mode)) fail("is a pipe or a device, not a file");
   const auto size = static_cast<std::uint64_t>(status.st_size);
   if (size > most) fail(fmt::format("is too large: it has {} bytes, and at most {} are read", size, most));
-  std::string bytes(size, '\0');
+  std::string bytes(size + 1, '\0');  // one more, so that the end is met without making room
   for (std::size_t at = 0;;) {
     if (at == bytes.size()) bytes.resize(at + (1 << 16));  // files of the system say that they have no bytes
     const ssize_t got = ::read(descriptor, bytes.data() + at, bytes.size() - at);
