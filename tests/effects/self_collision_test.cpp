@@ -260,6 +260,8 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
   const auto pairs = all_pairs(rest);
   const Effect& effect = *find_effect("self_collision");
   const ParameterValues values(effect.parameters);
+  // Of thick cloth, most pairs are nearer than the thickness at rest, and have smaller targets.
+  const double thick = thickness * GENERATE(1, 40);
   std::size_t near = 0, listed = 0;
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U}) {
     std::mt19937_64 random(seed);
@@ -270,7 +272,7 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
       to.row(v) += (shared + test::random_vector(random, 0.01)).transpose();
     const State<double> state =
         state_on_the_way<double>(from, to, std::vector<double>(static_cast<std::size_t>(to.rows()), 1.0));
-    NearPairs<double> found({values, rest, make_pins(rest, {}, 0), {}}, thickness);
+    NearPairs<double> found({values, rest, make_pins(rest, {}, 0), {}}, thick);
     CHECK_FALSE(found.cover(state.position));
     found.begin(state, 0.001);
     CHECK(found.cover(state.position));
@@ -280,7 +282,7 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
     CHECK(names.size() == found.pairs().size());  // each once
     for (const auto& [pairing, vertices] : pairs) {
       const double at_rest = shortest_gap(pairing, rows(rest.positions(), vertices)).vector.norm();
-      const double target = std::min(thickness, 0.5 * at_rest);
+      const double target = std::min(thick, 0.5 * at_rest);
       // Anywhere on the way counts.
       double least = 1e300;
       for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0})
@@ -292,8 +294,8 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
     }
     listed += names.size();
   }
-  CHECK(near > 1000);            // the sample means something
-  CHECK(listed < pairs.size());  // and the lists are not simply everything, four times over
+  CHECK(near > 1000);                   // the sample means something
+  CHECK(listed < near + pairs.size());  // and the lists are not simply everything, four times over
 }
 
 TEMPLATE_TEST_CASE("where nothing is near, self-collision leaves the same bits", "[effects][self_collision]",

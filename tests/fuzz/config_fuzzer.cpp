@@ -22,6 +22,7 @@ namespace {
 constexpr std::size_t most_points = 64;  // of a sweep: each takes as long as a config of one run
 constexpr std::size_t most_scenes = 2;
 constexpr double most_vertices = 300;
+constexpr double most_that_collide = 60;  // thick cloth compares all with all
 
 // How many runs the config asks for, if it is as it should be.
 std::size_t points_of(const Json& document) {
@@ -41,8 +42,10 @@ bool is_small(const RunConfig& run) {
                       : mesh.text("generator") == "disc" || mesh.text("generator") == "sphere"
                           ? 6 * cells
                           : cells * height / width;
-  return cells * std::max(1.0, rows) < most_vertices && solver.integer("threads") <= 2 &&
-         solver.integer("substeps") * solver.integer("iterations") <= 64;
+  const bool collides =
+      std::ranges::find(run.effects(), "self_collision", &EffectSettings::type) != run.effects().end();
+  return cells * std::max(1.0, rows) < (collides ? most_that_collide : most_vertices) &&
+         solver.integer("threads") <= 2 && solver.integer("substeps") * solver.integer("iterations") <= 64;
 }
 
 void check_round_trip(const RunConfig& run) {

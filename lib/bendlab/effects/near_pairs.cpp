@@ -7,8 +7,10 @@
 namespace bendlab {
 namespace {
 
-// Added to the margin for the rounding of float boxes; relative to the largest coordinate.
+// Added to the margin for the rounding of float boxes; relative to the largest coordinate of a box.
 constexpr double box_rounding = 4e-7;
+// A box's extent in the fourth lane, in which all overlap.
+constexpr float endless = 1e30F;
 // Relative to the thickness: a pair nearer than this at rest touches (a seam that is not welded).
 constexpr double touching = 1e-6;
 
@@ -113,11 +115,11 @@ void NearPairs<Real>::find(const State<Real>& state, double part_of_target, doub
 
 // Two elements on the same sides along an axis at the start and at the end are so all the way.
 template <class Real>
-bool NearPairs<Real>::Way::meets(const Way& other) const {
+bool NearPairs<Real>::Way::meets(const Way& other, float depth) const {
   const auto above = [](const Box& a, const Box& b) { return a.low - b.high; };
   const Box::Corner on_this_side = above(start, other.start).min(above(end, other.end));
   const Box::Corner on_that_side = above(other.start, start).min(above(other.end, end));
-  return on_this_side.max(on_that_side).maxCoeff() <= 0;
+  return on_this_side.max(on_that_side).maxCoeff() <= -depth;
 }
 
 template <class Real>
@@ -129,11 +131,12 @@ void NearPairs<Real>::set_boxes(const State<Real>& state) {
                               [&](std::size_t v) -> Vector3Of<Real> { return state.position[v].vector(); });
   const double largest = std::max(positions.low.cwiseAbs().maxCoeff(), positions.high.cwiseAbs().maxCoeff()) +
                          std::max(moved.low.cwiseAbs().maxCoeff(), moved.high.cwiseAbs().maxCoeff());
-  const double reach = 0.5 * part_of_target_ * thickness_ + margin_ + box_rounding * largest;
+  const double near = 0.5 * part_of_target_ * thickness_ + margin_;
+  const double reach = near + box_rounding * (largest + near);
   const auto box_about = [&](const Point<Real>& p) {
     const auto lower = [&](Real x) { return static_cast<float>(static_cast<double>(x) - reach); };
     const auto upper = [&](Real x) { return static_cast<float>(static_cast<double>(x) + reach); };
-    return Box{{lower(p.x), lower(p.y), lower(p.z), 0}, {upper(p.x), upper(p.y), upper(p.z), 0}};
+    return Box{{lower(p.x), lower(p.y), lower(p.z), -endless}, {upper(p.x), upper(p.y), upper(p.z), endless}};
   };
   vertex_ways_.resize(rest_.size());
   for (std::size_t v = 0; v < rest_.size(); ++v)
@@ -158,9 +161,29 @@ typename NearPairs<Real>::Way NearPairs<Real>::edge_way(const Triangle& t, std::
   return way;
 }
 
+// The boxes are grown for pairs whose target is the thickness; one that is near at rest has a smaller target.
+template <class Real>
+bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
+                                    const Way& other) const {
+  if (!one.meets(other)) return false;
+  const auto apart = [&](std::size_t i, std::size_t j) {
+    return (rest_[static_cast<std::size_t>(vertices[i])] - rest_[static_cast<std::size_t>(vertices[j])])
+        .squaredNorm();
+  };
+  const double nearest_corners = pairing == Pairing::vertex_triangle
+                                     ? std::min({apart(0, 1), apart(0, 2), apart(0, 3)})
+                                     : std::min({apart(0, 2), apart(0, 3), apart(1, 2), apart(1, 3)});
+  const double largest_target = std::min(thickness_, 0.5 * std::sqrt(nearest_corners));
+  return one.meets(other, static_cast<float>(part_of_target_ * (thickness_ - largest_target)));
+}
+
 template <class Real>
 void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::size_t second) {
   if (!triangle_ways_[first].meets(triangle_ways_[second])) return;
+  const auto look = [&](Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
+                        const Way& other) {
+    if (may_come_near(pairing, vertices, one, other)) add(state, pairing, vertices);
+  };
   const auto has = [](const Triangle& t, int v) {
     return t.vertices[0] == v || t.vertices[1] == v || t.vertices[2] == v;
   };
@@ -168,9 +191,9 @@ void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::
     const Triangle &t = triangles_[own], &facing = triangles_[other];
     for (std::size_t i = 0; i < 3; ++i) {
       const int v = t.vertices[i];
-      if (t.owns_vertex[i] && !has(facing, v) &&
-          vertex_ways_[static_cast<std::size_t>(v)].meets(triangle_ways_[other]))
-        add(state, Pairing::vertex_triangle, {v, facing.vertices[0], facing.vertices[1], facing.vertices[2]});
+      if (t.owns_vertex[i] && !has(facing, v))
+        look(Pairing::vertex_triangle, {v, facing.vertices[0], facing.vertices[1], facing.vertices[2]},
+             vertex_ways_[static_cast<std::size_t>(v)], triangle_ways_[other]);
     }
   }
   const Triangle &a = triangles_[first], &b = triangles_[second];
@@ -181,8 +204,8 @@ void NearPairs<Real>::look_at(const State<Real>& state, std::size_t first, std::
     if (!way.meets(triangle_ways_[second])) continue;
     for (std::size_t j = 0; j < 3; ++j) {
       const int b0 = b.vertices[j], b1 = b.vertices[(j + 1) % 3];
-      if (b.owns_edge[j] && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1 && way.meets(edge_way(b, j)))
-        add(state, Pairing::edge_edge, {a0, a1, b0, b1});
+      if (b.owns_edge[j] && a0 != b0 && a0 != b1 && a1 != b0 && a1 != b1)
+        look(Pairing::edge_edge, {a0, a1, b0, b1}, way, edge_way(b, j));
     }
   }
 }

@@ -30,7 +30,7 @@ struct NearPair {
 ///   that all vertices share is left out: cloth in free fall sweeps no space.
 /// * Each vertex and each edge belongs to one triangle, so every pair is tested once (Curtis et al. 2008).
 /// * Two elements are apart all the way if some axis or their gap's normal separates them both at the start
-///   and at the end.
+///   and at the end, by more than their target.
 ///
 /// Why half of the rest distance: a chord of a half circle is at least 2/π of its arc, so cloth may be folded
 /// to a diameter of the thickness before a pair is pushed, and neighbours at rest never are. Elements that
@@ -63,11 +63,14 @@ class NearPairs {
   struct Way {
     Box start, end;
     void include(const Way& other) { start.include(other.start), end.include(other.end); }
-    bool meets(const Way& other) const;
+    /// Whether two elements may come so near each other that the boxes overlap by `depth`, m.
+    bool meets(const Way& other, float depth = 0) const;
   };
 
   void measure_start(const State<Real>& state, NearPair& pair) const;
   void set_boxes(const State<Real>& state);
+  bool may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
+                     const Way& other) const;
   void look_at(const State<Real>& state, std::size_t first, std::size_t second);
   void add(const State<Real>& state, Pairing pairing, const std::array<int, 4>& vertices);
   Way edge_way(const Triangle& t, std::size_t edge) const;
