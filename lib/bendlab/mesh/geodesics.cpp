@@ -61,6 +61,7 @@ class Front {
   struct Reached {
     double distance = infinity;
     int source = -1;
+    int times = 0;  // how often it has become nearer to this source
   };
   Reached nearest(int v) const {
     return *std::ranges::min_element(known_[static_cast<std::size_t>(v)], {}, &Reached::distance);
@@ -81,14 +82,16 @@ class Front {
 
   // A source that is farther than all that the vertex keeps is forgotten.
   void reach(int v, double distance, int source) {
-    // Relative: a smaller gain is not passed on. Around a triangle without height paths get shorter for ever.
-    constexpr double least_gain = 1e-10;
     Known& known = known_[static_cast<std::size_t>(v)];
     auto place = std::ranges::find(known, source, &Reached::source);
     if (place == known.end()) place = std::ranges::max_element(known, {}, &Reached::distance);
-    if (!(distance < limit_ && distance < place->distance * (1 - least_gain))) return;
+    // A smaller gain, relative, is not passed on. Around triangles without height paths get shorter for ever:
+    // each time the gain has to be twice as large.
+    constexpr double least_gain = 1e-10;
+    const int times = place->source == source ? place->times + 1 : 0;
+    if (!(distance < limit_ && distance < place->distance * (1 - std::ldexp(least_gain, times)))) return;
     if (known.front().source < 0) reached_.push_back(v);
-    *place = {distance, source};
+    *place = {distance, source, times};
     front_.push({distance, v, source});
   }
 
