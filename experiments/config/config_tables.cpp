@@ -316,7 +316,9 @@ const std::vector<Parameter>& solver() {
   static const std::string meaning = [] {
     std::string text = "How a time step moves the cloth.";
     for (const Method* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
-    return text + " Settings that a method does not read do not matter: see `bendlab methods`";
+    return text +
+           " A setting that a method does not read changes nothing, and a warning tells of it: see "
+           "`bendlab methods`";
   }();
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows = {

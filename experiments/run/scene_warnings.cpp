@@ -2,14 +2,17 @@
 #include "experiments/run/warning_messages.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
+#include "experiments/config/config_tables.hpp"
 #include "experiments/config/defaults.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/stiffness_settings.hpp"
@@ -160,6 +163,24 @@ Message starts_inside(const WarningInput& input) {
   return std::nullopt;
 }
 
+// ---- thick_cloth
+
+// Each element is near all that lie within the thickness, and is compared with them in each substep.
+Message thick_cloth(const WarningInput& input) {
+  const std::vector<EffectSettings>& effects = input.scene.effects;
+  const auto collision = std::ranges::find(effects, "self_collision", &EffectSettings::type);
+  if (collision == effects.end()) return std::nullopt;
+  constexpr double most = 2;  // edges
+  const double thickness = collision->values.number("thickness"), edge = input.scene.rest.mean_edge_length();
+  if (!(thickness > most * edge)) return std::nullopt;
+  return fmt::format(
+      "/effects/{} (self_collision): the cloth is {:.3g} m thick, {:.2g} times as long as its mean edge: "
+      "most "
+      "of the run will be spent comparing each triangle with all others within that distance (a sheet took 4 "
+      "times as long with 2.3 edges as with 0.6). Set thickness to about {:.2g} m, or take fewer cells",
+      collision - effects.begin(), thickness, thickness / edge, 0.5 * edge);
+}
+
 // ---- far_vertex
 
 namespace {
@@ -226,6 +247,43 @@ Message inert_stiffness(const WarningInput& input) {
                          setting.pointer, setting.stiffness, name, setting.kinds_text());
   }
   return std::nullopt;
+}
+
+// ---- inert_setting
+
+// Settings of another method or model are left out of the resolved config. With a choice that is swept, others
+// of its runs may use them.
+Message inert_setting(const WarningInput& input) {
+  const Json& resolved = input.config.resolved();
+  const auto unread = [&](std::string_view in, std::string_view chosen_by) {
+    std::vector<std::string> pointers;
+    if (std::ranges::any_of(input.experiment.axes,
+                            [&](const Axis& axis) { return lies_within(chosen_by, axis.first); }))
+      return pointers;
+    for (const ConfigSection& section : config_sections())
+      if (lies_within(section.pointer, in))
+        for (const Parameter& row : section.parameters)
+          if (std::string pointer = child_pointer(section.pointer, row.name);
+              is_chosen(input, pointer) && value_at(resolved, pointer) == nullptr &&
+              std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer) ==
+                  stiffness_settings.end())
+            pointers.push_back(std::move(pointer));
+    return pointers;
+  };
+  const std::string& method = input.config.section("/solver").text("method");
+  std::vector<std::string> of_methods = unread("/solver", "/solver/method");
+  std::ranges::move(unread("/material/strain", "/solver/method"), std::back_inserter(of_methods));
+  if (!of_methods.empty())
+    return fmt::format(
+        "{} changes nothing here, because {} does not read it ('bendlab methods' says what "
+        "each method reads). Remove it, or choose another /solver/method",
+        fmt::join(of_methods, ", "), method);
+  std::vector<std::string> of_models;
+  for (const ConfigSection* section : child_sections("/bending"))
+    std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));
+  if (of_models.empty()) return std::nullopt;
+  return fmt::format("{} changes nothing here, because /bending/model is {}. Remove it, or choose that model",
+                     fmt::join(of_models, ", "), input.config.bending_model());
 }
 
 // ---- units

@@ -20,9 +20,11 @@ Message friction_without_obstacle(const WarningInput& input);
 Message kinetic_above_static(const WarningInput& input);
 Message coarse_wind(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
+Message thick_cloth(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
 Message inert_stiffness(const WarningInput& input);
+Message inert_setting(const WarningInput& input);
 Message units(const WarningInput& input);
 
 // Of the solver: solver_warnings.cpp.

@@ -142,6 +142,18 @@ TEST_CASE("warnings: cloth that starts inside an obstacle", "[warnings]") {
   CHECK(codes_of(with(R"({"type": "sphere", "centre": [0, 0, -0.3], "radius": 0.3})")).empty());
 }
 
+TEST_CASE("warnings: cloth much thicker than its edges are long", "[warnings]") {
+  const auto with = [](const std::string& thickness) {  // the mean edge of 4 cells is about 0.29 m
+    return R"("mesh": {"cells": 4}, "pins": {"vertices": []}, "effects": [{"type": "gravity"},
+        {"type": "self_collision", "thickness": )" +
+           thickness + "}]";
+  };
+  CHECK(codes_of(with("0.5")).empty());
+  CHECK(codes_of(with("0.7")) == Codes{"thick_cloth"});
+  CHECK_THAT(message_of("thick_cloth", with("0.7")),
+             ContainsSubstring("/effects/1") && ContainsSubstring("thickness to about 0.14 m"));
+}
+
 TEST_CASE("warnings: a vertex far from its neighbours", "[warnings]") {
   const fs::path file = fs::temp_directory_path() / ("bendlab far " + std::to_string(getpid()) + ".obj");
   const auto codes = [&](double far) {
@@ -157,6 +169,31 @@ TEST_CASE("warnings: a vertex far from its neighbours", "[warnings]") {
   CHECK(codes(100).empty());
   CHECK(codes(1000) == Codes{"far_vertex"});
   fs::remove(file);
+}
+
+TEST_CASE("warnings: settings that the method or the model does not read", "[warnings]") {
+  const auto with = [](const std::string& settings) {
+    return R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"}], )" + settings;
+  };
+  const auto newton = [&](const std::string& settings) {
+    return with(R"("bending": {"stiffness": "compliance", "compliance": 1}, "material": {"strain":
+                   {"stiffness": "compliance", "compliance": 1e-4}}, )" +
+                settings);
+  };
+  const std::string single = R"("solver": {"method": "newton", "precision": "single", "iterations": 9})";
+  CHECK(codes_of(newton(single)) == Codes{"inert_setting"});
+  CHECK_THAT(message_of("inert_setting", newton(single)),
+             ContainsSubstring("/solver/precision changes nothing here, because newton does not read it"));
+  CHECK(codes_of(newton(R"("solver": {"method": "newton", "iterations": 9})")).empty());
+  CHECK(codes_of(with(R"("solver": {"precision": "double"})")).empty());
+  const std::string swept =
+      R"("solver": {"first": "bending"}, "sweep": {"/solver/method": ["newton", "pbd"]})";
+  CHECK(codes_of(newton(swept)).empty());
+  const std::string rings = R"("k_ring": {"rings": "last"})";
+  CHECK_THAT(
+      message_of("inert_setting", with(R"("bending": {)" + rings + "}")),
+      ContainsSubstring("/bending/k_ring/rings changes nothing here, because /bending/model is adaptive"));
+  CHECK(codes_of(with(R"("bending": {"model": "k_ring", )" + rings + "}")).empty());
 }
 
 TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {
