@@ -174,10 +174,9 @@ Message thick_cloth(const WarningInput& input) {
   const double thickness = collision->values.number("thickness"), edge = input.scene.rest.mean_edge_length();
   if (!(thickness > most * edge)) return std::nullopt;
   return fmt::format(
-      "/effects/{} (self_collision): the cloth is {:.3g} m thick, {:.2g} times as long as its mean edge: "
-      "most "
-      "of the run will be spent comparing each triangle with all others within that distance (a sheet took 4 "
-      "times as long with 2.3 edges as with 0.6). Set thickness to about {:.2g} m, or take fewer cells",
+      "/effects/{} (self_collision): a thickness of {:.3g} m is {:.2g} times the mean edge, so that each "
+      "triangle is compared with many others in every step (with 2.3 edges a sheet took 4 times as long as "
+      "with 0.6). Set thickness to about {:.2g} m, half an edge, or take fewer cells",
       collision - effects.begin(), thickness, thickness / edge, 0.5 * edge);
 }
 
@@ -270,20 +269,25 @@ Message inert_setting(const WarningInput& input) {
             pointers.push_back(std::move(pointer));
     return pointers;
   };
+  const auto text = [](const std::vector<std::string>& pointers, const std::string& because) {
+    const bool one = pointers.size() == 1;
+    return fmt::format("{} change{} nothing here, because {}. Remove {}, or choose another ",
+                       fmt::join(pointers, ", "), one ? "s" : "", because, one ? "it" : "them");
+  };
   const std::string& method = input.config.section("/solver").text("method");
   std::vector<std::string> of_methods = unread("/solver", "/solver/method");
   std::ranges::move(unread("/material/strain", "/solver/method"), std::back_inserter(of_methods));
   if (!of_methods.empty())
-    return fmt::format(
-        "{} changes nothing here, because {} does not read it ('bendlab methods' says what "
-        "each method reads). Remove it, or choose another /solver/method",
-        fmt::join(of_methods, ", "), method);
+    return text(of_methods,
+                fmt::format("the method {} does not read {} ('bendlab methods' says what each reads)", method,
+                            of_methods.size() == 1 ? "it" : "them")) +
+           "/solver/method";
   std::vector<std::string> of_models;
   for (const ConfigSection* section : child_sections("/bending"))
     std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));
   if (of_models.empty()) return std::nullopt;
-  return fmt::format("{} changes nothing here, because /bending/model is {}. Remove it, or choose that model",
-                     fmt::join(of_models, ", "), input.config.bending_model());
+  return text(of_models, fmt::format("/bending/model is {}", input.config.bending_model())) +
+         "/bending/model";
 }
 
 // ---- units

@@ -183,7 +183,8 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
   const std::string single = R"("solver": {"method": "newton", "precision": "single", "iterations": 9})";
   CHECK(codes_of(newton(single)) == Codes{"inert_setting"});
   CHECK_THAT(message_of("inert_setting", newton(single)),
-             ContainsSubstring("/solver/precision changes nothing here, because newton does not read it"));
+             ContainsSubstring(
+                 "/solver/precision changes nothing here, because the method newton does not read it"));
   CHECK(codes_of(newton(R"("solver": {"method": "newton", "iterations": 9})")).empty());
   CHECK(codes_of(with(R"("solver": {"precision": "double"})")).empty());
   const std::string swept =

@@ -65,7 +65,9 @@ struct Range {
 
 template <class Real>
 NearPairs<Real>::NearPairs(const EffectInput& input, double thickness)
-    : thickness_(thickness), tree_(centres_of(input.rest)) {
+    : thickness_(thickness),
+      thick_(thickness > 0.75 * input.rest.mean_edge_length()),
+      tree_(centres_of(input.rest)) {
   const auto count = static_cast<std::size_t>(input.rest.vertex_count());
   rest_.resize(count);
   for (int v = 0; v < input.rest.vertex_count(); ++v) rest_[input.permuted(v)] = input.rest.position(v);
@@ -166,6 +168,7 @@ template <class Real>
 bool NearPairs<Real>::may_come_near(Pairing pairing, const std::array<int, 4>& vertices, const Way& one,
                                     const Way& other) const {
   if (!one.meets(other)) return false;
+  if (!thick_) return true;  // too few are near at rest
   const auto apart = [&](std::size_t i, std::size_t j) {
     return (rest_[static_cast<std::size_t>(vertices[i])] - rest_[static_cast<std::size_t>(vertices[j])])
         .squaredNorm();

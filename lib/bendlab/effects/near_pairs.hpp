@@ -76,6 +76,7 @@ class NearPairs {
   Way edge_way(const Triangle& t, std::size_t edge) const;
 
   double thickness_;
+  bool thick_;  // compared with the mesh's edges
   std::vector<Triangle> triangles_;
   std::vector<Vector3> rest_;  // m, permuted
   BoxTree tree_;
