@@ -70,6 +70,22 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
   check_all();
   CHECK(bytes_of(index) == text);  // nothing was new
 
+  SECTION("states can be had without the rest, and the index keeps the rest") {
+    fs::remove_all(files[1].parent_path());
+    files.erase(files.begin() + 1);
+    const std::vector<RunRecord> states = read_runs(
+        folder / "", [](const std::string& what) { FAIL_CHECK(what); }, Part::state);
+    REQUIRE(states.size() == files.size());
+    for (std::size_t i = 0; i < states.size(); ++i) {
+      RunRecord whole = read_run(files[i]);
+      whole.summary.clear(), whole.provenance.clear(), whole.config = "null";
+      RunRecord state = states[i];
+      CHECK(state.config.empty());
+      state.config = "null";
+      check_same(state, whole);
+    }
+    check_all();  // from the index that was written for the states
+  }
   SECTION("a damaged index is not believed") {
     std::string damaged = text;
     damaged[text.find("complete")] = 'C';

@@ -61,6 +61,32 @@ TEST_CASE("sweep: every combination in order, the last axis fastest") {
   CHECK(swept.runs[4].point[1] == std::pair<std::string, Json>("/mesh/cells", 32));
 }
 
+// Neighbours share the sections in which they are equal.
+TEST_CASE("sweep: each run has the settings that it has alone") {
+  const Experiment swept = experiment(R"("sweep": {
+      "/mesh": [{"cells": 3}, {"generator": "disc", "cells": 4}, {}],
+      "/bending": [{"model": "k_ring", "k_ring": {"k": 3}}, {"model": "k_ring"}, {"model": "none"}],
+      "/material/strain/shear": [1, 0.25],
+      "/effects": [[{"type": "gravity"}], [{"type": "gravity", "acceleration": [0, 0, -1]}], []]})");
+  REQUIRE(swept.runs.size() == 54);
+  for (const RunConfig& run : swept.runs) {
+    const RunConfig alone(run.resolved());
+    for (const char* section : {"", "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver",
+                                "/initial", "/output", "/accuracy", "/quality"})
+      CHECK(run.section(section).all() == alone.section(section).all());
+    CHECK(run.bending_parameters().all() == alone.bending_parameters().all());
+    REQUIRE(run.effects().size() == alone.effects().size());
+    for (std::size_t i = 0; i < run.effects().size(); ++i)
+      CHECK(run.effects()[i].values.all() == alone.effects()[i].values.all());
+    const Json settings = [&] {
+      Json named = run.resolved();
+      named["name"] = "t";
+      return named;
+    }();
+    CHECK(parse_experiment(settings.dump(), "alone").runs.front().resolved() == run.resolved());
+  }
+}
+
 TEST_CASE("sweep: a run and its folder are named after its place") {
   const Experiment swept =
       experiment(R"("sweep": {"/mesh/cells": [8, 16], "/bending/model": ["lod", "isometric"]})");
