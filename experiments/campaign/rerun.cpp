@@ -5,6 +5,7 @@
 #include <array>
 
 #include "bendlab/io/disk.hpp"
+#include "experiments/campaign/errors.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/config/pointers.hpp"
 
@@ -41,10 +42,19 @@ Experiment experiment_of(const RunRecord& run, const fs::path& folder) {
 
 Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl& control) {
   make_folder(folder);
-  const Experiment experiment = experiment_of(run, folder);
+  Experiment experiment = experiment_of(run, folder);
+  experiment.settings = {{"name", run.name}};  // nobody stated the others: no warning is due for them
+  RunConfig& config = experiment.runs.front();
+  const Json point = Json::parse(text_in(run, "point"), nullptr, false);
+  if (point.is_object())
+    for (const auto& [pointer, value] : point.items()) config.point.emplace_back(pointer, value);
+  std::error_code none;
+  if (fs::equivalent(run_folder(folder, experiment, config), run.file.parent_path(), none))
+    throw UsageError(fmt::format("a repetition in '{}' would replace the run itself: name another folder",
+                                 folder.string()));
   RunControl again = control;
   again.force = true;
-  Repetition repetition{execute_run(experiment, experiment.runs.front(), folder, again), {}, {}};
+  Repetition repetition{execute_run(experiment, config, folder, again), {}, {}};
   if (repetition.outcome.status == RunStatus::interrupted) return repetition;
   repetition.differing_parts = differing_parts(run.file, repetition.outcome.file);
   const RunRecord now = read_run(repetition.outcome.file);

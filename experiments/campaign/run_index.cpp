@@ -278,7 +278,7 @@ std::vector<RunRecord> read_runs(const fs::path& folder,
       known[i].new_line = line_of(folder, known[i].stamp, runs.back());
       ++finished;
     } catch (const std::exception& error) {
-      unreadable(error.what());
+      if (fs::exists(files[i])) unreadable(error.what());  // else it was renamed or removed meanwhile
     }
   if (from_index == index.size() && from_index == finished) return runs;
   std::string text(first_line);

@@ -70,10 +70,9 @@ std::vector<std::string> axis_headings(const Experiment& experiment) {
   std::vector<std::string> headings;
   for (const auto& [pointer, values] : experiment.axes)
     headings.push_back(pointer.substr(pointer.rfind('/') + 1));
-  for (std::size_t i = 0; i < headings.size(); ++i) {
-    const bool alike = std::ranges::count(headings, headings[i]) > 1;
-    if (alike) headings[i] = experiment.axes[i].first;
-  }
+  const std::vector<std::string> last_parts = headings;
+  for (std::size_t i = 0; i < headings.size(); ++i)
+    if (std::ranges::count(last_parts, last_parts[i]) > 1) headings[i] = experiment.axes[i].first;
   return headings;
 }
 

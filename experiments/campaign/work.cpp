@@ -8,6 +8,7 @@
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/campaign/run_index.hpp"
+#include "experiments/run/checked_read.hpp"
 #include "experiments/terminal/signals.hpp"
 
 namespace bendlab {
@@ -79,6 +80,15 @@ std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, con
   }
 }
 
+std::optional<RunRecord> ended_since(const fs::path& folder) try {
+  const fs::path file = folder / "run.vtkhdf";
+  if (!fs::exists(file)) return std::nullopt;
+  RunRecord record = read_checked(file);
+  return is_over(record.status) ? std::optional(std::move(record)) : std::nullopt;
+} catch (const std::exception&) {  // it is no run's file
+  return std::nullopt;
+}
+
 std::vector<PlannedState> states_of(const PlanOverview& plan,
                                     const std::function<void(const std::string&)>& unreadable) {
   std::set<fs::path> folders;
@@ -94,11 +104,16 @@ std::vector<PlannedState> states_of(const PlanOverview& plan,
   for (const PlannedRun& run : plan.runs) {
     using Kind = PlannedState::Kind;
     PlannedState& state = states.emplace_back();
-    if (const auto over = found.find(run.folder.string()); over != found.end() && over->second.id == run.id) {
-      const RunRecord& record = over->second;
+    const auto over = [&](const RunRecord& record) {
       state = {Kind::over, record.status, "", record.wall_s, record.cpu_s};
+    };
+    if (const auto known = found.find(run.folder.string());
+        known != found.end() && known->second.id == run.id) {
+      over(known->second);
     } else if (std::string owner = owner_of(run.folder); !owner.empty()) {
       state = {.kind = Kind::running, .text = std::move(owner)};
+    } else if (const auto record = ended_since(run.folder); record && record->id == run.id) {
+      over(*record);
     } else if (std::string failure = failure_in(run.folder); !failure.empty()) {
       state = {.kind = Kind::failed, .text = std::move(failure)};
     } else if (!unfinished_files(run.folder).empty() || fs::exists(run.folder / "run.vtkhdf")) {

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,9 @@ struct PlannedState {
   std::string text;                       ///< who computes it, or why it failed
   double wall_s = 0, cpu_s = 0;           ///< of one that is over
 };
+
+/// The run of a folder that ended while others were read; nothing if none did.
+std::optional<RunRecord> ended_since(const std::filesystem::path& folder);
 
 /// States of a plan's runs, in its order. `unreadable` as in read_runs().
 std::vector<PlannedState> states_of(const PlanOverview& plan,

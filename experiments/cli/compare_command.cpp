@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "experiments/campaign/compare.hpp"
 #include "experiments/campaign/errors.hpp"
@@ -84,16 +85,37 @@ void print_pair(const RunRecord& one, const RunRecord& other, const RunDifferenc
   }
 }
 
-// Runs of a folder by their place on the sweep.
-std::map<std::string, RunRecord> by_point(const fs::path& folder) {
-  std::map<std::string, RunRecord> runs;
-  for (RunRecord& record : read_runs(folder)) {
-    if (record.file.string().find("/references/") != std::string::npos) continue;
-    const auto point = record.provenance.find("point");
-    runs.insert_or_assign(point == record.provenance.end() ? "{}" : point->second, std::move(record));
-  }
-  return runs;
+std::string text_in(const RunRecord& run, const char* name) {
+  const auto found = run.provenance.find(name);
+  return found == run.provenance.end() ? "" : found->second;
 }
+
+// The runs of a folder by experiment and place on the sweep, in whatever order its axes are.
+struct RunsByPlace {
+  std::map<std::pair<std::string, std::string>, RunRecord> runs;
+  std::set<std::string> experiments;
+  std::size_t others = 0;  // runs at a place that has several
+
+  // Of several versions of a run the one that ended last.
+  explicit RunsByPlace(const fs::path& folder) {
+    for (RunRecord& record : read_runs(folder)) {
+      if (record.file.string().find("/references/") != std::string::npos) continue;
+      const nlohmann::json point = nlohmann::json::parse(text_in(record, "point"), nullptr, false);
+      experiments.insert(record.name);
+      const auto [place, is_new] =
+          runs.try_emplace({record.name, point.is_object() ? point.dump() : "{}"}, record);
+      if (is_new) continue;
+      ++others;
+      if (text_in(place->second, "ended") <= text_in(record, "ended")) place->second = std::move(record);
+    }
+  }
+  // Two sweeps under other names can be compared.
+  void forget_experiment() {
+    decltype(runs) nameless;
+    for (auto& [place, run] : runs) nameless.emplace(std::pair("", place.second), std::move(run));
+    runs = std::move(nameless);
+  }
+};
 
 bool has_many_runs(const std::string& argument) {
   if (!fs::is_directory(argument)) return false;
@@ -102,21 +124,24 @@ bool has_many_runs(const std::string& argument) {
 
 // Two sweeps, point by point: the numbers that most people look at.
 int compare_sweeps(const CompareArguments& arguments, bool json) {
-  const std::map<std::string, RunRecord> ones = by_point(arguments.one), others = by_point(arguments.other);
+  RunsByPlace ones(arguments.one), others(arguments.other);
+  if (ones.experiments.size() == 1 && others.experiments.size() == 1)
+    ones.forget_experiment(), others.forget_experiment();
   const std::vector<std::string> names = {"mean_strain", "max_stretch", "drop", "step_cpu_s"};
   std::vector<std::string> headings = {"point"};
   for (const std::string& name : names) headings.push_back(name + " (change)");
   headings.push_back("bits");
   Table table(headings);
   std::size_t in_both = 0;
-  for (const auto& [point, one] : ones) {
-    const auto found = others.find(point);
-    if (found == others.end()) continue;
+  for (const auto& [place, one] : ones.runs) {
+    const auto found = others.runs.find(place);
+    if (found == others.runs.end()) continue;
     ++in_both;
     const RunRecord& other = found->second;
     const RunDifference pair = difference(one, other);
     if (json) print_text("{}\n", json_text(to_json(one, other, pair)));
-    std::vector<std::string> row = {point};
+    std::vector<std::string> row = {place.first.empty() ? place.second
+                                                        : fmt::format("{} {}", place.first, place.second)};
     for (const std::string& name : names) {
       const auto value = [&](const RunRecord& record) -> std::optional<double> {
         if (name == "step_cpu_s") return record.step_cpu_s;
@@ -136,7 +161,14 @@ int compare_sweeps(const CompareArguments& arguments, bool json) {
         fmt::format("'{}' and '{}' have no point of a sweep in common", arguments.one, arguments.other));
   if (!json)
     print_text("{}{} in both; {} only in one, {} only in other\n", table.text(), counted(in_both, "point"),
-               ones.size() - in_both, others.size() - in_both);
+               ones.runs.size() - in_both, others.runs.size() - in_both);
+  for (const auto& [folder, runs] : {std::pair(&arguments.one, &ones), std::pair(&arguments.other, &others)})
+    if (runs->others > 0)
+      print_text(
+          stderr,
+          "bendlab: '{}' has several runs at some places; of these the one that ended last is compared "
+          "({} left out). Compare single runs by their ids\n",
+          *folder, counted(runs->others, "run"));
   return exit_ok;
 }
 

@@ -17,6 +17,7 @@
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
+#include "experiments/campaign/work.hpp"
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
@@ -239,6 +240,8 @@ std::string state_on_disk(const StatesByFolder& states, const fs::path& folder, 
   if (found != states.end() && is_whole(found->second.status))
     return found->second.id == id ? to_string(found->second.status) : "unreadable";
   if (!owner_of(folder).empty()) return "running";
+  if (found == states.end())
+    if (const auto record = ended_since(folder); record && record->id == id) return to_string(record->status);
   if (found != states.end())
     return with_frames(
         found->second.status == RunStatus::running ? RunStatus::interrupted : found->second.status,

@@ -85,9 +85,10 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
     std::vector<std::string> metrics;
     for (const auto& [name, value] : summary) metrics.push_back(name);
     result.message = fmt::format(
-        "there is no metric '{}'{} The run has: {}", expectation.metric,
-        nearest_name(expectation.metric, metrics).empty() ? "." : suggestion(expectation.metric, metrics),
-        fmt::join(metrics, ", "));
+        "the run has no number '{}'{} (`bendlab measures` says which numbers there are, and when; `show` "
+        "lists "
+        "those of a run)",
+        expectation.metric, suggestion(expectation.metric, metrics));
     return result;
   }
   result.measured = found->second;

@@ -113,6 +113,16 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
           {"", fmt::format("override '{}' is not of the form /json/pointer=value", override_text)});
       continue;
     }
+    if (const std::string swept = child_pointer("/sweep", pointer);
+        std::ranges::find(pointers, swept) != pointers.end() ||
+        (pointer.starts_with("/sweep/") && (std::ranges::find(pointers, pointer) != pointers.end() ||
+                                            std::ranges::any_of(pointers, [&](const std::string& other) {
+                                              return child_pointer("/sweep", other) == pointer;
+                                            }))))
+      problems.push_back(
+          {pointer, fmt::format("override '{}': the setting is set or swept by another override, "
+                                "too; keep one of them",
+                                override_text)});
     pointers.push_back(pointer);
     try {
       const std::string wrong = apply(document, pointer, override_text.substr(equals + 1));

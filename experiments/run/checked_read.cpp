@@ -160,6 +160,9 @@ RunRecord read_checked(const fs::path& file) {
                      "it was changed after it was written: its checksum is another one", 0);
   if (seal == Seal::whole) return read_run(file);
   RunRecord run = has_child ? read_by_child(file) : read_run(file);
+  if (is_over(run.status))
+    throw file_error(file, "can't be used",
+                     "it was changed after it was written: it is finished, but has no checksum", 0);
   if (run.status == RunStatus::running && owner_of(file.parent_path()).empty())
     run.status = RunStatus::interrupted;
   return run;

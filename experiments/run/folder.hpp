@@ -20,6 +20,7 @@ struct Place {
   std::optional<Checkpoint> saved{};
   EarlierFrames earlier{};  ///< of `saved`
   std::string lost{};       ///< why what an earlier process computed is of no use
+  bool keeps_file = false;  ///< until a new one is whole: it is computed again, though it is there
 };
 
 /// A run's file as it lies on the disk.

@@ -281,7 +281,10 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
         fmt::format("{}: another process took this run over, because this one was silent for too long; its "
                     "result counts",
                     place.file.string()));
-  writer.finish(footer);
+  if (place.keeps_file && outcome.status == RunStatus::interrupted)
+    add_message(outcome, "stopped; the file that was there is kept");
+  else
+    writer.finish(footer);
   return outcome;
 }
 
@@ -314,6 +317,7 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
   if (found.over && !control.force) return reused(found, config);
   const std::string note =
       found.wrong.empty() ? "" : set_aside(place.file, found.wrong, place.claim->token());
+  place.keeps_file = found.over.has_value();
   place.part = fmt::format("{}.{}.part", place.file.string(), place.claim->token());
   const std::vector<std::filesystem::path> left = unfinished_files(place.folder);
   if (!control.force) find_checkpoint(place);
@@ -329,7 +333,8 @@ RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
     }
   }();
   for (const std::filesystem::path& file : left) remove_abandoned(file);
-  if (outcome.status != RunStatus::interrupted) remove_checkpoint(place.folder);
+  if (place.keeps_file) remove_abandoned(place.part);  // it is there if the run was stopped
+  if (outcome.status != RunStatus::interrupted || place.keeps_file) remove_checkpoint(place.folder);
   add_message(outcome, note);
   if (!place.saved && !place.lost.empty())
     add_message(outcome, "began again at its start, because earlier frames can't be used: " + place.lost);

@@ -41,9 +41,16 @@ bool is_chosen(const WarningInput& input, const std::string& pointer) {
   return false;
 }
 
+// Whether other runs follow from this one's settings, which may use what this one does not.
+bool has_derived_runs(const RunConfig& config) {
+  const ParameterValues& accuracy = config.section("/accuracy");
+  return config.section("/initial").has("after") || accuracy.has("solver") || accuracy.has("physical");
+}
+
 }  // namespace
 
 Message inert_seed(const WarningInput& input) {
+  if (has_derived_runs(input.config)) return std::nullopt;
   const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
   const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
              mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
@@ -233,6 +240,7 @@ Message all_pinned(const WarningInput& input) {
 
 // A number that the config's kind of stiffness does not use.
 Message inert_stiffness(const WarningInput& input) {
+  if (has_derived_runs(input.config)) return std::nullopt;
   for (const StiffnessSetting& setting : stiffness_settings) {
     const auto chooses_the_kind = [&](const auto& axis) {  // other runs of the sweep may use the number
       return lies_within(setting.stiffness, axis.first);
@@ -253,6 +261,7 @@ Message inert_stiffness(const WarningInput& input) {
 // Settings of another method or model are left out of the resolved config. With a choice that is swept, others
 // of its runs may use them.
 Message inert_setting(const WarningInput& input) {
+  if (has_derived_runs(input.config)) return std::nullopt;
   const Json& resolved = input.config.resolved();
   const auto unread = [&](std::string_view in, std::string_view chosen_by) {
     std::vector<std::string> pointers;
@@ -288,6 +297,45 @@ Message inert_setting(const WarningInput& input) {
   if (of_models.empty()) return std::nullopt;
   return text(of_models, fmt::format("/bending/model is {}", input.config.bending_model())) +
          "/bending/model";
+}
+
+// ---- replaced_setting
+
+// A swept object takes the place of the config's own. Told where another value than the stated one is in force.
+Message replaced_setting(const WarningInput& input) {
+  std::vector<std::string> lost;
+  std::string by;
+  const auto look = [&](const auto& self, const std::string& pointer, const Json& stated,
+                        const Json& value) -> void {
+    for (const auto& [key, setting] : stated.items()) {
+      const std::string place = child_pointer(pointer, key);
+      const auto found = value.find(key);
+      const Json* const now = value_at(input.config.resolved(), place);
+      if (found == value.end() && now != nullptr && *now != setting)
+        lost.push_back(place);
+      else if (found != value.end() && setting.is_object() && found->is_object())
+        self(self, place, setting, *found);
+    }
+  };
+  for (const auto& [pointer, value] : input.config.point) {
+    const Json* const stated = value_at(input.experiment.settings, pointer);
+    const std::size_t before = lost.size();
+    const bool of_no_model = pointer == "/bending" && input.config.bending_model() == "none";
+    if (stated != nullptr && stated->is_object() && value.is_object() && !of_no_model)
+      look(look, pointer, *stated, value);
+    if (lost.size() > before) by = pointer;
+  }
+  // A later axis may state it again.
+  std::erase_if(lost, [&](const std::string& pointer) {
+    return std::ranges::any_of(input.config.point, [&](const auto& axis) {
+      return lies_within(pointer, axis.first) && axis.first != by;
+    });
+  });
+  if (lost.empty()) return std::nullopt;
+  return fmt::format(
+      "the config states {}, and the sweep of {} replaces the whole object. State it in each "
+      "swept object, or sweep single settings",
+      fmt::join(lost, ", "), by);
 }
 
 // ---- units

@@ -25,6 +25,7 @@ Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
 Message inert_stiffness(const WarningInput& input);
 Message inert_setting(const WarningInput& input);
+Message replaced_setting(const WarningInput& input);
 Message units(const WarningInput& input);
 
 // Of the solver: solver_warnings.cpp.

@@ -27,6 +27,8 @@ constexpr std::array kinds = {
                 inert_stiffness},
     WarningKind{"inert_setting", "a setting is given that the chosen method or bending model does not read",
                 true, inert_setting},
+    WarningKind{"replaced_setting", "a swept object replaces settings that the config states", true,
+                replaced_setting},
     WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
     WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as stated", true,
                 membrane_courant},

@@ -61,6 +61,12 @@ TEST_CASE("sweep: every combination in order, the last axis fastest") {
   CHECK(swept.runs[4].point[1] == std::pair<std::string, Json>("/mesh/cells", 32));
 }
 
+TEST_CASE("sweep: axes with the same last name are headed by their pointers") {
+  CHECK(axis_headings(
+            experiment(R"("sweep": {"/mesh/seed": [1], "/mesh/cells": [4], "/initial/seed": [1, 2]})")) ==
+        Texts{"/mesh/seed", "cells", "/initial/seed"});
+}
+
 // Neighbours share the sections in which they are equal.
 TEST_CASE("sweep: each run has the settings that it has alone") {
   const Experiment swept = experiment(R"("sweep": {

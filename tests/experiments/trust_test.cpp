@@ -98,6 +98,35 @@ TEST_CASE("trust: --force keeps the old file until the new one replaces it", "[t
   CHECK(fs::last_write_time(file) > before);
 }
 
+TEST_CASE("trust: --force that is stopped keeps the old file", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", R"({"name": "tiny", "mesh": {"cells": 24}, "duration": 4, "settled_speed": 0.1})");
+  CHECK(place.run("run tiny.json --set /duration=40") == 0);
+  const fs::path file = only_run(place);
+  const std::string bytes = test::read(file);
+  // SIGINT after a while in which some frames are computed.
+  const std::string stopped = "timeout' -s INT 0.3 '" BENDLAB_PROGRAM;
+  CHECK(place.run("run tiny.json --set /duration=40 --force", stopped) != 0);
+  CHECK(test::read(file) == bytes);
+  CHECK(place.run_files(".part").empty());
+  CHECK(place.run("run tiny.json --set /duration=40 --json") == 0);
+  CHECK(place.out_lines().at(0).at("reused") == true);
+}
+
+TEST_CASE("trust: a finished file without its checksum is used by nobody", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  CHECK_FALSE(reused(place));
+  const fs::path file = only_run(place);
+  fs::resize_file(file, fs::file_size(file) - 1);
+  CHECK(place.run("list") == 0);
+  CHECK_THAT(place.err(), ContainsSubstring("it is finished, but has no checksum"));
+  CHECK(place.run("plan tiny.json --json") == 0);
+  CHECK(place.out_lines().at(0).at("state") == "unreadable");
+  CHECK(place.run("show '" + file.string() + "'") == 5);
+  CHECK_FALSE(reused(place));
+}
+
 TEST_CASE("trust: closed standard streams are not the run file", "[trust]") {
   Workplace place;
   place.write("tiny.json", tiny);
@@ -224,6 +253,11 @@ TEST_CASE("trust: an axis can be added on the command line, and results be chose
   CHECK(place.run("list --sort dorp") == 2);
   CHECK_THAT(place.err(), ContainsSubstring("no run has the number 'dorp'") && ContainsSubstring("'drop'"));
   CHECK(place.run("run tiny.json --sweep cells") == 2);
+  for (const char* both : {"--sweep /duration=0.1,0.2 --set /duration=0.3",
+                           "--sweep /duration=0.1,0.2 --sweep /duration=0.3,0.4"}) {
+    CHECK(place.run(std::string("plan tiny.json ") + both) == 3);
+    CHECK_THAT(place.err(), ContainsSubstring("by another override, too"));
+  }
   CHECK(place.run("plan tiny.json --sweep /solver/sweep=all --json") == 0);
   CHECK(place.out_lines().size() == 2);  // forward and symmetric
 }
@@ -268,6 +302,26 @@ TEST_CASE("trust: two runs, and two sweeps, are compared", "[trust]") {
   CHECK(place.run("compare c nothing") == 2);
 }
 
+TEST_CASE("trust: sweeps are compared by experiment, and several versions of a run are told", "[trust]") {
+  Workplace place;
+  place.write("tiny.json", tiny);
+  place.write("other.json", R"({"name": "other", "mesh": {"cells": 4}, "duration": 0.2})");
+  const std::string swept = " --sweep /bending/model=none,dihedral --sweep /material/density=0.2,0.3",
+                    turned = " --sweep /material/density=0.2,0.3 --sweep /bending/model=none,dihedral";
+  REQUIRE(place.run("run tiny.json other.json --out a" + swept) == 0);
+  REQUIRE(place.run("run tiny.json other.json --out b" + turned) == 0);
+  REQUIRE(place.run("compare a b --json") == 0);
+  CHECK(place.out_lines().size() == 8);
+  for (const json& line : place.out_lines()) CHECK(line.at("same_bits") == true);
+  CHECK(place.err().empty());
+  REQUIRE(place.run("run tiny.json --out a --set /duration=0.3" + swept) == 0);
+  REQUIRE(place.run("compare a/tiny b/tiny") == 0);
+  CHECK_THAT(place.err(),
+             ContainsSubstring("'a/tiny' has several runs") && ContainsSubstring("4 runs left out"));
+  REQUIRE(place.run("compare a/tiny b/other") == 0);  // of one experiment each: by point alone
+  CHECK_THAT(place.out(), ContainsSubstring("4 points in both"));
+}
+
 TEST_CASE("trust: a run is repeated from its file alone, files that it was made from included", "[trust]") {
   Workplace place;
   place.write("ball.obj",
@@ -288,6 +342,22 @@ TEST_CASE("trust: a run is repeated from its file alone, files that it was made 
   CHECK(place.run("rerun alone.vtkhdf --out kept") == 0);
   CHECK_THAT(place.out(), ContainsSubstring("the same bits") && ContainsSubstring("by the same program"));
   CHECK(fs::exists(place.folder / "kept" / "on"));
+  SECTION("at the same point of its sweep, without warnings of its own, and never in its place") {
+    place.write("tiny.json", tiny);
+    REQUIRE(place.run("run tiny.json --sweep /bending/k=0.5,0.25 --set /bending/stiffness=k --json") == 0);
+    const json swept = place.out_lines().at(0);
+    CHECK(place.run("rerun " + swept.at("id").get<std::string>() + " --out results") == 2);
+    CHECK_THAT(place.err(), ContainsSubstring("would replace the run itself"));
+    CHECK(place.run("rerun " + swept.at("id").get<std::string>() + " --out again") == 0);
+    REQUIRE(place.run("list again --json") == 0);
+    const json repeated = place.out_lines().at(0);
+    const auto folder_of = [](const json& run) {
+      return fs::path(run.at("file").get<std::string>()).parent_path().filename();
+    };
+    CHECK(folder_of(repeated) == folder_of(swept));
+    CHECK(repeated.at("warnings").empty());
+    return;
+  }
   CHECK(place.run("show alone.vtkhdf") == 0);
   for (const char* told : {"libraries", "Eigen 3", "blas_kernels", "started", "ended"})
     CHECK_THAT(place.out(), ContainsSubstring(told));

@@ -197,6 +197,30 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
   CHECK(codes_of(with(R"("bending": {"model": "k_ring", )" + rings + "}")).empty());
 }
 
+TEST_CASE("warnings: settings that a swept object replaces", "[warnings]") {
+  const auto with = [](const std::string& bending, const std::string& sweep) {
+    return R"("mesh": {"cells": 4}, "effects": [{"type": "gravity"}], "bending": {)" + bending +
+           R"(}, "sweep": {)" + sweep + "}";
+  };
+  const char* const objects = R"("/bending": [{"model": "dihedral", "k": 0.1}, {"model": "lod", "k": 0.1}])";
+  const char* const without_k = R"("/bending": [{"model": "dihedral"}, {"model": "lod"}])";
+  CHECK(codes_of(with(R"("k": 0.2)", objects)).empty());
+  CHECK(codes_of(with(R"("k": 0.2)", without_k)) == Codes{"replaced_setting"});
+  CHECK_THAT(message_of("replaced_setting", with(R"("k": 0.2)", without_k)),
+             ContainsSubstring("states /bending/k, and the sweep of /bending replaces"));
+  CHECK(codes_of(with(R"("k": 0.5)", without_k)).empty());  // the default all the same
+  CHECK(codes_of(with(R"("k": 0.2)", without_k + std::string(R"(, "/bending/k": [0.2])"))).empty());
+  CHECK(codes_of(with(R"("k": 0.2)", R"("/bending/model": ["dihedral", "lod"])")).empty());
+}
+
+TEST_CASE("warnings: what nothing reads in a run, a run that follows from it may", "[warnings]") {
+  const std::string mesh = R"("mesh": {"cells": 4}, )";
+  CHECK(codes_of(mesh + R"("initial": {"seed": 7, "after": ["/initial/perturbation=0.01"]})").empty());
+  CHECK(codes_of(mesh + R"("material": {"strain": {"compliance": 1e-3}},
+      "accuracy": {"solver": ["/material/strain/stiffness=compliance"]})")
+            .empty());
+}
+
 TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {
   const auto sheet = [](double width, const std::string& effects) {
     return R"("mesh": {"cells": 4, "width": )" + std::to_string(width) + R"(, "height": )" +
