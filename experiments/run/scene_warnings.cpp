@@ -258,6 +258,39 @@ Message inert_stiffness(const WarningInput& input) {
 
 // ---- inert_setting
 
+namespace {
+
+// Settings of a generated mesh that only some generators read. (A seed has its own warning.)
+struct GeneratorSetting {
+  std::string_view name;
+  std::array<std::string_view, 4> readers;
+};
+constexpr std::array generator_settings = {
+    GeneratorSetting{"width", {"grid", "equilateral", "delaunay"}},
+    GeneratorSetting{"height", {"grid", "equilateral", "delaunay", "tube"}},
+    GeneratorSetting{"diagonal", {"grid"}},
+    GeneratorSetting{"rows", {"equilateral"}},
+    GeneratorSetting{"radius", {"disc", "tube", "sphere"}},
+    GeneratorSetting{"radius_top", {"tube"}},
+};
+
+// Those that the config gives to a generator which does not read them, unless generators are swept.
+std::vector<std::string> unread_of_generator(const WarningInput& input) {
+  std::vector<std::string> pointers;
+  const bool swept = std::ranges::any_of(input.experiment.axes, [](const Axis& axis) {
+    return lies_within("/mesh/generator", axis.first) || axis.first == "/mesh/file";
+  });
+  if (swept || !input.config.mesh_file().empty()) return pointers;
+  const std::string& generator = input.config.section("/mesh").text("generator");
+  for (const GeneratorSetting& setting : generator_settings)
+    if (std::string pointer = child_pointer("/mesh", setting.name);
+        is_chosen(input, pointer) && std::ranges::find(setting.readers, generator) == setting.readers.end())
+      pointers.push_back(std::move(pointer));
+  return pointers;
+}
+
+}  // namespace
+
 // Settings of another method or model are left out of the resolved config. With a choice that is swept, others
 // of its runs may use them.
 Message inert_setting(const WarningInput& input) {
@@ -291,6 +324,11 @@ Message inert_setting(const WarningInput& input) {
                 fmt::format("the method {} does not read {} ('bendlab methods' says what each reads)", method,
                             of_methods.size() == 1 ? "it" : "them")) +
            "/solver/method";
+  if (const std::vector<std::string> of_generators = unread_of_generator(input); !of_generators.empty())
+    return text(of_generators, fmt::format("the generator {} does not read {}",
+                                           input.config.section("/mesh").text("generator"),
+                                           of_generators.size() == 1 ? "it" : "them")) +
+           "/mesh/generator";
   std::vector<std::string> of_models;
   for (const ConfigSection* section : child_sections("/bending"))
     std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));

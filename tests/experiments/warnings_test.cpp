@@ -195,6 +195,13 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
       message_of("inert_setting", with(R"("bending": {)" + rings + "}")),
       ContainsSubstring("/bending/k_ring/rings changes nothing here, because /bending/model is adaptive"));
   CHECK(codes_of(with(R"("bending": {"model": "k_ring", )" + rings + "}")).empty());
+  const auto disc = [](const std::string& settings) {
+    return R"("pins": {"vertices": []}, "effects": [{"type": "gravity"}], "mesh": {"generator": "disc", "cells": 4, )" +
+           settings + "}";
+  };
+  CHECK(codes_of(disc(R"("radius": 0.3)")).empty());
+  CHECK_THAT(message_of("inert_setting", disc(R"("width": 2, "rows": "parallel")")),
+             ContainsSubstring("/mesh/width, /mesh/rows change nothing here, because the generator disc"));
 }
 
 TEST_CASE("warnings: settings that a swept object replaces", "[warnings]") {
