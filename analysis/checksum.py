@@ -22,6 +22,13 @@ def checksum(path, size):
     return state.hexdigest().encode()
 
 
+def seal(path):
+    """Ends a file as the program does when it has written it."""
+    digits = checksum(path, Path(path).stat().st_size)
+    with open(path, "ab") as file:
+        file.write(NAME + digits + b"\n")
+
+
 def seal_of(path):
     """"whole": as it was written; "broken": changed since; "none": unfinished, or not ours."""
     size = Path(path).stat().st_size
@@ -58,7 +65,8 @@ def _problem(path, *_):
         except subprocess.TimeoutExpired:
             return f"is read without end by the HDF5 library ({TIME_LIMIT} s)"
         if child.returncode == FINISHED:
-            return "was changed after it was written: it is finished, but has no checksum. Run its config again"
+            return ("was changed after it was written: it is finished, but has no checksum. Run its config "
+                    "again")
         if child.returncode:
             return "is damaged: the HDF5 library cannot read it"
     return ""
@@ -68,7 +76,8 @@ def _read_everything(path):
     import h5py
     with h5py.File(path, "r") as file:
         status = file.attrs.get("status", b"")
-        if (status.decode() if isinstance(status, bytes) else status) in ("complete", "implausible", "diverged"):
+        status = status.decode() if isinstance(status, bytes) else status
+        if status in ("complete", "implausible", "diverged"):
             sys.exit(FINISHED)
         def read(_, node):
             dict(node.attrs)

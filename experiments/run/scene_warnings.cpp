@@ -291,8 +291,8 @@ std::vector<std::string> unread_of_generator(const WarningInput& input) {
 
 }  // namespace
 
-// Settings of another method or model are left out of the resolved config. With a choice that is swept, others
-// of its runs may use them.
+// Settings of another method or model are left out of the resolved config. Where the choice is swept, other
+// runs may use them.
 Message inert_setting(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   const Json& resolved = input.config.resolved();
@@ -339,7 +339,8 @@ Message inert_setting(const WarningInput& input) {
 
 // ---- replaced_setting
 
-// A swept object takes the place of the config's own. Told where another value than the stated one is in force.
+// A swept object takes the place of the config's own. Told where another value than the stated one is in
+// force.
 Message replaced_setting(const WarningInput& input) {
   std::vector<std::string> lost;
   std::string by;

@@ -15,6 +15,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import accuracy  # noqa: E402
 import accuracy_page  # noqa: E402
+import checksum  # noqa: E402
 import fig_5  # noqa: E402
 import fig_accuracy  # noqa: E402
 import fig_accuracy_beat  # noqa: E402
@@ -80,6 +81,8 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
         file["provenance/config"] = json.dumps(config)
         for name, value in (summary or {}).items():
             file.require_group("summary").attrs[name] = value
+    if status != "running":
+        checksum.seal(path)
     return path
 
 

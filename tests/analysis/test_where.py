@@ -11,6 +11,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
+import checksum  # noqa: E402
 import fig_where  # noqa: E402
 import load  # noqa: E402
 import stretch  # noqa: E402
@@ -124,6 +125,7 @@ class WholeRun(unittest.TestCase):
             file["metrics/time"] = np.arange(self.frames) / 10  # 1.5 s: the last second is frames 6 … 15
             file["metrics/max_stretch"] = self.told.max(axis=1)
             file["provenance/config"] = json.dumps({"mesh": {"cells": self.cells, "width": 1}})
+        checksum.seal(path)
         return path
 
     def test_the_largest_is_that_of_the_metric(self):

@@ -196,7 +196,8 @@ TEST_CASE("warnings: settings that the method or the model does not read", "[war
       ContainsSubstring("/bending/k_ring/rings changes nothing here, because /bending/model is adaptive"));
   CHECK(codes_of(with(R"("bending": {"model": "k_ring", )" + rings + "}")).empty());
   const auto disc = [](const std::string& settings) {
-    return R"("pins": {"vertices": []}, "effects": [{"type": "gravity"}], "mesh": {"generator": "disc", "cells": 4, )" +
+    return R"("pins": {"vertices": []}, "effects": [{"type": "gravity"}],
+               "mesh": {"generator": "disc", "cells": 4, )" +
            settings + "}";
   };
   CHECK(codes_of(disc(R"("radius": 0.3)")).empty());
