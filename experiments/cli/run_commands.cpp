@@ -239,6 +239,7 @@ std::string state_on_disk(const StatesByFolder& states, const fs::path& folder, 
   const auto found = states.find(folder.string());
   if (found != states.end() && is_whole(found->second.status))
     return found->second.id == id ? to_string(found->second.status) : "unreadable";
+  if (found == states.end() && !fs::exists(folder)) return "new";
   if (!owner_of(folder).empty()) return "running";
   if (found == states.end())
     if (const auto record = ended_since(folder); record && record->id == id) return to_string(record->status);
