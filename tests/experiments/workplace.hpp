@@ -40,13 +40,13 @@ class Workplace {
     return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
   }
 
-  /// Starts `bendlab run CONFIG` and sends it a signal as soon as it computes its first run.
-  int run_and_signal(const std::string& config, int signal) {
+  /// Starts `bendlab run CONFIG`, with an option, and sends it a signal as soon as it computes its first run.
+  int run_and_signal(const std::string& config, int signal, const char* option = nullptr) {
     const pid_t child = fork();
     if (child == 0) {
       if (chdir(folder.c_str()) != 0 || !freopen("stdout", "w", stdout) || !freopen("stderr", "w", stderr))
         _exit(99);
-      execl(BENDLAB_PROGRAM, "bendlab", "run", config.c_str(), static_cast<char*>(nullptr));
+      execl(BENDLAB_PROGRAM, "bendlab", "run", config.c_str(), option, static_cast<char*>(nullptr));
       _exit(98);
     }
     int status = 0;
