@@ -2,67 +2,19 @@
 #include "experiments/run/warning_messages.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <iterator>
 #include <numeric>
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
-#include "experiments/config/config_tables.hpp"
 #include "experiments/config/defaults.hpp"
 #include "experiments/config/pointers.hpp"
-#include "experiments/config/stiffness_settings.hpp"
 #include "experiments/scene/gravity.hpp"
 #include "experiments/scene/inside.hpp"
 
 namespace bendlab {
-
-// ---- inert_seed
-
-namespace {
-
-// null is the default, and chooses nothing.
-bool gives(const Json& settings, const std::string& pointer) {
-  const Json* const value = value_at(settings, pointer);
-  return value != nullptr && !value->is_null();
-}
-
-// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
-bool is_chosen(const WarningInput& input, const std::string& pointer) {
-  if (gives(input.experiment.settings, pointer)) return true;
-  for (const auto& [swept, value] : input.config.point) {
-    if (swept == pointer && !value.is_null()) return true;
-    if (lies_within(pointer, swept) && gives(value, pointer.substr(swept.size()))) return true;
-  }
-  return false;
-}
-
-// Whether other runs follow from this one's settings, which may use what this one does not.
-bool has_derived_runs(const RunConfig& config) {
-  const ParameterValues& accuracy = config.section("/accuracy");
-  return config.section("/initial").has("after") || accuracy.has("solver") || accuracy.has("physical");
-}
-
-}  // namespace
-
-Message inert_seed(const WarningInput& input) {
-  if (has_derived_runs(input.config)) return std::nullopt;
-  const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
-  const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
-             mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
-  std::string inert;
-  if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
-  if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
-  if (inert.empty()) return std::nullopt;
-  return fmt::format(
-      "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
-      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
-                            : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
-}
 
 // ---- piece_without_pin
 
@@ -234,147 +186,6 @@ Message all_pinned(const WarningInput& input) {
       "the mesh's box: for a mesh that stands upright choose others, or use /pins/indices. A smaller "
       "/pins/ring or /pins/distance pins fewer",
       vertices);
-}
-
-// ---- inert_stiffness
-
-// A number that the config's kind of stiffness does not use.
-Message inert_stiffness(const WarningInput& input) {
-  if (has_derived_runs(input.config)) return std::nullopt;
-  for (const StiffnessSetting& setting : stiffness_settings) {
-    const auto chooses_the_kind = [&](const auto& axis) {  // other runs of the sweep may use the number
-      return lies_within(setting.stiffness, axis.first);
-    };
-    const Json* const kind = value_at(input.config.resolved(), std::string(setting.stiffness));
-    if (kind == nullptr || !kind->is_string() || std::ranges::any_of(input.experiment.axes, chooses_the_kind))
-      continue;
-    const auto& name = kind->get_ref<const std::string&>();
-    if (!setting.used_by(name) && is_chosen(input, std::string(setting.pointer)))
-      return fmt::format("{} changes nothing here, because {} is {}. Set that to {}, or remove the number",
-                         setting.pointer, setting.stiffness, name, setting.kinds_text());
-  }
-  return std::nullopt;
-}
-
-// ---- inert_setting
-
-namespace {
-
-// Settings of a generated mesh that only some generators read. (A seed has its own warning.)
-struct GeneratorSetting {
-  std::string_view name;
-  std::array<std::string_view, 4> readers;
-};
-constexpr std::array generator_settings = {
-    GeneratorSetting{"width", {"grid", "equilateral", "delaunay"}},
-    GeneratorSetting{"height", {"grid", "equilateral", "delaunay", "tube"}},
-    GeneratorSetting{"diagonal", {"grid"}},
-    GeneratorSetting{"rows", {"equilateral"}},
-    GeneratorSetting{"radius", {"disc", "tube", "sphere"}},
-    GeneratorSetting{"radius_top", {"tube"}},
-};
-
-// Those that the config gives to a generator which does not read them, unless generators are swept.
-std::vector<std::string> unread_of_generator(const WarningInput& input) {
-  std::vector<std::string> pointers;
-  const bool swept = std::ranges::any_of(input.experiment.axes, [](const Axis& axis) {
-    return lies_within("/mesh/generator", axis.first) || axis.first == "/mesh/file";
-  });
-  if (swept || !input.config.mesh_file().empty()) return pointers;
-  const std::string& generator = input.config.section("/mesh").text("generator");
-  for (const GeneratorSetting& setting : generator_settings)
-    if (std::string pointer = child_pointer("/mesh", setting.name);
-        is_chosen(input, pointer) && std::ranges::find(setting.readers, generator) == setting.readers.end())
-      pointers.push_back(std::move(pointer));
-  return pointers;
-}
-
-}  // namespace
-
-// Settings of another method or model are left out of the resolved config. Where the choice is swept, other
-// runs may use them.
-Message inert_setting(const WarningInput& input) {
-  if (has_derived_runs(input.config)) return std::nullopt;
-  const Json& resolved = input.config.resolved();
-  const auto unread = [&](std::string_view in, std::string_view chosen_by) {
-    std::vector<std::string> pointers;
-    if (std::ranges::any_of(input.experiment.axes,
-                            [&](const Axis& axis) { return lies_within(chosen_by, axis.first); }))
-      return pointers;
-    for (const ConfigSection& section : config_sections())
-      if (lies_within(section.pointer, in))
-        for (const Parameter& row : section.parameters)
-          if (std::string pointer = child_pointer(section.pointer, row.name);
-              is_chosen(input, pointer) && value_at(resolved, pointer) == nullptr &&
-              std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer) ==
-                  stiffness_settings.end())
-            pointers.push_back(std::move(pointer));
-    return pointers;
-  };
-  const auto text = [](const std::vector<std::string>& pointers, const std::string& because) {
-    const bool one = pointers.size() == 1;
-    return fmt::format("{} change{} nothing here, because {}. Remove {}, or choose another ",
-                       fmt::join(pointers, ", "), one ? "s" : "", because, one ? "it" : "them");
-  };
-  const std::string& method = input.config.section("/solver").text("method");
-  std::vector<std::string> of_methods = unread("/solver", "/solver/method");
-  std::ranges::move(unread("/material/strain", "/solver/method"), std::back_inserter(of_methods));
-  if (!of_methods.empty())
-    return text(of_methods,
-                fmt::format("the method {} does not read {} ('bendlab methods' says what each reads)", method,
-                            of_methods.size() == 1 ? "it" : "them")) +
-           "/solver/method";
-  if (const std::vector<std::string> of_generators = unread_of_generator(input); !of_generators.empty())
-    return text(of_generators, fmt::format("the generator {} does not read {}",
-                                           input.config.section("/mesh").text("generator"),
-                                           of_generators.size() == 1 ? "it" : "them")) +
-           "/mesh/generator";
-  std::vector<std::string> of_models;
-  for (const ConfigSection* section : child_sections("/bending"))
-    std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));
-  if (of_models.empty()) return std::nullopt;
-  return text(of_models, fmt::format("/bending/model is {}", input.config.bending_model())) +
-         "/bending/model";
-}
-
-// ---- replaced_setting
-
-// A swept object takes the place of the config's own. Told where another value than the stated one is in
-// force.
-Message replaced_setting(const WarningInput& input) {
-  std::vector<std::string> lost;
-  std::string by;
-  const auto look = [&](const auto& self, const std::string& pointer, const Json& stated,
-                        const Json& value) -> void {
-    for (const auto& [key, setting] : stated.items()) {
-      const std::string place = child_pointer(pointer, key);
-      const auto found = value.find(key);
-      const Json* const now = value_at(input.config.resolved(), place);
-      if (found == value.end() && now != nullptr && *now != setting)
-        lost.push_back(place);
-      else if (found != value.end() && setting.is_object() && found->is_object())
-        self(self, place, setting, *found);
-    }
-  };
-  for (const auto& [pointer, value] : input.config.point) {
-    const Json* const stated = value_at(input.experiment.settings, pointer);
-    const std::size_t before = lost.size();
-    const bool of_no_model = pointer == "/bending" && input.config.bending_model() == "none";
-    if (stated != nullptr && stated->is_object() && value.is_object() && !of_no_model)
-      look(look, pointer, *stated, value);
-    if (lost.size() > before) by = pointer;
-  }
-  // A later axis may state it again.
-  std::erase_if(lost, [&](const std::string& pointer) {
-    return std::ranges::any_of(input.config.point, [&](const auto& axis) {
-      return lies_within(pointer, axis.first) && axis.first != by;
-    });
-  });
-  if (lost.empty()) return std::nullopt;
-  return fmt::format(
-      "the config states {}, and the sweep of {} replaces the whole object. State it in each "
-      "swept object, or sweep single settings",
-      fmt::join(lost, ", "), by);
 }
 
 // ---- units

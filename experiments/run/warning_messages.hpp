@@ -12,8 +12,13 @@ namespace bendlab {
 
 using Message = std::optional<std::string>;
 
-// Of the scene: scene_warnings.cpp.
+// Of the config: setting_warnings.cpp.
 Message inert_seed(const WarningInput& input);
+Message inert_stiffness(const WarningInput& input);
+Message inert_setting(const WarningInput& input);
+Message replaced_setting(const WarningInput& input);
+
+// Of the scene: scene_warnings.cpp.
 Message piece_without_pin(const WarningInput& input);
 Message effect_without_pins(const WarningInput& input);
 Message friction_without_obstacle(const WarningInput& input);
@@ -23,9 +28,6 @@ Message starts_inside(const WarningInput& input);
 Message thick_cloth(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
-Message inert_stiffness(const WarningInput& input);
-Message inert_setting(const WarningInput& input);
-Message replaced_setting(const WarningInput& input);
 Message units(const WarningInput& input);
 
 // Of the solver: solver_warnings.cpp.

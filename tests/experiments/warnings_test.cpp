@@ -215,10 +215,14 @@ TEST_CASE("warnings: settings that a swept object replaces", "[warnings]") {
   CHECK(codes_of(with(R"("k": 0.2)", objects)).empty());
   CHECK(codes_of(with(R"("k": 0.2)", without_k)) == Codes{"replaced_setting"});
   CHECK_THAT(message_of("replaced_setting", with(R"("k": 0.2)", without_k)),
-             ContainsSubstring("states /bending/k, and the sweep of /bending replaces"));
+             ContainsSubstring("states /bending/k, but each value of the sweep of /bending takes"));
   CHECK(codes_of(with(R"("k": 0.5)", without_k)).empty());  // the default all the same
   CHECK(codes_of(with(R"("k": 0.2)", without_k + std::string(R"(, "/bending/k": [0.2])"))).empty());
   CHECK(codes_of(with(R"("k": 0.2)", R"("/bending/model": ["dihedral", "lod"])")).empty());
+  // Two objects.
+  CHECK_THAT(
+      message_of("replaced_setting", with(R"("k": 0.2)", without_k + std::string(R"(, "/mesh": [{}])"))),
+      ContainsSubstring("states /bending/k, /mesh/cells"));
 }
 
 TEST_CASE("warnings: what nothing reads in a run, a run that follows from it may", "[warnings]") {
