@@ -73,9 +73,10 @@ struct MovedScene {
 
 // The lower triangle of quasi_newton's matrix, for BDF2.
 Eigen::SparseMatrix<double> metric_of(const SimulationInput& input, std::vector<int>& vertices) {
-  const ElasticMetric metric = elastic_metric(input);
-  vertices = metric.vertices;
-  Eigen::SparseMatrix<double> matrix = metric.membrane + metric.bending;
+  const ElasticMetric metric(input);
+  vertices = metric.vertices();
+  Eigen::SparseMatrix<double> matrix =
+      metric.membrane(std::vector<double>(metric.triangle_count(), 1)) + metric.bending();
   const double gamma = 2.0 / 3.0 * input.settings.dt;
   for (Eigen::Index i = 0; i < matrix.rows(); ++i)
     matrix.coeffRef(i, i) +=

@@ -121,6 +121,7 @@ struct StrainBatch {
   BatchOrder order;
   LargeArray<int> a, b, c;              ///< offset_of() each corner
   LargeArray<Real> q00, q01, q10, q11;  ///< inverse of Q, 1/m
+  LargeArray<Real> softness;            ///< of each lane, times `compliance`, for add_forces(); empty: 1
   LargeArray<Real> multiplier;          ///< λ of all warps, then wefts, shears and areas; XPBD only
   StrainForm form = StrainForm::normalised;
   StiffnessKind kind = StiffnessKind::k;

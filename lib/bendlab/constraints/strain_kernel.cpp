@@ -238,7 +238,8 @@ void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const S
                         gather(forces, &batch.c[lane])};
     const RestInverse<Real> q(batch, lane);
     const Pack<Real> determinant = absolute<Real>(q.q00 * q.q11 - q.q01 * q.q10),
-                     alpha = 2 * batch.compliance * determinant,  // compliance / rest area
+                     softness = batch.softness.empty() ? broadcast<Real>(1) : load(&batch.softness[lane]),
+                     alpha = 2 * batch.compliance * softness * determinant,  // compliance / rest area
         stretch_alpha = static_cast<Real>(stretch_softness(form)) * alpha;
     if (batch.warp != 0) add_force(force, stretch<Real, form, false>(t, q.q00, q.q10), stretch_alpha);
     if (batch.weft != 0) add_force(force, stretch<Real, form, false>(t, q.q01, q.q11), stretch_alpha);

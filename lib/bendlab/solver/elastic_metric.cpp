@@ -7,6 +7,7 @@
 
 #include "bendlab/constraints/corners.hpp"
 #include "bendlab/constraints/oracle.hpp"
+#include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/method.hpp"
 
 namespace bendlab {
@@ -64,28 +65,16 @@ std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::
 
 }  // namespace
 
-ElasticMetric elastic_metric(const SimulationInput& input) {
-  ElasticMetric metric;
-  std::vector<int> free_index(input.is_pinned.size(), -1);
-  for (std::size_t v = 0; v < free_index.size(); ++v)
+ElasticMetric::ElasticMetric(const SimulationInput& input)
+    : free_index_(input.is_pinned.size(), -1),
+      strain_(input.strain),
+      compliance_(input.strain_stiffness.compliance) {
+  for (std::size_t v = 0; v < free_index_.size(); ++v)
     if (!input.is_pinned[v] && input.mass[v] > 0) {
-      free_index[v] = static_cast<int>(metric.vertices.size());
-      metric.vertices.push_back(static_cast<int>(v));
+      free_index_[v] = static_cast<int>(vertices_.size());
+      vertices_.push_back(static_cast<int>(v));
     }
-  const std::size_t count = metric.vertices.size();
-
-  Assembly membrane(free_index, count);
-  for (std::size_t t = 0; t < input.strain.size(); ++t) {
-    const std::array<double, 4>& q = input.strain.inverse_rest[t];
-    const double alpha =
-        input.strain_stiffness.compliance * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // / rest area
-    for (const std::size_t column : {0U, 1U})
-      membrane.add<3>(input.strain.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]},
-                      1 / alpha);
-  }
-  metric.membrane = membrane.matrix(count);
-
-  Assembly bending(free_index, count);
+  Assembly bending(free_index_, vertices_.size());
   const double compliance = input.bending_stiffness.compliance;
   for (std::size_t c = 0; c < input.distance.size(); ++c) {
     const double softness = input.distance.softness.empty() ? 1 : input.distance.softness[c];
@@ -103,8 +92,23 @@ ElasticMetric elastic_metric(const SimulationInput& input) {
                                weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),
                                1 / (compliance * list.softness[e]));
   });
-  metric.bending = bending.matrix(count);
-  return metric;
+  bending_ = bending.matrix(vertices_.size());
+}
+
+Eigen::SparseMatrix<double> ElasticMetric::membrane(std::span<const double> softness) const {
+  Assembly membrane(free_index_, vertices_.size());
+  for (std::size_t t = 0; t < strain_.size(); ++t) {
+    const std::array<double, 4>& q = strain_.inverse_rest[t];
+    const double alpha = softness[t] * compliance_ * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // / rest area
+    for (const std::size_t column : {0U, 1U})
+      membrane.add<3>(strain_.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]}, 1 / alpha);
+  }
+  return membrane.matrix(vertices_.size());
+}
+
+std::size_t ElasticMetric::memory_bytes() const {
+  return bytes_of(vertices_) + bytes_of(free_index_) + bytes_of(bending_) + bytes_of(strain_.vertices) +
+         bytes_of(strain_.inverse_rest);
 }
 
 }  // namespace bendlab

@@ -9,18 +9,31 @@
 #pragma once
 
 #include <Eigen/SparseCore>
+#include <span>
 #include <vector>
 
 #include "bendlab/solver/simulation.hpp"
 
 namespace bendlab {
 
-struct ElasticMetric {
-  std::vector<int> vertices;                      ///< n, the free vertices
-  Eigen::SparseMatrix<double> membrane, bending;  ///< n by n, the lower triangles, N/m
-};
+class ElasticMetric {
+ public:
+  /// Throws std::invalid_argument for elements whose force jumps: no matrix resembles that.
+  explicit ElasticMetric(const SimulationInput& input);
 
-/// Throws std::invalid_argument for elements whose force jumps: no matrix resembles that.
-ElasticMetric elastic_metric(const SimulationInput& input);
+  const std::vector<int>& vertices() const { return vertices_; }           ///< n, the free ones
+  const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower triangle, N/m
+  /// n by n, the lower triangle, N/m. Triangle t is softness[t] times as soft as stated.
+  Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
+
+  std::size_t triangle_count() const { return strain_.size(); }
+  std::size_t memory_bytes() const;
+
+ private:
+  std::vector<int> vertices_, free_index_;
+  Eigen::SparseMatrix<double> bending_;
+  StrainConstraints strain_;
+  double compliance_;  // of the membrane, m/N
+};
 
 }  // namespace bendlab

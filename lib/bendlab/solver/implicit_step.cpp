@@ -118,7 +118,7 @@ template <class Real>
 void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   this->run(before_, context);
   has_stepped_ = true;
-  for (int i = 0; i < settings_.iterations; ++i) {
+  for (int i = 0; i < settings_.iterations || (must_go_on() && i < most_iterations()); ++i) {
     is_first_ = i == 0, is_late_ = 2 * i >= settings_.iterations;
     this->run(iteration_, context);
     if (static_cast<double>(last_move_) <= tolerance_ && contacts_.decided()) break;

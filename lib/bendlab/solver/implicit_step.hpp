@@ -90,6 +90,9 @@ class ImplicitStep : public TimeStep<Real> {
   /// m: the longest move of one, where the next iteration moves them by far less.
   virtual Real iterate() = 0;
 
+  /// Whether a substep may not end after this iteration, although it was the last of /solver/iterations.
+  virtual bool must_go_on() const { return false; }
+
   /// -∇E, N, by slot.
   virtual Points<Real> elastic_forces(const Points<Real>& positions) const = 0;
 
@@ -123,6 +126,7 @@ class ImplicitStep : public TimeStep<Real> {
  private:
   using typename TimeStep<Real>::Passes;
   void substep(PassContext<Real>& context) final;
+  int most_iterations() const { return 20 * std::max(settings_.iterations, 5); }
   std::uint64_t projections_per_substep() const final { return constraint_count_; }
   Real weight_for(std::size_t v, double gamma) const;
   void take_drag_over(Pass<Real>& pass);

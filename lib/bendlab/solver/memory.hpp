@@ -42,7 +42,7 @@ template <class Real>
 std::size_t bytes_of(const StrainBatch<Real>& batch) {
   return bytes_of(batch.order) + bytes_of(batch.a) + bytes_of(batch.b) + bytes_of(batch.c) +
          bytes_of(batch.q00) + bytes_of(batch.q01) + bytes_of(batch.q10) + bytes_of(batch.q11) +
-         bytes_of(batch.multiplier);
+         bytes_of(batch.softness) + bytes_of(batch.multiplier);
 }
 
 template <class Real>

@@ -1,12 +1,20 @@
-// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS:
-// Nocedal 1980, in two loops).
+// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS, Nocedal
+// 1980) on a constant metric A.
+//
+// The two loops of L-BFGS over pairs (s, y) read every vector twice and change the direction with each. Here
+// the metric is applied to the gradient alone, p = A⁻¹ g. Since z = A⁻¹ y is a difference of two p, the
+// direction is a sum of known vectors,
+//
+//   d = p - Σ α_i z_i + Σ (α_i - β_i) s_i,
+//
+// and α and β follow from the dots of s_i and z_i with g and with newer y, which one pass through memory finds.
 #pragma once
 
-#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
-#include "bendlab/constraints/large_array.hpp"
+#include "bendlab/constraints/point.hpp"
 #include "bendlab/parameters/archive.hpp"
 
 namespace bendlab {
@@ -14,52 +22,57 @@ namespace bendlab {
 template <class Real>
 class PairHistory {
  public:
-  /// Keeps the last `most` pairs of vectors of `size` numbers.
-  PairHistory(std::size_t size, std::size_t most) : size_(size), pairs_(most) {}
+  /// Keeps the last `most` pairs of vectors of `count` points.
+  PairHistory(std::size_t count, std::size_t most);
 
-  void clear() { count_ = 0; }
+  void clear() { pairs_ = 0; }
   /// The next gradient belongs to no pair with the last one.
-  void forget_last() { last_x_.clear(), last_gradient_.clear(); }
-  std::size_t count() const { return count_; }
+  void forget_last() { last_x_.clear(); }
 
-  /// Keeps s = x - last x and y = gradient - last gradient, if that is not the first call since
-  /// forget_last(), and if s·y is at least a tenth of s·W s: what inertia alone resists. Less is negative
-  /// curvature of the elastic energy, or rounding. Vectors of `size` numbers, a weight for four of them.
-  void add(const Real* x, const Real* gradient, const Real* weights);
+  /// Where the cloth is, and how the energy changes there.
+  struct Place {
+    const Points<Real>& x;
+    const Points<Real>& gradient;  ///< g
+    const Points<Real>& applied;   ///< p = A⁻¹ g
+    /// What belongs to the last place's gradient and p so that they are of the same function as these. Null if
+    /// they are.
+    const Points<Real>* gradient_before = nullptr;
+    const Points<Real>* applied_before = nullptr;
+  };
+  /// How the energy changed along the move s from the last place to this one.
+  struct Along {
+    double before = 0;  ///< s·g there, J; below 0 if the move began downhill
+    double after = 0;   ///< s·g here
+  };
 
-  /// Turns a gradient into a direction: loops over the pairs, with `apply_metric(vector)` between them.
-  template <class ApplyMetric>
-  void direct(Real* vector, const ApplyMetric& apply_metric) {
-    std::vector<double> alpha(count_);
-    for (std::size_t i = 0; i < count_; ++i) {
-      const Pair& pair = newest(i);
-      alpha[i] = dot(pair.move.data(), vector) / pair.curvature;
-      add_scaled(vector, static_cast<Real>(-alpha[i]), pair.change.data());
-    }
-    apply_metric(vector);
-    for (std::size_t i = count_; i-- > 0;) {
-      const Pair& pair = newest(i);
-      const double beta = dot(pair.change.data(), vector) / pair.curvature;
-      add_scaled(vector, static_cast<Real>(alpha[i] - beta), pair.move.data());
-    }
-  }
+  /// Keeps the pair of the last place and this one, if there was one and if the energy's curvature along the
+  /// move is at least a tenth of that of inertia, s·W s with a weight for each point in N/m. Less is negative
+  /// curvature of the elastic energy, or rounding.
+  std::optional<Along> add(const Place& place, const std::vector<Real>& weights);
+
+  /// Writes the direction to go against at the last place; `direction` may be `applied` itself.
+  void direct(const Points<Real>& applied, Points<Real>& direction) const;
 
   std::size_t memory_bytes() const;
   void archive(Archive& state);
 
  private:
   struct Pair {
-    LargeArray<Real> move, change;
-    double curvature = 0;  // s·y
+    Points<Real> move, applied;  // s and z
+    double curvature = 0;        // s·y
   };
-  Pair& newest(std::size_t i) { return pairs_[(next_ + pairs_.size() - 1 - i) % pairs_.size()]; }
+  std::size_t newest(std::size_t i) const { return (next_ + pair_.size() - 1 - i) % pair_.size(); }
+  // Of the pair at `older` with a newer one.
+  double& moves(std::size_t older, std::size_t newer) { return move_change_[older * pair_.size() + newer]; }
+  double& metrics(std::size_t older, std::size_t newer) {
+    return applied_change_[older * pair_.size() + newer];
+  }
 
-  double dot(const Real* a, const Real* b) const;
-  void add_scaled(Real* to, Real scale, const Real* from) const;
-
-  std::size_t size_, count_ = 0, next_ = 0;
-  std::vector<Pair> pairs_;
-  LargeArray<Real> last_x_, last_gradient_;
+  std::size_t count_, pairs_ = 0, next_ = 0;          // points; pairs that are kept; where the next one goes
+  std::vector<Pair> pair_;                            // most + 1: the next one is being made
+  std::vector<double> move_change_, applied_change_;  // s_i·y_j and z_i·y_j of each pair i and a newer j
+  std::vector<double> move_gradient_, applied_gradient_;  // s_i·g and z_i·g of the last place
+  Points<Real> last_x_, last_gradient_, last_applied_;    // empty: there is no last place
 };
 
 }  // namespace bendlab

@@ -60,10 +60,15 @@ void SparseFactor<Real>::keep(const cholmod_factor_struct& factor) {
 }
 
 template <class Real>
-void SparseFactor<Real>::solve(Point<Real>* points) const {
+void SparseFactor<Real>::renumber(const std::vector<int>& points) {
+  for (int& row : order_) row = points[static_cast<std::size_t>(row)];
+}
+
+template <class Real>
+void SparseFactor<Real>::solve(const Point<Real>* right, Point<Real>* solution) const {
   using Quad = typename detail::QuadType<Real>::type;
   Point<Real>* const x = work_.data();
-  for (std::size_t i = 0; i < order_.size(); ++i) x[i] = points[order_[i]];
+  for (std::size_t i = 0; i < order_.size(); ++i) x[i] = right[order_[i]];
   for (const Supernode& node : supernodes_) {
     const Real* value = values_.data() + node.values;
     Point<Real>* const own = x + node.first;
@@ -121,7 +126,7 @@ void SparseFactor<Real>::solve(Point<Real>* points) const {
       for (int c = 0; c < row; ++c) store_point<Real>(own[c], load_point(own[c]) - value[c] * solved);
     }
   }
-  for (std::size_t i = 0; i < order_.size(); ++i) points[order_[i]] = x[i];
+  for (std::size_t i = 0; i < order_.size(); ++i) solution[order_[i]] = x[i];
 }
 
 template <class Real>

@@ -23,9 +23,13 @@ class SparseFactor {
   /// definite.
   explicit SparseFactor(const Eigen::SparseMatrix<double>& lower);
 
-  /// n points, each the right-hand side of a row of the matrix: x, y and z become those of the solution. w
-  /// becomes useless.
-  void solve(Point<Real>* points) const;
+  /// The right-hand side of row i is right[points[i]], and its solution goes to solution[points[i]]. Without
+  /// this call, i itself is.
+  void renumber(const std::vector<int>& points);
+
+  /// Solves for x, y and z. w of the solution is 0 where w of the right-hand sides is.
+  void solve(const Point<Real>* right, Point<Real>* solution) const;
+  void solve(Point<Real>* points) const { solve(points, points); }
 
   std::size_t size() const { return order_.size(); }      ///< n
   std::size_t entries() const { return values_.size(); }  ///< numbers in the factor
@@ -41,7 +45,7 @@ class SparseFactor {
 
   void keep(const cholmod_factor_struct& factor);
 
-  std::vector<int> order_;  // n, the row of the matrix at each place of the factor
+  std::vector<int> order_;  // n, the point of the right-hand sides at each place of the factor
   std::vector<Supernode> supernodes_;
   std::vector<int> rows_;  // by supernode: the factor's rows below its columns
   // By supernode: its triangle row by row, the diagonal inverted; then the rows below, `columns` numbers

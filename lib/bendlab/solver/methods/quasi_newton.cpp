@@ -1,6 +1,6 @@
 // Implicit steps by L-BFGS on a constant metric (Liu et al. 2017).
 //
-//   per iteration:  g = ∇E + W (x - y) → two loops over the last m pairs around A⁻¹ → move
+//   per iteration:  g = ∇E + W (x - y) → A⁻¹ g → corrected by the last m pairs → move
 //
 //   A = W + Σ k DᵀD + Σ κ κᵀ / α
 //
@@ -13,7 +13,9 @@
 //
 // No line search: A is stiffer than the cloth in most directions, and an energy in single precision could not
 // tell. A pair is kept unless it shows less curvature than inertia alone. An iteration that would move a
-// vertex by more than `longest_move` is shortened, and if gradients grow, the pairs are forgotten.
+// vertex by more than `longest_move` is shortened. The slope of the energy along each move is known at its end
+// without a further pass: where a move went so far that the energy rises, the next iteration goes back to where
+// a line through both slopes is 0. A substep goes on beyond its iterations while moves are that large.
 //
 // Without pins the cloth is shifted so that W (x - y) sums to the contacts' force: linear momentum then
 // changes by forces alone.
@@ -29,6 +31,7 @@
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/pair_history.hpp"
+#include "bendlab/solver/soft_membrane.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
 
 namespace bendlab {
@@ -38,7 +41,10 @@ namespace {
 constexpr std::size_t worthwhile_lanes = 4096;
 constexpr double longest_move = 0.1;      // of the cloth's size, per iteration
 constexpr double contact_per_weight = 5;  // stiffer contacts overshoot: the metric does not follow them
-constexpr double growth = 10;             // of the gradient over one iteration: the pairs mislead
+constexpr double larger_load = 2;         // than the one that the membrane was softened for
+constexpr double settled_move = 0.1;      // of an edge
+// Of the slope that a move had at its begin: the energy has risen if it was quadratic.
+constexpr double most_overshoot = 1;
 
 constexpr std::array<std::string_view, 3> shared = {"substeps", "iterations", "precision"};
 
@@ -60,8 +66,8 @@ constexpr std::array parameters = {
               .meaning = "Pairs of moves and gradients that are kept (m of L-BFGS); 0: the metric alone",
               .minimum = 0, .maximum = 100},
     Parameter{.name = "membrane", .type = ParameterType::text, .unit = "", .default_value = "stated",
-              .meaning = "auto: a membrane that is stiffer than membrane_error asks for is softened to that. "
-                         "Iterations grow as the square root of its stiffness",
+              .meaning = "auto: a membrane that is stiffer than membrane_error asks for is softened to that, "
+                         "but not near pins. Iterations grow as the square root of its stiffness",
               .choices = membrane_names},
     Parameter{.name = "membrane_error", .type = ParameterType::number, .unit = "1", .default_value = 3e-3,
               .meaning = "membrane auto: how far the softer membrane may move the cloth at rest under the "
@@ -78,6 +84,13 @@ constexpr std::array own_passes = [] {
                     iterate, update};
 }();
 
+// Of a right triangle of the mean area.
+double mean_edge(const StrainConstraints& strain) {
+  double twice_area = 0;
+  for (const auto& q : strain.inverse_rest) twice_area += 1 / std::abs(q[0] * q[3] - q[1] * q[2]);
+  return strain.size() > 0 ? std::sqrt(twice_area / static_cast<double>(strain.size())) : 0;
+}
+
 template <class Real>
 class QuasiNewtonStep final : public ImplicitStep<Real> {
   using Base = ImplicitStep<Real>;
@@ -86,21 +99,26 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
  public:
   QuasiNewtonStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.permutation),
-        metric_(elastic_metric(input)),
-        pairs_(4 * input.mass.size(), static_cast<std::size_t>(own_settings(input).integer("history"))),
-        size_(input.size),
-        longest_move_(static_cast<Real>(longest_move * input.size)),
-        strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0) {
+        metric_(input),
+        pairs_(input.mass.size(), static_cast<std::size_t>(own_settings(input).integer("history"))),
+        longest_move_(static_cast<Real>(longest_move * input.size)) {
     const ParameterValues own = own_settings(input);
     if (named<MembraneChoice>(own.text("membrane"), membrane_names) == MembraneChoice::automatic)
-      membrane_error_ = own.number("membrane_error");
+      membrane_error_ = own.number("membrane_error"), soft_membrane_.emplace(input);
     constraints_ = ordered_constraints<Real>(input, this->rest_points(), nullptr);
     force_.resize(state_.position.size());
-    gradient_ = direction_ = force_;
-    free_direction_.resize(metric_.vertices.size());
-    for (int& v : metric_.vertices) v = static_cast<int>(this->permuted(static_cast<std::size_t>(v)));
+    edge_ = static_cast<Real>(mean_edge(input.strain));
+    gradient_ = applied_ = direction_ = target_change_ = applied_change_ = last_target_ = force_;
+    for (const int v : metric_.vertices())
+      free_.push_back(static_cast<int>(this->permuted(static_cast<std::size_t>(v))));
+    for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
+      if (state_.position[v].w > 0)
+        mass_ += state_.mass[v];
+      else
+        pinned_.push_back(v);
+    pin_move_.resize(pinned_.size());
     this->prepare_by({"factorise", [this] {
-                        if (!factor_) prepare(needed_softness());
+                        if (!factor_) load_ = this->total_force(), prepare();
                       }});
     this->compile_plan(std::move(effect_passes), contact_per_weight, 0);
   }
@@ -113,52 +131,109 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   std::optional<double> membrane_softness() const override { return softness_; }
 
   std::size_t memory_bytes() const override {
-    return Base::memory_bytes() + bytes_of(metric_.membrane) + bytes_of(metric_.bending) +
-           bytes_of(metric_.vertices) + pairs_.memory_bytes() + bytes_of(force_) + bytes_of(gradient_) +
-           bytes_of(direction_) + bytes_of(free_direction_) + (factor_ ? factor_->memory_bytes() : 0);
+    return Base::memory_bytes() + metric_.memory_bytes() + bytes_of(free_) + bytes_of(pinned_) +
+           pairs_.memory_bytes() + 6 * bytes_of(force_) + bytes_of(pin_move_) +
+           (factor_ ? factor_->memory_bytes() : 0);
   }
   void archive(Archive& state) override {
     Base::archive(state);
     pairs_.archive(state);
-    state(softness_);
-    if (state.reads() && softness_) prepare(*softness_);
+    state(softness_, load_, last_target_, pin_move_);
+    if (state.reads() && softness_) prepare();
   }
 
  private:
   Real iterate() override {
-    // G has another W from BDF2's second substep on, and where contacts begin or end. Gradients change with
-    // pins, too.
-    if (this->is_first_iteration() && this->weights_changed()) pairs_.clear(), pairs_.forget_last();
-    if (this->is_first_iteration() && this->pins_moved()) pairs_.forget_last();
+    const bool first = this->is_first_iteration();
+    if (first) prepare_for_pins();
+    // The Hessian has another W from BDF2's second substep on, and where contacts begin or end; gradients change
+    // with pins, too.
+    if (first && this->weights_changed()) pairs_.clear();
+    if (first && (this->weights_changed() || this->pins_moved())) pairs_.forget_last();
     find_gradient();
-    pairs_.add(&state_.position.front().x, &gradient_.front().x, weights().data());
-    const double norm = find_residual();
-    if (!this->is_first_iteration() && norm > growth * last_norm_) pairs_.clear();
-    last_norm_ = norm;
-    return move(find_direction());
+    factor_->solve(gradient_.data(), applied_.data());
+    typename PairHistory<Real>::Place place{state_.position, gradient_, applied_};
+    if (first) {
+      find_target_change();
+      place.gradient_before = &target_change_, place.applied_before = &applied_change_;
+    }
+    const auto along = pairs_.add(place, weights());
+    if (!first && along && along->after > most_overshoot * std::abs(along->before)) return step_back(*along);
+    pairs_.direct(applied_, direction_);
+    return move(1);
   }
 
-  // The membrane moves the cloth at rest by at most `per_load` F / Y sizes under loads of F newtons in all:
-  // in tests 3.5 on a sheet that hangs by patches at two corners, and a tenth of that by its upper or left
-  // side.
-  double needed_softness() const {
-    constexpr double per_load = 5;
-    if (!(membrane_error_ > 0) || !(strain_compliance_ > 0)) return 1;
-    const double stiffness = per_load * this->total_force() / (size_ * membrane_error_);  // N/m
-    return stiffness > 0 ? std::max(1.0, 1 / (strain_compliance_ * stiffness)) : 1;
+  // A large move may have gone too far, which only the next iteration finds out.
+  bool must_go_on() const override {
+    return stepped_back_ || last_longest_ > static_cast<Real>(settled_move) * edge_;
   }
 
-  void prepare(double softness) {
-    softness_ = softness;
-    constraints_.strain.compliance = static_cast<Real>(softness * strain_compliance_);
-    Eigen::SparseMatrix<double> matrix = metric_.membrane / softness + metric_.bending;
+  // g = ∇E + W (x - y) has another y in every substep: -W times the change of y, and A⁻¹ of that.
+  void find_target_change() {
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      target_change_[v].set(weights()[v] * (last_target_[v].vector() - target()[v].vector()));
+    factor_->solve(target_change_.data(), applied_change_.data());
+    last_target_ = target();
+  }
+
+  // The last move went so far that the energy rises there: back to where a line through both slopes has none.
+  Real step_back(const typename PairHistory<Real>::Along& along) {
+    const auto share = static_cast<Real>(along.after / (along.after - std::min(along.before, 0.0)));
+    for (std::size_t v = 0; v < weights().size(); ++v)
+      direction_[v].set(share * last_share_ * -direction_[v].vector());
+    const Real longest = move(1);
+    stepped_back_ = true;
+    return longest;
+  }
+
+  // A membrane that was softened for the first loads is too soft for far larger ones: where a pin is snatched away,
+  // cloth follows with its inertia. It is then softened less.
+  void prepare_for_pins() {
+    if (!soft_membrane_ || !(softness_ > 1)) return;
+    const double h = settings_.dt / settings_.substeps;
+    double fastest = 0;  // change of a pin's move, m
+    for (std::size_t i = 0; i < pinned_.size(); ++i) {
+      const std::size_t v = pinned_[i];
+      const Vector3Of<Real> move = state_.position[v].vector() - state_.previous[v].vector();
+      fastest = std::max(fastest, static_cast<double>((move - pin_move_[i].vector()).norm()));
+      pin_move_[i].set(move);
+    }
+    const double load = mass_ * fastest / (h * h);
+    if (load <= larger_load * load_) return;
+    load_ = load;
+    prepare();
+    pairs_.clear(), pairs_.forget_last();
+  }
+
+  void prepare() {
+    std::vector<double> softness(metric_.triangle_count(), 1);
+    if (soft_membrane_ && load_ > 0) softness = soft_membrane_->softness(membrane_error_, load_);
+    softness_ = softness.empty() ? 1 : *std::ranges::max_element(softness);
+    StrainBatch<Real>& strain = constraints_.strain;
+    strain.softness.clear();
+    if (softness_ > 1) {
+      strain.softness.assign(strain.a.size(), 1);
+      const std::vector<int> triangle = strain.order.constraint_of_lane();
+      for (std::size_t lane = 0; lane < triangle.size(); ++lane)
+        if (triangle[lane] >= 0)
+          strain.softness[lane] = static_cast<Real>(softness[static_cast<std::size_t>(triangle[lane])]);
+    }
+    Eigen::SparseMatrix<double> matrix = metric_.membrane(softness);
+    if (!bending_is_small(matrix)) matrix += metric_.bending();
     const std::vector<Real> lasting = this->lasting_weights();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) +=
           (this->has_contacts() ? 1 + contact_per_weight : 1) *
-          static_cast<double>(
-              lasting[static_cast<std::size_t>(metric_.vertices[static_cast<std::size_t>(i)])]);
+          static_cast<double>(lasting[static_cast<std::size_t>(free_[static_cast<std::size_t>(i)])]);
     factor_.emplace(matrix);
+    factor_->renumber(free_);
+  }
+
+  // Then the metric is as good without bending, and its factor has half as many numbers: a hinge joins vertices
+  // that no triangle joins.
+  bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
+    constexpr double most = 0.03;
+    return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
   }
 
   Points<Real> elastic_forces(const Points<Real>& positions) const override {
@@ -184,57 +259,46 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     for (std::size_t v = 0; this->has_contacts() && v < weights().size(); ++v)
       if (this->contacts().pushes(v)) force_[v].set(force_[v].vector() + this->contacts().force(v));
     for (std::size_t v = 0; v < weights().size(); ++v)
-      gradient_[v].set(weights()[v] > 0 ? weights()[v] * state_.position[v].vector() - force_[v].vector()
-                                        : Vector3Of<Real>::Zero().eval());
+      gradient_[v].set(weights()[v] > 0
+                           ? weights()[v] * (state_.position[v].vector() - target()[v].vector()) -
+                                 force_[v].vector()
+                           : Vector3Of<Real>::Zero().eval());
   }
 
-  // Fills direction_ with the gradient and returns its norm, N.
-  double find_residual() {
-    double squared = 0;
-    for (std::size_t v = 0; v < weights().size(); ++v) {
-      const Vector3Of<Real> g = gradient_[v].vector() - weights()[v] * target()[v].vector();
-      direction_[v].set(g);
-      squared += static_cast<double>(g.squaredNorm());
-    }
-    return std::sqrt(squared);
-  }
-
-  // Turns it into the direction, and returns its longest move, m.
-  Real find_direction() {
-    pairs_.direct(&direction_.front().x, [&](Real*) {
-      for (std::size_t i = 0; i < free_direction_.size(); ++i)
-        free_direction_[i] = direction_[static_cast<std::size_t>(metric_.vertices[i])];
-      factor_->solve(free_direction_.data());
-      for (std::size_t i = 0; i < free_direction_.size(); ++i)
-        direction_[static_cast<std::size_t>(metric_.vertices[i])].set(free_direction_[i].vector());
-    });
+  // Moves the cloth against that share of direction_, and returns the longest move, m.
+  Real move(Real share) {
     Real longest = 0;
-    for (const int v : metric_.vertices)
+    for (const int v : free_)
       longest = std::max(longest, direction_[static_cast<std::size_t>(v)].vector().cwiseAbs().maxCoeff());
-    return longest;
-  }
-
-  Real move(Real longest) {
-    const Real share = longest > longest_move_ ? longest_move_ / longest : Real(1);
-    for (const int free : metric_.vertices) {
+    if (share * longest > longest_move_) share = longest_move_ / longest;
+    last_share_ = share;
+    for (const int free : free_) {
       const auto v = static_cast<std::size_t>(free);
       Point<Real>& p = state_.position[v];
       p.set(p.vector() - share * direction_[v].vector());
     }
     this->keep_momentum();
+    last_longest_ = share * longest;
+    stepped_back_ = false;
     return share * longest;
   }
 
-  ElasticMetric metric_;  // its vertices are slots
+  ElasticMetric metric_;
+  std::vector<int> free_;            // slots of its vertices
+  std::vector<std::size_t> pinned_;  // slots of the others
+  std::optional<SoftMembrane> soft_membrane_;
   std::optional<SparseFactor<Real>> factor_;
   PairHistory<Real> pairs_;
-  double size_, membrane_error_ = 0;
+  double membrane_error_ = 0;
+  double load_ = 0, mass_ = 0;  // the membrane is softened for this load, N; of the free vertices, kg
   Real longest_move_;
-  double last_norm_ = 0;  // of the gradient in this substep, N
-  double strain_compliance_;
-  std::optional<double> softness_;             // of the membrane, times the stated compliance
-  Points<Real> force_, gradient_, direction_;  // by slot; gradient_ is W x - force
-  Points<Real> free_direction_;                // by metric_.vertices
+  std::optional<double> softness_;  // of the softest triangle, times the stated compliance
+  Points<Real> force_, gradient_, applied_, direction_;        // by slot; applied_ is A⁻¹ gradient_
+  Points<Real> target_change_, applied_change_, last_target_;  // by slot
+  Points<Real> pin_move_;                                      // by pinned_, in the last substep
+  Real edge_ = 0;                                              // of a mean triangle at rest, m
+  Real last_share_ = 0, last_longest_ = 0;                     // of the last move: of direction_; m
+  bool stepped_back_ = false;
 };
 
 template <class Real>

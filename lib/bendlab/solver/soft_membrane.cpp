@@ -1,0 +1,73 @@
+#include "bendlab/solver/soft_membrane.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace bendlab {
+namespace {
+
+// Sheets at rest that hang by patches at two corners are moved by 3.5 F / Y sizes, and by a tenth of that if they
+// hang by a side.
+constexpr double moved_per_load = 5;
+// The strain at the distance r from a point that carries F is 4 F / (π Y r) in a quarter of a plane. So it is at
+// most 0.025 at every distance, if the membrane gets stiffer from this distance on, times error and size.
+constexpr double graded_per_error = 10;
+
+struct Neighbour {
+  int vertex;
+  double length;
+};
+
+// Of every vertex from the nearest pinned one along edges, m (Dijkstra).
+std::vector<double> distances_from_pins(const SimulationInput& input) {
+  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
+  std::vector<std::vector<Neighbour>> neighbours(static_cast<std::size_t>(rest.rows()));
+  for (const std::array<int, 3>& corner : input.strain.vertices)
+    for (std::size_t i = 0; i < 3; ++i) {
+      const int a = corner[i], b = corner[(i + 1) % 3];
+      const double length = (rest.row(a) - rest.row(b)).norm();
+      neighbours[static_cast<std::size_t>(a)].push_back({b, length});
+      neighbours[static_cast<std::size_t>(b)].push_back({a, length});
+    }
+  std::vector<double> distance(neighbours.size(), std::numeric_limits<double>::infinity());
+  using Reached = std::pair<double, int>;
+  std::priority_queue<Reached, std::vector<Reached>, std::greater<>> queue;
+  for (std::size_t v = 0; v < distance.size(); ++v)
+    if (input.is_pinned[v]) distance[v] = 0, queue.emplace(0.0, static_cast<int>(v));
+  while (!queue.empty()) {
+    const auto [way, vertex] = queue.top();
+    queue.pop();
+    if (way > distance[static_cast<std::size_t>(vertex)]) continue;
+    for (const Neighbour& next : neighbours[static_cast<std::size_t>(vertex)])
+      if (double& known = distance[static_cast<std::size_t>(next.vertex)]; way + next.length < known)
+        known = way + next.length, queue.emplace(known, next.vertex);
+  }
+  return distance;
+}
+
+}  // namespace
+
+SoftMembrane::SoftMembrane(const SimulationInput& input)
+    : size_(input.size), compliance_(input.strain_stiffness.compliance) {
+  const std::vector<double> distance = distances_from_pins(input);
+  for (const std::array<int, 3>& corner : input.strain.vertices) {
+    double sum = 0;
+    for (const int v : corner) sum += distance[static_cast<std::size_t>(v)];
+    distance_.push_back(sum / 3);
+  }
+}
+
+std::vector<double> SoftMembrane::softness(double error, double force) const {
+  const double needed = moved_per_load * force / (size_ * error);  // N/m
+  const double most = needed > 0 && compliance_ > 0 ? 1 / (compliance_ * needed) : 1;
+  std::vector<double> softness;
+  softness.reserve(distance_.size());
+  for (const double distance : distance_)
+    softness.push_back(std::max(1.0, most * std::min(1.0, distance / (graded_per_error * error * size_))));
+  return softness;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,33 @@
+// A membrane that is softer than stated, where that does no harm: iterations grow as the square root of its
+// stiffness, and cloth hardly stretches under its weight either way.
+//
+// Under a load F a membrane of stiffness Y (N/m) strains by about F / (Y l) where the load spreads over the
+// length l. So it needs the stated stiffness only near pins, where l is as small as a triangle:
+//
+//   softness    most |          .--------------
+//                    |       .´
+//                  1 |....´                        = max(1, most · min(1, r / graded))
+//                    +---------|---------------
+//                    0       graded         r, distance from the nearest pinned vertex along edges, m
+#pragma once
+
+#include <vector>
+
+#include "bendlab/solver/simulation.hpp"
+
+namespace bendlab {
+
+class SoftMembrane {
+ public:
+  explicit SoftMembrane(const SimulationInput& input);
+
+  /// The compliance of each triangle over the stated one, at least 1: `error` is how far the softer membrane may
+  /// move the cloth at rest under loads of `force` newtons in all, in sizes of the cloth.
+  std::vector<double> softness(double error, double force) const;
+
+ private:
+  double size_, compliance_;      // m, m/N
+  std::vector<double> distance_;  // of each triangle from pins, m; infinite without pins
+};
+
+}  // namespace bendlab
