@@ -14,6 +14,7 @@
 #include "experiments/config/pointers.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
 #include "experiments/scene/gravity.hpp"
+#include "experiments/scene/membrane.hpp"
 #include "experiments/scene/precision.hpp"
 
 namespace bendlab {
@@ -82,16 +83,7 @@ Message unconverged(const WarningInput& input) {
 
 namespace {
 
-// The Courant number C of a membrane with the stiffness Y = 1 / compliance (N/m) and the mass ρ per area:
-// how many cells a wave of stretch, whose speed is √(Y/ρ), crosses in a substep h. An iteration carries
-// it on by about a cell. A strip of 1 m that hangs by its end (double precision) is elongated by the stated
-// ρ g L²/2Y times 1 + C²/n with n projections per substep, within a third, for 20 to 10⁴ N/m, 8 and 16
-// cells across a width of 0.25 m, and 1 to 64 substeps × 1 to 40 iterations:
-//
-//   C²/n                 0.035 0.14  0.22  0.56  0.89  1.4   2.2   3.6   5.6   14    57    360   1420   5690
-//   elongation / stated  1.00  0.99  0.96  1.16  1.39  2.1   2.9   4.1   6.9   15    61    390   1510   6050
-//
-// With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
+// excess_stretch() has the measurements. With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
 // 1 + 1.6 (C²/n)^0.44 fits within 3 %.
 constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
@@ -99,19 +91,17 @@ double softening_by(double excess, bool levels) {
   return 1 + (levels ? std::min(excess, 1.6 * std::pow(excess, 0.44)) : excess);
 }
 
+// Whether the cloth has tethers, which then hold it instead of its membrane.
+bool has_tethers(const Scene& scene) {
+  return !scene.pins.all.empty() && !membrane_needs_no_tethers(scene) &&
+         std::ranges::any_of(scene.effects, [](const EffectSettings& effect) {
+           return find_effect(effect.type)->helps_projection;
+         });
+}
+
 // Cloth in free fall loads no membrane.
 bool is_held(const Scene& scene) {
   return !scene.pins.all.empty() || has_obstacle(scene);
-}
-
-double courant_number(const WarningInput& input) {
-  const SimulationInput& scene = input.scene.input;
-  const std::vector<double>& areas = input.scene.rest.areas();
-  const double area = std::accumulate(areas.begin(), areas.end(), 0.0),
-               density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) / area,
-               cell = std::sqrt(2 * area / static_cast<double>(areas.size()));  // legs of a right triangle
-  return std::sqrt(1 / (scene.strain_stiffness.compliance * density)) * scene.settings.dt /
-         scene.settings.substeps / cell;
 }
 
 }  // namespace
@@ -122,10 +112,9 @@ Message membrane_courant(const WarningInput& input) {
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
   if (!scene.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
-      compliance == 0 || !is_held(input.scene) || input.summary)
+      compliance == 0 || !is_held(input.scene) || has_tethers(input.scene) || input.summary)
     return std::nullopt;
-  const double courant = courant_number(input);
-  const double excess = courant * courant / solver.projections_per_substep();
+  const double courant = courant_number(input.scene), excess = excess_stretch(input.scene);
   if (!(excess > softened)) return std::nullopt;
   const bool reach = levels_are_worthwhile(scene),
              levels = reach && own_settings(scene).integer("levels") > 0;
@@ -139,6 +128,26 @@ Message membrane_courant(const WarningInput& input) {
       reach && !levels && softening_by(excess, true) < 0.5 * softening_by(excess, false)
           ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
           : "");
+}
+
+// ---- tethers_for_membrane
+
+Message tethers_for_membrane(const WarningInput& input) {
+  const Scene& scene = input.scene;
+  const double excess = excess_stretch(scene);
+  if (!(excess > 0) || !has_tethers(scene)) return std::nullopt;
+  const SolverSettings& solver = scene.input.settings;
+  return fmt::format(
+      "tethers carry what the membrane is stated to carry, {:.3g} N/m: the cloth does not stretch away from "
+      "its "
+      "pins. Without them the membrane would stretch about {:.2g} times as far as stated with {} in a "
+      "substep. "
+      "With {} /solver/substeps it holds by itself, and tethers then do nothing; \"method\": "
+      "\"quasi_newton\" in "
+      "/solver has the stated membrane without them",
+      1 / scene.input.strain_stiffness.compliance, 1 + excess,
+      counted(solver.projections_per_substep(), "projection"),
+      static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess))));
 }
 
 // ---- vbd_reach
@@ -158,7 +167,7 @@ constexpr double enough_reach = 0.1;
 Message vbd_reach(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   if (scene.method->name != "vbd" || scene.strain.size() == 0) return std::nullopt;
-  const double courant = courant_number(input), needed = std::ceil(enough_reach * courant * courant);
+  const double courant = courant_number(input.scene), needed = std::ceil(enough_reach * courant * courant);
   if (!(scene.settings.iterations < needed)) return std::nullopt;
   return fmt::format(
       "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd then needs "
@@ -311,8 +320,8 @@ Message no_equilibrium(const WarningInput& input) {
   const auto found = input.summary->find("unbalanced");
   const bool ended = input.status == RunStatus::complete || input.status == RunStatus::implausible;
   if (!ended || found == input.summary->end() || input.summary->contains("settled_at")) return std::nullopt;
-  const bool blows = std::ranges::find(input.scene.effects, "wind", &EffectSettings::type) !=
-                     input.scene.effects.end();
+  const bool blows =
+      std::ranges::find(input.scene.effects, "wind", &EffectSettings::type) != input.scene.effects.end();
   return fmt::format(
       "no equilibrium was found: the unbalanced forces are {:.2g} times the loads in the end. The numbers of "
       "this run are those of its last steps. {}",

@@ -33,6 +33,7 @@ Message units(const WarningInput& input);
 // Of the solver: solver_warnings.cpp.
 Message unconverged(const WarningInput& input);
 Message membrane_courant(const WarningInput& input);
+Message tethers_for_membrane(const WarningInput& input);
 Message vbd_reach(const WarningInput& input);
 Message k_overshoot(const WarningInput& input);
 Message single_precision(const WarningInput& input);

@@ -33,6 +33,8 @@ constexpr std::array kinds = {
     WarningKind{"units", "the extent of the mesh, under gravity, looks like other units", true, units},
     WarningKind{"membrane_courant", "a membrane with a compliance is less than half as stiff as stated", true,
                 membrane_courant},
+    WarningKind{"tethers_for_membrane", "tethers carry what a membrane of a stated stiffness should", true,
+                tethers_for_membrane},
     WarningKind{"vbd_reach", "vbd has too few iterations for the stiffness of the membrane", true, vbd_reach},
     WarningKind{"k_overshoot", "bending springs with this k stretch the sheet", true, k_overshoot},
     WarningKind{"single_precision",

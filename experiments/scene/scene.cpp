@@ -21,6 +21,7 @@
 #include "bendlab/solver/order_from_pins.hpp"
 #include "experiments/scene/gravity.hpp"
 #include "experiments/scene/initial_pose.hpp"
+#include "experiments/scene/membrane.hpp"
 
 namespace bendlab {
 namespace {
@@ -252,6 +253,7 @@ std::vector<Pass<Real>> passes_of(const Scene& scene, std::size_t index) {
   const EffectSettings& settings = scene.effects[index];
   const Effect& effect = *find_effect(settings.type);
   if (!scene.input.method->takes_effect(effect.name, effect.needs_projection)) return {};
+  if (effect.helps_projection && membrane_needs_no_tethers(scene)) return {};
   const bool contacts_used =  // implicit steps tell obstacles from layers of cloth by them
       !scene.input.method->projects || std::ranges::any_of(scene.effects, [](const EffectSettings& each) {
         return find_effect(each.type)->uses_contacts;
