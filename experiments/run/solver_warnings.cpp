@@ -83,7 +83,8 @@ Message unconverged(const WarningInput& input) {
 
 namespace {
 
-// excess_stretch() has the measurements. With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
+// excess_stretch() has the measurements.
+// With coarse levels, 8 substeps × 1: 17 became 6.6, 64 became 11, 165 became 16 and 637 became 29, which
 // 1 + 1.6 (C²/n)^0.44 fits within 3 %.
 constexpr double softened = 1;  // C²/n at which the membrane is half as stiff as stated
 
