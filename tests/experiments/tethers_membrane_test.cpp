@@ -1,4 +1,5 @@
-// Tethers and a membrane of stated stiffness: a sheet that hangs by its upper side is elongated by α ρ g L²/2.
+// Tethers and a membrane of stated stiffness: a sheet that hangs by its upper side is elongated by α ρ g
+// L²/2.
 #include <fmt/format.h>
 
 #include <string>
@@ -45,8 +46,8 @@ const std::string tethers = R"(, {"type": "tethers"})";
 }  // namespace
 
 TEST_CASE("tethers leave a membrane alone that substeps resolve", "[experiments]") {
-  // Rows of lumped masses are elongated as much as the continuum: Σ (j - ½) over n rows is n²/2. Projections leave
-  // C²/n, up to 0.01 here, and one diagonal shears the sheet a little.
+  // Rows of lumped masses are elongated as much as the continuum: Σ (j - ½) over n rows is n²/2. Projections
+  // leave C²/n, up to 0.01 here, and one diagonal shears the sheet a little.
   for (const auto& [compliance, substeps] : {std::pair{0.1, 8}, {0.1, 64}, {0.02, 64}, {0.002, 64}}) {
     CAPTURE(compliance, substeps);
     const double stated = compliance * density * g * size * size / 2;

@@ -1,5 +1,5 @@
-// What quasi_newton consists of: the pairs' direction, the softened membrane, and its way back from moves that
-// went too far.
+// What quasi_newton consists of: the pairs' direction, the softened membrane, and its way back from moves
+// that went too far.
 #include <algorithm>
 #include <random>
 

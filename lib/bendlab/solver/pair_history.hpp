@@ -1,5 +1,5 @@
-// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS, Nocedal
-// 1980) on a constant metric A.
+// The pairs of moves and gradients of a quasi-Newton method, and the direction that they give (L-BFGS,
+// Nocedal 1980) on a constant metric A.
 //
 // The two loops of L-BFGS over pairs (s, y) read every vector twice and change the direction with each. Here
 // the metric is applied to the gradient alone, p = A⁻¹ g. Since z = A⁻¹ y is a difference of two p, the
@@ -7,7 +7,8 @@
 //
 //   d = p - Σ α_i z_i + Σ (α_i - β_i) s_i,
 //
-// and α and β follow from the dots of s_i and z_i with g and with newer y, which one pass through memory finds.
+// and α and β follow from the dots of s_i and z_i with g and with newer y, which one pass through memory
+// finds.
 #pragma once
 
 #include <cstddef>
@@ -34,8 +35,8 @@ class PairHistory {
     const Points<Real>& x;
     const Points<Real>& gradient;  ///< g
     const Points<Real>& applied;   ///< p = A⁻¹ g
-    /// What belongs to the last place's gradient and p so that they are of the same function as these. Null if
-    /// they are.
+    /// What belongs to the last place's gradient and p so that they are of the same function as these. Null
+    /// if they are.
     const Points<Real>* gradient_before = nullptr;
     const Points<Real>* applied_before = nullptr;
   };

@@ -9,11 +9,11 @@
 namespace bendlab {
 namespace {
 
-// Sheets at rest that hang by patches at two corners are moved by 3.5 F / Y sizes, and by a tenth of that if they
-// hang by a side.
+// Sheets at rest that hang by patches at two corners are moved by 3.5 F / Y sizes, and by a tenth of that if
+// they hang by a side.
 constexpr double moved_per_load = 5;
-// The strain at the distance r from a point that carries F is 4 F / (π Y r) in a quarter of a plane. So it is at
-// most 0.025 at every distance, if the membrane gets stiffer from this distance on, times error and size.
+// The strain at the distance r from a point that carries F is 4 F / (π Y r) in a quarter of a plane. So it is
+// at most 0.025 at every distance, if the membrane gets stiffer from this distance on, times error and size.
 constexpr double graded_per_error = 10;
 
 struct Neighbour {

@@ -21,8 +21,8 @@ class SoftMembrane {
  public:
   explicit SoftMembrane(const SimulationInput& input);
 
-  /// The compliance of each triangle over the stated one, at least 1: `error` is how far the softer membrane may
-  /// move the cloth at rest under loads of `force` newtons in all, in sizes of the cloth.
+  /// The compliance of each triangle over the stated one, at least 1: `error` is how far the softer membrane
+  /// may move the cloth at rest under loads of `force` newtons in all, in sizes of the cloth.
   std::vector<double> softness(double error, double force) const;
 
  private:

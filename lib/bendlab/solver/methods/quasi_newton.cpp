@@ -13,9 +13,9 @@
 //
 // No line search: A is stiffer than the cloth in most directions, and an energy in single precision could not
 // tell. A pair is kept unless it shows less curvature than inertia alone. An iteration that would move a
-// vertex by more than `longest_move` is shortened. The slope of the energy along each move is known at its end
-// without a further pass: where a move went so far that the energy rises, the next iteration goes back to where
-// a line through both slopes is 0. A substep goes on beyond its iterations while moves are that large.
+// vertex by more than `longest_move` is shortened. The slope of the energy along each move is known at its
+// end without a further pass: where a move went so far that the energy rises, the next iteration goes back to
+// where a line through both slopes is 0. A substep goes on beyond its iterations while moves are that large.
 //
 // Without pins the cloth is shifted so that W (x - y) sums to the contacts' force: linear momentum then
 // changes by forces alone.
@@ -146,8 +146,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   Real iterate() override {
     const bool first = this->is_first_iteration();
     if (first) prepare_for_pins();
-    // The Hessian has another W from BDF2's second substep on, and where contacts begin or end; gradients change
-    // with pins, too.
+    // The Hessian has another W from BDF2's second substep on, and where contacts begin or end; gradients
+    // change with pins, too.
     if (first && this->weights_changed()) pairs_.clear();
     if (first && (this->weights_changed() || this->pins_moved())) pairs_.forget_last();
     find_gradient();
@@ -186,8 +186,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     return longest;
   }
 
-  // A membrane that was softened for the first loads is too soft for far larger ones: where a pin is snatched away,
-  // cloth follows with its inertia. It is then softened less.
+  // A membrane that was softened for the first loads is too soft for far larger ones: where a pin is snatched
+  // away, cloth follows with its inertia. It is then softened less.
   void prepare_for_pins() {
     if (!soft_membrane_ || !(softness_ > 1)) return;
     const double h = settings_.dt / settings_.substeps;
@@ -229,8 +229,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     factor_->renumber(free_);
   }
 
-  // Then the metric is as good without bending, and its factor has half as many numbers: a hinge joins vertices
-  // that no triangle joins.
+  // Then the metric is as good without bending, and its factor has half as many numbers: a hinge joins
+  // vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
     constexpr double most = 0.003;
     return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
