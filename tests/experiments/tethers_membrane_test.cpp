@@ -19,8 +19,9 @@ constexpr double density = 0.2, g = 9.81, size = 1;
 RunConfig hanging(double compliance, int substeps, const std::string& effects) {
   return parse_experiment(
              fmt::format(R"({{"name": "hanging", "defaults": "paper", "duration": 8, "mesh": {{"cells": 8}},
-          "pins": {{"vertices": ["top"], "ring": 0}}, "initial": {{"tilt": 90}}, "bending": {{"model": "none"}},
-          "material": {{"density": {}, "strain": {{"form": "angle", "stiffness": "compliance", "compliance": {}}}}},
+          "pins": {{"vertices": ["top"], "ring": 0}}, "initial": {{"tilt": 90}},
+          "bending": {{"model": "none"}}, "material": {{"density": {},
+          "strain": {{"form": "angle", "stiffness": "compliance", "compliance": {}}}}},
           "solver": {{"method": "pbd", "substeps": {}, "iterations": 1}},
           "effects": [{{"type": "gravity"}}, {{"type": "viscous_drag", "coefficient": 2}}{}]}})",
                          density, compliance, substeps, effects),

@@ -4,9 +4,10 @@
     scenes.py PROGRAM [--every N] [--set POINTER=VALUE]... [--jobs N]
 
 Forty scenes × six bending models, three seconds each. The scenes list their own effects and state sizes,
-meshes, pins, densities, rigidities and time steps that no default was chosen by. A run fails if its mean strain
-exceeds 0.1 or a triangle at a pin is stretched more than twofold, and explodes if a triangle anywhere is
-stretched more than fivefold at any recorded time, or if numbers overflow. --every 7 computes every seventh run.
+meshes, pins, densities, rigidities and time steps that no default was chosen by. A run fails if its mean
+strain exceeds 0.1 or a triangle at a pin is stretched more than twofold, and explodes if a triangle anywhere
+is stretched more than fivefold at any recorded time, or if numbers overflow. --every 7 computes every
+seventh scene.
 Prints a row per failure and exits with 1 if there is one.
 """
 import argparse
@@ -41,7 +42,8 @@ def grid(width, height, cells, **settings):
 
 
 def scene(mesh, pins, *effects, **sections):
-    listed = [e for e in effects if e["type"] == "wind"] + [GRAVITY] + [e for e in effects if e["type"] != "wind"]
+    winds = [effect for effect in effects if effect["type"] == "wind"]
+    listed = [*winds, GRAVITY, *(effect for effect in effects if effect["type"] != "wind")]
     return {"mesh": mesh, "pins": {"vertices": pins}, "effects": listed, **sections}
 
 
@@ -74,12 +76,14 @@ PLANE = {"type": "plane", "point": [0, 0, -0.4], "normal": [0, 0, 1]}
 FRICTION = {"type": "friction", "static": 0.4, "kinetic": 0.3}
 
 SCENES = {
-    "handkerchief": scene(grid(0.3, 0.3, 20), ["upper_right"], material=density(0.08), bending=rigidity(2e-6)),
+    "handkerchief": scene(grid(0.3, 0.3, 20), ["upper_right"], material=density(0.08),
+            bending=rigidity(2e-6)),
     "bed_sheet": scene(grid(2.4, 2.0, 36), CORNERS, material=density(0.14), bending=rigidity(6e-6)),
     "banner_breeze": scene(grid(3, 0.8, 45), ["left"], wind(4, 1, 0), material=density(0.11)),
     "banner_gale": scene(grid(3, 0.8, 30), ["left"], wind(18, 4, 0, gust_amplitude=0.4),
                          material=density(0.11), initial={"tilt": 90}),
-    "towel_on_hook": scene(grid(0.5, 0.9, 18), ["upper_left"], material=density(0.45), bending=rigidity(2e-4)),
+    "towel_on_hook": scene(grid(0.5, 0.9, 18), ["upper_left"], material=density(0.45),
+            bending=rigidity(2e-4)),
     "leather": scene(grid(0.8, 0.8, 24), CORNERS, material=density(0.9), bending=rigidity(3e-3)),
     "silk": scene(grid(1.1, 1.1, 40), ["upper_right"], wind(0, 2, 0.5), material=density(0.05),
                   bending=rigidity(5e-7)),
@@ -100,9 +104,11 @@ SCENES = {
     "jerked": scene(grid(1, 1, 32), ["upper_right"], move([0.5, 0.6], [0, 0, 0, 0.5, 0, 0.5]),
                     material=density(0.3)),
     "twirled": scene(grid(0.8, 0.8, 24), ["upper_left"], {"type": "moving_pins", "times": [0, 2],
-                     "angles": [0, 540], "axis": [0, 0, 1], "interpolation": "smooth"}, material=density(0.2)),
+                     "angles": [0, 540], "axis": [0, 0, 1], "interpolation": "smooth"},
+                             material=density(0.2)),
     "on_ball": scene(grid(1, 1, 28), [], sphere(0, 0, -0.35, 0.3), FRICTION, material=density(0.18)),
-    "on_ball_off_centre": scene(grid(1, 1, 28), ["upper_left"], sphere(0.2, 0, -0.35, 0.3), material=density(0.18)),
+    "on_ball_off_centre": scene(grid(1, 1, 28), ["upper_left"], sphere(0.2, 0, -0.35, 0.3),
+            material=density(0.18)),
     "to_floor": scene(grid(1, 1, 24), [], PLANE, FRICTION, material=density(0.2), initial={"tilt": 60}),
     "floor_corner": scene(grid(1, 1, 24), ["upper_right"], PLANE, material=density(0.2)),
     "over_pole": scene(grid(1, 1.2, 24), [], {"type": "capsule", "a": [-1, 0.1, -0.1], "b": [1, 0.1, -0.1],
@@ -110,16 +116,19 @@ SCENES = {
     "heavy_half": scene(grid(1, 1, 20), CORNERS, material={"density": 0.1, "density_ratio": 50}),
     "very_heavy_half": scene(grid(1, 1, 16), ["left"], material={"density": 0.1, "density_ratio": 1000}),
     "film_time_step": scene(grid(1, 1, 24), ["upper_right"], material=density(0.2), solver={"dt": 1 / 24}),
-    "game_time_step": scene(grid(1, 1, 24), CORNERS, wind(0, 5, 0), material=density(0.2), solver={"dt": 1 / 30}),
+    "game_time_step": scene(grid(1, 1, 24), CORNERS, wind(0, 5, 0), material=density(0.2),
+            solver={"dt": 1 / 30}),
     "fine_time_step": scene(grid(1, 1, 16), ["upper_right"], material=density(0.2), solver={"dt": 1 / 480}),
     "stamp": scene(grid(0.02, 0.02, 16), ["upper_left"], material=density(0.1), bending=rigidity(1e-7)),
     "sail": scene(grid(8, 6, 32), ["left"], wind(10, 2, 0), material=density(0.3), bending=rigidity(1e-3)),
     "marquee": scene(grid(20, 10, 40), CORNERS + ["lower_left", "lower_right"], wind(0, 0, 8),
                      material=density(0.6), bending=rigidity(5e-3)),
     "upside_down": scene(grid(1, 1, 24), ["bottom"], material=density(0.2), initial={"tilt": 90}),
-    "crumpled": scene(grid(0.6, 0.6, 18), ["upper_left"], material=density(0.2), initial={"random": 0.02}),
-    "stretched_start": scene(grid(1, 1, 20), CORNERS, material=density(0.2), initial={"scale": [1.3, 1.3, 1]}),
-    "thrown": scene(grid(0.7, 0.7, 20), ["upper_right"], material=density(0.15), initial={"velocity": [0, 6, 8]}),
+    "crumpled": scene(grid(0.6, 0.6, 18), ["upper_left"], material=density(0.2), initial={"creases": 3}),
+    "stretched_start": scene(grid(1, 1, 20), CORNERS, material=density(0.2), initial={"scale": [1.3, 1.3,
+            1]}),
+    "thrown": scene(grid(0.7, 0.7, 20), ["upper_right"], material=density(0.15), initial={"velocity": [0, 6,
+            8]}),
     "four_corners_wind": scene(grid(1.5, 1.5, 30), CORNERS + ["lower_left", "lower_right"],
                                wind(0, 0, 25, gust_amplitude=0.5), material=density(0.2)),
 }
@@ -151,12 +160,14 @@ def fault(run):
         return f"explodes: {run['status']}"
     if not summary["worst_stretch"] <= EXPLODES:
         return f"explodes: a triangle is {summary['worst_stretch']:.3g} times as long as at rest"
-    failed = [f"{name} {summary[name]:.3g}" for name, most in FAILS.items() if not summary.get(name, 0) <= most]
+    failed = [f"{name} {summary[name]:.3g}" for name, most in FAILS.items() if not summary.get(name,
+            0) <= most]
     return f"fails: {', '.join(failed)}" if failed else ""
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(description=__doc__,
+            formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--every", type=int, default=1)
     parser.add_argument("--jobs", type=int, default=2)
