@@ -17,4 +17,4 @@ def origin_of(rest, triangles):
         return np.zeros(3)
     power = int(np.floor(np.log10(np.ptp(rest, axis=0).max())))
     unit, middle = 10.0**abs(power), (rest.min(axis=0) + rest.max(axis=0)) / 2
-    return np.rint(middle / unit) * unit if power >= 0 else np.rint(middle * unit) / unit
+    return (np.rint(middle / unit) * unit if power >= 0 else np.rint(middle * unit) / unit) + 0.0  # no -0

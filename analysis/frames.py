@@ -289,8 +289,8 @@ def _add_springs(sections, run):
 
 
 def _add_obstacles(sections, run, notes, home):
-    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0, relative to `home`. Notes
-    say which can't be drawn."""
+    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0, relative to `home`.
+    Notes say which can't be drawn."""
     parts = []
     with tempfile.TemporaryDirectory() as folder:
         _write_inputs(run, Path(folder))
