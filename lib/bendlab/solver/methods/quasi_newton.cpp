@@ -29,6 +29,7 @@
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/pair_history.hpp"
+#include "bendlab/solver/push_tension.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
 
 namespace bendlab {
@@ -90,7 +91,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
         pairs_(4 * input.mass.size(), static_cast<std::size_t>(own_settings(input).integer("history"))),
         size_(input.size),
         longest_move_(static_cast<Real>(longest_move * input.size)),
-        strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0) {
+        strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
+        push_tension_(input.push_tension) {
     const ParameterValues own = own_settings(input);
     if (named<MembraneChoice>(own.text("membrane"), membrane_names) == MembraneChoice::automatic)
       membrane_error_ = own.number("membrane_error");
@@ -144,7 +146,8 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   double needed_softness() const {
     constexpr double per_load = 5;
     if (!(membrane_error_ > 0) || !(strain_compliance_ > 0)) return 1;
-    const double stiffness = per_load * this->total_force() / (size_ * membrane_error_);  // N/m
+    const double stiffness = std::max(per_load * this->total_force() / (size_ * membrane_error_),
+                                      membrane_for_push(push_tension_, membrane_error_));  // N/m
     return stiffness > 0 ? std::max(1.0, 1 / (strain_compliance_ * stiffness)) : 1;
   }
 
@@ -231,7 +234,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   double size_, membrane_error_ = 0;
   Real longest_move_;
   double last_norm_ = 0;  // of the gradient in this substep, N
-  double strain_compliance_;
+  double strain_compliance_, push_tension_;
   std::optional<double> softness_;             // of the membrane, times the stated compliance
   Points<Real> force_, gradient_, direction_;  // by slot; gradient_ is W x - force
   Points<Real> free_direction_;                // by metric_.vertices
