@@ -109,7 +109,7 @@ void require_up(const RestMesh& rest, const std::vector<std::string>& names, con
       {{"/pins/vertices",
         fmt::format("'{}' is not known of this sheet: it stands in a plane x = const, where names take z for "
                     "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
-                    "is up, or pin vertices by /pins/indices",
+                    "is up, or pin by /pins/indices, with \"vertices\": []",
                     names.front())}});
 }
 

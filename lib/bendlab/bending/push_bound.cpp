@@ -43,7 +43,7 @@ std::optional<std::string> push_on_membrane_warning(double tension, double compl
       "up to {:.0f} %, or by the springs' excess if that is less. A membrane compliance of {:.2g} m/N holds "
       "it to {:.0f} %; so do longer springs, whose push falls as the square of their length "
       "(/bending/prestressed/radius)",
-      tension, 1 / compliance, 100 * tension * compliance, tolerated_growth / tension,
+      tension, 1 / compliance, 100 * tension * compliance, 0.9 * tolerated_growth / tension,
       100 * tolerated_growth);
 }
 
