@@ -24,6 +24,7 @@ import obstacles
 import render
 import style
 from facts import Facts
+from far import origin_of
 from frame_coding import LEVELS, PARENTS, deflated, encode, lineage
 from load import Run
 
@@ -199,6 +200,10 @@ def pack(run: Run, every=1):
     if not len(chosen):
         return None
     rest, triangles = run.rest_positions, run.triangles
+    home = origin_of(rest, triangles)
+    rest, frames = rest - home, frames - home
+    if home.any():
+        notes.append("Positions are relative to ({:.12g}, {:.12g}, {:.12g}) m.".format(*home))
     origin, step = _lattice(frames)
     lattice = np.rint((frames - origin) / step).astype(np.int32)
     parents, groups = _lineage(triangles.tobytes(), len(rest))
@@ -211,7 +216,8 @@ def pack(run: Run, every=1):
     sections.integers("pinned", np.flatnonzero(run.pinned), 1)
     sections.integers("seeds", run.pin_seeds, 1)
     springs = _add_springs(sections, run)
-    solid = _add_obstacles(sections, run, notes)
+    solid = _add_obstacles(sections, run, notes, home)
+    floor = obstacles.floor_of(run.config)
     sections.integers("first", lattice[0], 3)
     sections.add("frames", coded.data, kind="frames", weights=coded.weights, counts=coded.counts)
     head = {"dom": f"frames-{run.id}", "count": len(chosen), "recorded": run.frames, "vertices": len(rest),
@@ -220,7 +226,7 @@ def pack(run: Run, every=1):
             "size": run.size, "box": [frames.min(axis=(0, 1)).tolist(), frames.max(axis=(0, 1)).tolist()],
             "notes": notes, "sections": sections.places, "springs": springs,
             "rigidity": run.get("/bending/flexural_rigidity"), "obstacles": solid,
-            "floor": obstacles.floor_of(run.config)}
+            "floor": None if floor is None else floor - home[2]}
     return Packed(head, sections.data)
 
 
@@ -282,9 +288,9 @@ def _add_springs(sections, run):
     return {"kinds": found, "counts": run.counts, "missing": None if found else missing}
 
 
-def _add_obstacles(sections, run, notes):
-    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0. Notes say which can't
-    be drawn."""
+def _add_obstacles(sections, run, notes, home):
+    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0, relative to `home`.
+    Notes say which can't be drawn."""
     parts = []
     with tempfile.TemporaryDirectory() as folder:
         _write_inputs(run, Path(folder))
@@ -299,7 +305,7 @@ def _add_obstacles(sections, run, notes):
                 continue
             if len(triangles):
                 section = f"obstacle-{len(parts)}"
-                sections.floats(f"{section}-points", points, 3)
+                sections.floats(f"{section}-points", points - home, 3)
                 sections.integers(f"{section}-triangles", triangles, 3)
                 parts.append({"section": section, "velocity": list(effect["velocity"])})
     return parts

@@ -70,15 +70,6 @@ RunConfig config_of(const RunRecord& record) {
   }
 }
 
-RunStrip strip_of_run(const RunRecord& record, const StripSettings& settings) {
-  const RestRecord stored = read_rest(record.file);
-  const RestMesh rest({as_rows(stored.positions), as_rows(stored.triangles), {}});
-  Pins pins{.seeds = stored.pin_seeds, .all = {}, .is_pinned = {stored.pinned.begin(), stored.pinned.end()}};
-  for (int v = 0; v < rest.vertex_count(); ++v)
-    if (pins.pinned(v)) pins.all.push_back(v);
-  return strip_of(config_of(record), rest, pins, settings);
-}
-
 // (largest - smallest) / last of H/W over the last tenth of the frames up to `last`, at least two.
 double settling_of(const RunRecord& record, std::int64_t last, const RunStrip& strip) {
   if (last == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -124,7 +115,8 @@ int stiffness_command(const std::string& run, const std::filesystem::path& folde
   const std::int64_t frame = frame_of(record, arguments.frame);
   const Positions positions = as_rows(read_positions(record.file, frame));
   const double time = read_metric(record.file, "time").at(static_cast<std::size_t>(frame));
-  const RunStrip strip = strip_of_run(record, {arguments.clamp_offset, arguments.exclude});
+  const RunStrip strip =
+      strip_in(record.file, config_of(record), {arguments.clamp_offset, arguments.exclude});
   const StripStiffness stiffness = strip.meter.measure(positions, strip.options);
   const std::vector<Row> rows = rows_of(stiffness, strip.options, settling_of(record, frame, strip));
   if (json) {

@@ -117,7 +117,8 @@ const std::array mesh = {
               .meaning = "grid: which diagonal splits a square: the same in all, alternating, or both",
               .choices = diagonal_names},
     Parameter{.name = "rows", .type = text, .unit = "", .default_value = "parallel",
-              .meaning = "equilateral: direction of the rows of edges, relative to the long side",
+              .meaning = "equilateral: direction of the rows of edges, relative to the long side. Absent: "
+                         "along the sides that /pins/vertices names, else parallel",
               .choices = rows_names},
     Parameter{.name = "radius", .type = number, .unit = "m", .default_value = 0.5,
               .meaning = "disc, sphere: radius; tube: radius of its lower end",
@@ -162,9 +163,9 @@ const std::array<Parameter, 4>& pins() {
   static const std::array<Parameter, 4> table = {
       Parameter{.name = "vertices", .type = texts, .unit = "", .default_value = Names(default_pins),
                 .meaning = "Pinned places by name: corners, sides and centre of the rest mesh's box in the "
-                           "x-y plane; top_rim and bottom_rim: the ends of a tube; circle: the ring of "
-                           "vertices at a quarter of the smaller side from the centre; interior: four "
-                           "vertices at 0.3 and 0.7 of both sides",
+                           "x-y plane, or of a sheet that stands, where z is up; top_rim and bottom_rim: "
+                           "the ends of a tube; circle: the ring of vertices at a quarter of the smaller "
+                           "side from the centre; interior: four vertices at 0.3 and 0.7 of both sides",
                 .choices = vertex_selectors()},
       Parameter{.name = "indices", .type = numbers, .unit = "1", .default_value = no_indices,
                 .meaning = "Pinned vertices by index (whole numbers, the first vertex is 0), in addition to "

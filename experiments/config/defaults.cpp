@@ -8,6 +8,7 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/lattice_rows.hpp"
 #include "experiments/config/pointers.hpp"
 #include "experiments/config/resolve.hpp"
 
@@ -105,6 +106,7 @@ Json with_defaults(const Json& settings, ConfigProblems& problems) {
   state_steps(filled);
   if (of_the_paper(settings))
     for (const PaperSetting& setting : paper_settings) fill(filled, setting);
+  state_rows(filled);
   if (!filled.contains("effects")) filled["effects"] = default_effects(filled);
   if (!filled.contains("bending")) filled["bending"] = Json::object();
   if (Json& bending = filled["bending"]; bending.is_object()) {

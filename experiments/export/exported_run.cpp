@@ -10,6 +10,7 @@
 #include "bendlab/io/disk.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/single_precision.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/config/counted.hpp"
@@ -190,6 +191,9 @@ ExportedRun open_for_export(const RunRecord& record, std::string_view frames, st
     surface.positions *= run.turn.transpose();
     surface.velocity = run.turn * surface.velocity;
   }
+  const Surface& cloth = run.surfaces.front();
+  run.needs_double = needs_double(cloth.positions, cloth.triangles);
+  if (run.needs_double) run.origin = round_centre(cloth.positions);
   return run;
 }
 

@@ -31,6 +31,8 @@ struct ExportedRun {
   UpAxis up = UpAxis::z;
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  ///< from the run's coordinates to those with `up` up
   bool double_positions = false;                       ///< the run stores float64
+  bool needs_double = false;         ///< single precision would round its edges: it is far from the origin
+  Vector3 origin = Vector3::Zero();  ///< m, relative to which floats hold its positions; 0 unless needed
   std::vector<Surface> surfaces;                       ///< the cloth, then the obstacles
   std::vector<std::string> notes;                      ///< what is left out, and why
 

@@ -53,6 +53,15 @@ void note_uneven_times(ExportedRun& run, const Format& format) {
                     format.name, run.frames_per_second, found->number, found->time));
 }
 
+// Said of positions that are not the run's own.
+void note_origin(ExportedRun& run, const Format& format) {
+  if (format.states_origin && !run.origin.isZero(0))
+    run.notes.push_back(fmt::format(
+        "{} holds single precision, which would round this run's edges: positions are relative to "
+        "({}, {}, {}) m, as a comment in the OBJ file says. obj and ply have the run's own",
+        format.name, run.origin.x(), run.origin.y(), run.origin.z()));
+}
+
 }  // namespace
 
 std::span<const Format* const> formats() {
@@ -78,6 +87,7 @@ Exported export_run(const RunRecord& record, const Format& format, const ExportO
       options.to.empty() ? record.file.parent_path() / "export" / std::string(format.name) : options.to;
   check_file(run, format, to);
   note_uneven_times(run, format);
+  note_origin(run, format);
   Output output({to, format.name, options.force, options.stop});
   format.write(run, output);
   output.publish();

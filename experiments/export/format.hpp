@@ -23,7 +23,8 @@ struct Format {
   std::string_view name;     ///< of --format; the extension of its files
   std::string_view summary;  ///< a line: what it writes
   InOneFile in_one_file = InOneFile::nothing;
-  bool has_times = false;  ///< else its frames are taken to be evenly spaced
+  bool has_times = false;      ///< else its frames are taken to be evenly spaced
+  bool states_origin = false;  ///< positions of a run far from 0 are relative to ExportedRun::origin
   /// Throws RunFileError, ExportStopped.
   void (*write)(const ExportedRun& run, Output& output) = nullptr;
 };

@@ -40,8 +40,12 @@ void write_obj(const ExportedRun& run, Output& output) {
 
 }  // namespace
 
-ObjText::ObjText(const ExportedRun& run, const Surface& surface) : run_(run), surface_(surface) {
+ObjText::ObjText(const ExportedRun& run, const Surface& surface, const Vector3& origin)
+    : run_(run), surface_(surface), origin_(origin) {
   head_ = fmt::format("# {}\n", description_of(run));
+  if (!origin.isZero(0))
+    head_ +=
+        fmt::format("# origin {} {} {}: to be added to every position\n", origin.x(), origin.y(), origin.z());
   for (const auto& uv : surface.texture.rowwise()) tail_ += fmt::format("vt {} {}\n", uv(0), uv(1));
   tail_ += faces_text(surface);
 }
@@ -50,7 +54,7 @@ void ObjText::write(OutputFile& file, const ExportedFrame& frame) const {
   file.write(head_);
   if (surface_.moves()) file.print("# frame {}, {} s\n", frame.number, frame.time);
   file.print("o {}\n", surface_.name);
-  const Positions positions = run_.positions(surface_, frame);
+  const Positions positions = run_.positions(surface_, frame).rowwise() - origin_.transpose();
   if (run_.double_positions)
     print_vertices<double>(file, positions);
   else

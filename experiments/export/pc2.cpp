@@ -9,7 +9,8 @@
 //   int32      number of samples
 //   float      x, y, z of every point of every sample
 //
-// All little endian.
+// All little endian. Where floats would round edges, positions in both files are relative to the run's
+// origin, which the OBJ file states.
 #include "experiments/export/format.hpp"
 #include "experiments/export/obj_text.hpp"
 
@@ -26,7 +27,7 @@ void write_cache(const ExportedRun& run, const Surface& surface, OutputFile& fil
   file.write_number(static_cast<float>(run.step));
   file.write_number(static_cast<std::int32_t>(run.frames.size()));
   for (const ExportedFrame& frame : run.frames) {
-    const Positions positions = run.positions(surface, frame);
+    const Positions positions = run.positions(surface, frame).rowwise() - run.origin.transpose();
     for (Eigen::Index i = 0; i < positions.size(); ++i)
       file.write_number(static_cast<float>(positions.data()[i]));
   }
@@ -36,7 +37,7 @@ void write_pc2(const ExportedRun& run, Output& output) {
   for (const Surface& surface : run.surfaces) {
     const std::string stem = output.stem_of(surface);
     output.file(stem + ".obj",
-                [&](OutputFile& file) { ObjText(run, surface).write(file, run.frames.front()); });
+                [&](OutputFile& file) { ObjText(run, surface, run.origin).write(file, run.frames.front()); });
     if (surface.moves())
       output.file(stem + ".pc2", [&](OutputFile& file) { write_cache(run, surface, file); });
   }
@@ -49,6 +50,7 @@ extern const Format pc2{
     .name = "pc2",
     .summary = "a point cache of all frames, cloth.pc2, and the OBJ file of the first one, which it moves",
     .in_one_file = InOneFile::everything,
+    .states_origin = true,
     .write = write_pc2,
 };
 }  // namespace format

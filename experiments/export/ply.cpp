@@ -1,5 +1,6 @@
-// PLY: a binary file per frame, little endian, positions as floats. A vertex has one pair of texture
-// coordinates (s, t); a surface with seams, where a vertex has several, has none.
+// PLY: a binary file per frame, little endian, positions as floats, or as doubles where floats would round
+// edges. A vertex has one pair of texture coordinates (s, t); a surface with seams, where a vertex has
+// several, has none.
 #include <optional>
 
 #include "experiments/export/format.hpp"
@@ -23,16 +24,17 @@ std::optional<std::vector<int>> texture_of_vertices(const Surface& surface) {
 
 std::string ply_header(const ExportedRun& run, const Surface& surface, bool textured) {
   return fmt::format(
-      "ply\nformat binary_little_endian 1.0\ncomment {}\nelement vertex {}\nproperty float x\nproperty float "
-      "y\nproperty float z\n{}element face {}\nproperty list uchar int vertex_indices\nend_header\n",
-      description_of(run), surface.positions.rows(), textured ? "property float s\nproperty float t\n" : "",
-      surface.triangles.rows());
+      "ply\nformat binary_little_endian 1.0\ncomment {0}\nelement vertex {1}\nproperty {2} x\nproperty {2} "
+      "y\nproperty {2} z\n{3}element face {4}\nproperty list uchar int vertex_indices\nend_header\n",
+      description_of(run), surface.positions.rows(), run.needs_double ? "double" : "float",
+      textured ? "property float s\nproperty float t\n" : "", surface.triangles.rows());
 }
 
+template <class Real>
 void write_frame(const Surface& surface, const std::optional<std::vector<int>>& texture,
                  const Positions& positions, OutputFile& file) {
   for (Eigen::Index v = 0; v < positions.rows(); ++v) {
-    for (int c = 0; c < 3; ++c) file.write_number(static_cast<float>(positions(v, c)));
+    for (int c = 0; c < 3; ++c) file.write_number(static_cast<Real>(positions(v, c)));
     if (!texture) continue;
     const int row = (*texture)[static_cast<std::size_t>(v)];
     for (int c = 0; c < 2; ++c) file.write_number(static_cast<float>(surface.texture(row, c)));
@@ -50,7 +52,10 @@ void write_ply(const ExportedRun& run, Output& output) {
     for (const ExportedFrame& frame : run.frames) {
       output.file(output.stem_of(surface, frame.number) + ".ply", [&](OutputFile& file) {
         file.write(header);
-        write_frame(surface, texture, run.positions(surface, frame), file);
+        if (run.needs_double)
+          write_frame<double>(surface, texture, run.positions(surface, frame), file);
+        else
+          write_frame<float>(surface, texture, run.positions(surface, frame), file);
       });
       if (!surface.moves()) break;
     }

@@ -1,5 +1,6 @@
 // USD as text: one file with a mesh for the cloth and for each obstacle, and their samples over time. Time
-// codes are frames of the run.
+// codes are frames of the run. Points are floats: those of a run far from the origin are relative to a point
+// near it, to which the prim "run" is translated.
 //
 // The format: the reference of Pixar's Sdf text files, and the schemas UsdGeomMesh, UsdGeomXformable.
 #include <utility>
@@ -58,7 +59,7 @@ void write_samples(const ExportedRun& run, const Surface& surface, OutputFile& f
   std::vector<Extent> extents;
   file.write("        point3f[] points.timeSamples = {\n");
   for (const ExportedFrame& frame : run.frames) {
-    const Positions positions = run.positions(surface, frame);
+    const Positions positions = run.positions(surface, frame).rowwise() - run.origin.transpose();
     extents.push_back(extent_of(positions));
     file.print("            {}: ", run.time_code(frame));
     print_points(file, positions);
@@ -75,10 +76,11 @@ void write_samples(const ExportedRun& run, const Surface& surface, OutputFile& f
 
 // Positions of an obstacle at time 0, and how far it has moved in each frame.
 void write_rigid(const ExportedRun& run, const Surface& surface, OutputFile& file) {
+  const Positions positions = surface.positions.rowwise() - run.origin.transpose();
   file.write("        point3f[] points = ");
-  print_points(file, surface.positions);
+  print_points(file, positions);
   file.write("\n        float3[] extent = ");
-  print_points(file, extent_of(surface.positions));
+  print_points(file, extent_of(positions));
   file.write("\n");
   if (!surface.moves()) return;
   file.write("        double3 xformOp:translate.timeSamples = {\n");
@@ -124,6 +126,11 @@ void write_stage(const ExportedRun& run, OutputFile& file) {
   file.print("    startTimeCode = {}\n    endTimeCode = {}\n", run.time_code(run.frames.front()),
              run.time_code(run.frames.back()));
   file.print("    upAxis = \"{}\"\n)\n\ndef Xform \"run\"\n{{", run.up == UpAxis::y ? 'Y' : 'Z');
+  if (!run.origin.isZero(0))
+    file.print(
+        "\n    double3 xformOp:translate = ({}, {}, {})\n"
+        "    uniform token[] xformOpOrder = [\"xformOp:translate\"]\n",
+        run.origin.x(), run.origin.y(), run.origin.z());
   for (const Surface& surface : run.surfaces) write_surface(run, surface, file);
   file.write("}\n");
 }

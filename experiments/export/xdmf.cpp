@@ -5,9 +5,9 @@ namespace bendlab {
 namespace {
 
 void write_xdmf(const ExportedRun& run, Output& output) {
-  const std::filesystem::path folder = output.is_file() ? output.to().parent_path() : output.to();
+  const std::filesystem::path to = std::filesystem::absolute(output.to());
   const std::filesystem::path seen = std::filesystem::proximate(std::filesystem::absolute(run.record.file),
-                                                                std::filesystem::absolute(folder));
+                                                                output.is_file() ? to.parent_path() : to);
   std::vector<std::int64_t> frames;
   for (const ExportedFrame& frame : run.frames) frames.push_back(frame.number);
   output.file(output.stem_of(run.surfaces.front()) + ".xdmf",

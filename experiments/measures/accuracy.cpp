@@ -6,6 +6,7 @@
 
 #include "bendlab/parameters/names.hpp"
 #include "experiments/measures/measure.hpp"
+#include "experiments/measures/strip_doubts.hpp"
 #include "experiments/measures/trajectory.hpp"
 #include "experiments/scene/energy.hpp"
 
@@ -107,6 +108,11 @@ class Accuracy final : public Measurement {
         findings.summary[fmt::format("error_{}_{}", name_of(against), which)] =
             other.summary.at("unbalanced");
       }
+      if (against == Against::physical)
+        if (const std::optional<std::string> doubt = doubtful_reference(*config, other.file)) {
+          tell("the reference is none: " + *doubt);
+          return std::nullopt;
+        }
       return trajectory_of(*config, other.file, over_time_);
     } catch (const RunFileError&) {  // of the disk, or the memory: a later try may do better
       throw;

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <cmath>
-
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/strip.hpp"
 
@@ -16,26 +14,13 @@ class Stiffness final : public Measurement {
     if (end.status == RunStatus::diverged) return;
     try {
       const StripStiffness stiffness = strip_.meter.measure(end.simulation.positions(), strip_.options);
-      for (const auto& [name, value] : stiffness_numbers(stiffness))
-        if (std::isfinite(value)) findings.summary["stiffness_" + name] = value;
+      findings.summary.merge(summary_of(stiffness));
     } catch (const std::invalid_argument& error) {  // its pins may have moved
       findings.messages.push_back(fmt::format("no stiffness: {}", error.what()));
     }
   }
 
  private:
-  // By name, in the units of `gives`.
-  static std::map<std::string, double> stiffness_numbers(const StripStiffness& stiffness) {
-    return {{"height_over_width", stiffness.height_over_width},
-            {"gamma", stiffness.gamma},
-            {"flexural_rigidity", stiffness.flexural_rigidity},
-            {"bending_length", stiffness.bending_length},
-            {"quartic", stiffness.quartic},
-            {"fit_exponent", stiffness.fit.exponent},
-            {"fit_B", stiffness.fit.rigidity},
-            {"fit_C", stiffness.fit.quartic}};
-  }
-
   RunStrip strip_;
 };
 

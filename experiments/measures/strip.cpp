@@ -5,6 +5,8 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/single_precision.hpp"
 #include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
@@ -61,13 +63,39 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
   const StripLoad load{config.section("/material").number("density"), gravity_of(config.effects())};
   RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
   const double reach = reach_of(config, rest, pins, strip.meter.along());
-  const double largest = std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
+  // The solver's positions are relative to the middle of the strip; those that are stored in single precision
+  // are not.
+  const bool stored_in_double = needs_double(rest.positions(), rest.triangles());
+  const double largest =
+      stored_in_double ? rest.size() : std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
   const bool wide = config.section("/solver").text("precision") == "double";
   const bool calibrated = config.section("/bending").text("stiffness") == "physical";
   strip.options = {.clamp_offset = settings.clamp_offset.value_or(calibrated ? 0 : reach / 4),
                    .exclude = settings.exclude.value_or(reach),
                    .rounding = largest * (wide ? 0x1p-53 : 0x1p-24)};
   return strip;
+}
+
+RunStrip strip_in(const std::filesystem::path& file, const RunConfig& config, const StripSettings& settings) {
+  const RestRecord stored = read_rest(file);
+  const RestMesh rest({as_rows(stored.positions), as_rows(stored.triangles), {}});
+  Pins pins{.seeds = stored.pin_seeds, .all = {}, .is_pinned = {stored.pinned.begin(), stored.pinned.end()}};
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (pins.pinned(v)) pins.all.push_back(v);
+  return strip_of(config, rest, pins, settings);
+}
+
+std::map<std::string, double> summary_of(const StripStiffness& stiffness) {
+  std::map<std::string, double> numbers = {{"stiffness_height_over_width", stiffness.height_over_width},
+                                           {"stiffness_gamma", stiffness.gamma},
+                                           {"stiffness_flexural_rigidity", stiffness.flexural_rigidity},
+                                           {"stiffness_bending_length", stiffness.bending_length},
+                                           {"stiffness_quartic", stiffness.quartic},
+                                           {"stiffness_fit_exponent", stiffness.fit.exponent},
+                                           {"stiffness_fit_B", stiffness.fit.rigidity},
+                                           {"stiffness_fit_C", stiffness.fit.quartic}};
+  std::erase_if(numbers, [](const auto& number) { return !std::isfinite(number.second); });
+  return numbers;
 }
 
 }  // namespace bendlab

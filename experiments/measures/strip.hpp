@@ -2,7 +2,10 @@
 // takes from the run's config.
 #pragma once
 
+#include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/metrics/stiffness.hpp"
@@ -27,5 +30,12 @@ struct RunStrip {
 /// Density and gravity are the config's. Throws std::invalid_argument for what is no cantilever strip.
 RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                   const StripSettings& settings = {});
+
+/// The same of a run's file. Throws RunFileError, too.
+RunStrip strip_in(const std::filesystem::path& file, const RunConfig& config,
+                  const StripSettings& settings = {});
+
+/// What the measure `stiffness` puts into a run's summary, by name; numbers that are not finite are left out.
+std::map<std::string, double> summary_of(const StripStiffness& stiffness);
 
 }  // namespace bendlab

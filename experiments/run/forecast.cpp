@@ -14,6 +14,7 @@
 #include "bendlab/constraints/stiffness.hpp"
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
+#include "bendlab/mesh/single_precision.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/scene/expected_mesh.hpp"
@@ -118,6 +119,10 @@ double left_in_limit() {
 
 double disk_bytes(const RunConfig& config, const ExpectedMesh& mesh, double frames, double cpu_s,
                   bool in_double) {
+  double farthest = mesh.size / 2;  // from the origin, unless a mesh file is far from it
+  for (const double way : config.section("/mesh").numbers("offset"))
+    farthest = std::max(farthest, std::abs(way));
+  in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * mesh.mean_edge;
   const bool regular = config.mesh_file().empty() && config.section("/mesh").text("generator") != "delaunay";
   const double points = mesh.vertices * bytes::frame_per_vertex * (in_double ? 2 : 1);
   const double fields = mesh.triangles * bytes::frame_per_triangle;

@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "bendlab/constraints/pack.hpp"
+#include "bendlab/mesh/single_precision.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
@@ -128,7 +129,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   for (const auto& [pointer, file] : input_files(config))
     header.inputs.push_back(
         {pointer, value_at(config.resolved(), pointer)->get<std::string>(), read_input_file(file)});
-  header.double_positions = scene.precision == Precision::double_precision;
+  header.double_positions =
+      scene.precision == Precision::double_precision || needs_double(rest.positions(), rest.triangles());
   return header;
 }
 

@@ -43,6 +43,11 @@ Message softened_membrane(const WarningInput& input);
 Message lagging(const WarningInput& input);
 Message no_equilibrium(const WarningInput& input);
 
+// Of a stiffness that is not what was stated: stiffness_warnings.cpp.
+Message strip_out_of_range(const WarningInput& input);
+Message doubtful_stiffness(const WarningInput& input);
+Message pushed_membrane(const WarningInput& input);
+
 inline bool has_obstacle(const Scene& scene) {
   return std::ranges::any_of(
       scene.effects, [](const EffectSettings& effect) { return find_effect(effect.type)->is_obstacle; });

@@ -40,14 +40,20 @@ constexpr std::array kinds = {
     WarningKind{"single_precision",
                 "single precision is asked for where it does not resolve gravity or the membrane's strain",
                 true, single_precision},
+    WarningKind{"strip_out_of_range", "a strip cannot show the stiffness that it is to be measured for", true,
+                strip_out_of_range},
     WarningKind{"weaker_push", "prestressed springs push with a smaller excess than stated", false,
                 weaker_push},
+    WarningKind{"pushed_membrane", "the stated membrane gives way to springs that push", false,
+                pushed_membrane},
     WarningKind{"soft_solver", "the solver gives the cloth less than half of the stated stiffness", false,
                 soft_solver},
     WarningKind{"softened_membrane", "a method was allowed to soften the membrane, and did", false,
                 softened_membrane},
     WarningKind{"lagging", "the iterations of implicit steps do not converge", false, lagging},
     WarningKind{"no_equilibrium", "a run ended before its forces were balanced", false, no_equilibrium},
+    WarningKind{"doubtful_stiffness", "the readings of a strip's stiffness disagree, or mean nothing", false,
+                doubtful_stiffness},
     WarningKind{"unconverged", "a membrane that should not stretch is left stretched", false, unconverged},
 };
 
@@ -76,6 +82,7 @@ std::vector<Warning> warnings_before(const Experiment& experiment, const RunConf
 
 std::string text_of_what_warns_before(const RunConfig& config) {
   Json settings = config.resolved();
+  settings["measures"] = settings["output"]["measures"];
   for (const char* unused : {"output", "accuracy", "quality"}) settings.erase(unused);
   for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
   return settings.dump();

@@ -101,9 +101,23 @@ AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles poli
   }
 }
 
+// Names take z for up in a sheet that stands; in a plane x = const gravity may say that it is y.
+void require_up(const RestMesh& rest, const std::vector<std::string>& names, const Vector3& down) {
+  const NamedAxes axes = named_axes(rest);
+  if (names.empty() || axes.front != 0 || std::abs(down.z()) >= std::abs(down.y())) return;
+  throw ConfigError(
+      "/pins/vertices",
+      {{"/pins/vertices",
+        fmt::format("'{}' is not known of this sheet: it stands in a plane x = const, where names take z for "
+                    "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
+                    "is up, or pin by /pins/indices, with \"vertices\": []",
+                    names.front())}});
+}
+
 Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
-             bool renumbered) {
+             bool renumbered, const Vector3& down) {
   const ParameterValues values = config.section("/pins");
+  require_up(rest, values.texts("vertices"), down);
   if (renumbered && !values.numbers("indices").empty())
     throw MeshError(fmt::format(
         "{}: {}; /pins/indices would then mean other vertices than in the original mesh. Repair the file "
@@ -173,7 +187,12 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
   const ParameterValues parameters = config.bending_parameters(), values = config.section("/bending");
   BendingConstraints constraints =
       find_bending_model(config.bending_model())->build({rest, pins, parameters});
-  if (values.text("stiffness") != "physical") return constraints;
+  if (values.text("stiffness") != "physical") {
+    const bool by_k = stiffness_kind(values.text("stiffness")) != StiffnessKind::compliance;
+    if (const auto why = unknown_to_k(*find_bending_model(config.bending_model()), constraints); by_k && why)
+      throw ConfigError("bending stiffness", {{"/bending/stiffness", *why}});
+    return constraints;
+  }
   const auto given = [&](std::string_view name) {
     return values.has(name) ? std::optional(values.number(name)) : std::nullopt;
   };
@@ -307,9 +326,9 @@ Scene build_scene(const RunConfig& config) {
   Scene scene{.rest = RestMesh(std::move(accepted.mesh)), .mesh_notes = std::move(accepted.notes)};
   const RestMesh& rest = scene.rest;
   const ParameterValues material = config.section("/material"), solver = config.section("/solver");
-  scene.pins = pins_of(config, rest, scene.mesh_notes, accepted.renumbered);
   scene.effects = config.effects();
   scene.down = direction_of_gravity(scene.effects);
+  scene.pins = pins_of(config, rest, scene.mesh_notes, accepted.renumbered, scene.down);
   scene.thresholds = quality_thresholds(config.section("/quality"));
 
   SimulationInput& input = scene.input;
@@ -333,6 +352,7 @@ Scene build_scene(const RunConfig& config) {
                                : std::vector<char>{});
   input.strain_stiffness = strain_stiffness(config.section("/material/strain"));
 
+  input.bending_stiffness = bending_stiffness(config.section("/bending"));
   BendingConstraints bending = bending_constraints(config, rest, scene.pins);
   const SolverSettings& settings = input.settings;
   if (input.method->projects && find_bending_model(config.bending_model())->prestressed &&
@@ -341,11 +361,13 @@ Scene build_scene(const RunConfig& config) {
                             settings.projections_per_substep());
     if (scene.push) std::ranges::move(facts_of(*scene.push), std::back_inserter(bending.facts));
   }
+  if (input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0 &&
+      find_bending_model(config.bending_model())->prestressed)
+    input.push_tension = push_tension(bending.distance, rest, input.bending_stiffness.compliance);
   scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
   scene.bending_facts = std::move(bending.facts);
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
-  input.bending_stiffness = bending_stiffness(config.section("/bending"));
   if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
   input.moves_apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, solver.text("precision"));

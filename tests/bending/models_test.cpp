@@ -97,6 +97,27 @@ TEST_CASE("a model says whether it is made of springs alone, and whether they on
   }
 }
 
+TEST_CASE("a model whose constraints differ in softness is refused with k, unless it says so", "[bending]") {
+  const RestMesh rest(grid(1, 1, 2, 2));
+  const BendingModel own{.name = "own"}, told{.name = "own", .softness_needs_compliance = true};
+  BendingConstraints constraints;
+  constraints.distance.vertices.push_back({0, 1});
+  constraints.distance.rest_length = {0.5};
+  CHECK_FALSE(unknown_to_k(own, constraints));  // no softness is a softness of 1
+  constraints.distance.softness = {1};
+  CHECK_FALSE(unknown_to_k(own, constraints));
+  constraints.distance.softness = {2};  // half as stiff: k would not show it
+  REQUIRE(unknown_to_k(own, constraints));
+  CHECK(unknown_to_k(own, constraints)->find("'own'") != std::string::npos);
+  CHECK_FALSE(unknown_to_k(told, constraints));
+  // Every registered model can be had with k, which is the paper's stiffness.
+  const Pins pins = no_pins(rest);
+  for (const BendingModel* model : bending_models()) {
+    INFO(model->name);
+    CHECK_FALSE(unknown_to_k(*model, built(model->name, rest, pins)));
+  }
+}
+
 TEST_CASE("spring counts by hand", "[bending]") {
   for (const int n : {3, 8, 16}) {
     const RestMesh rest(grid(1, 1, n, n));

@@ -5,6 +5,8 @@
 
 #include "bendlab/bending/calibration.hpp"
 #include "bendlab/mesh/delaunay.hpp"
+#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/push_tension.hpp"
 #include "tests/bending/shapes.hpp"
 #include "tests/catch.hpp"
 
@@ -107,6 +109,61 @@ TEST_CASE("a bounded excess pushes as hard in the rest shape, and a held one is 
   CHECK_FALSE(push_warning(*bound_push(usual, rest, mass, dt, 1)));
   DistanceConstraints resting = test::built("sparse_lod", rest).distance;
   CHECK_FALSE(bound_push(resting, rest, mass, dt, 1));
+}
+
+TEST_CASE("the tension of springs that push, by hand", "[bending]") {
+  // The sides and one diagonal of a square of 2 m pushed apart: a spring of length L with the force f has the
+  // virial f L, and T is their sum over twice the area of 4 m².
+  const RestMesh rest(grid(2, 2, 1, 1));
+  DistanceConstraints springs;
+  const auto add = [&](int a, int b, double excess, double softness) {
+    springs.vertices.push_back({a, b});
+    springs.rest_length.push_back((1 + excess) * length_of(rest, {a, b}));
+    springs.softness.push_back(softness);
+  };
+  add(0, 1, 0.1, 1);   // longer by 0.2 m: f = 0.2 N at 1 m/N, f L = 0.4
+  add(0, 2, 0, 1);     // at rest
+  add(1, 3, -0.1, 1);  // it pulls, which the membrane does not mind
+  add(0, 3, 0.1, 2);   // √8 m: f = 0.1 √8 / 2, f L = 0.4
+  CHECK_THAT(push_tension(springs, rest, 1), WithinRel(0.8 / (2 * 4), 1e-12));
+  CHECK_THAT(push_tension(springs, rest, 0.01), WithinRel(10, 1e-12));  // N/m
+
+  // 10 N/m stretch a membrane of 100 N/m by a tenth, and one of 1000 N/m by a hundredth.
+  CHECK(push_on_membrane_warning(10, 0.01));
+  CHECK_FALSE(push_on_membrane_warning(10, 0.001));
+  CHECK_FALSE(push_on_membrane_warning(0, 1));
+  CHECK_THAT(*push_on_membrane_warning(10, 0.01), ContainsSubstring("0.0036 m/N"));  // less than 4 % of growth
+}
+
+TEST_CASE("a method that softens the membrane leaves it stiff enough for springs that push", "[bending]") {
+  // T = 10 N/m may stretch it by membrane_error, 3·10⁻³, and never by more than a few percent.
+  CHECK_THAT(membrane_for_push(10, 3e-3), WithinRel(10 / 3e-3, 1e-12));
+  CHECK_THAT(membrane_for_push(10, 0.3), WithinRel(10 / 0.04, 1e-12));
+  CHECK(membrane_for_push(0, 3e-3) == 0);
+
+  // A strip of 0.3 m without gravity's help: its own weight asks for 5 ρ g A / (L error) = 100 N/m, its
+  // springs for T / error.
+  const RestMesh rest(grid(0.3, 0.03, 30, 3));
+  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 1);
+  BendingConstraints constraints = test::built("prestressed", rest, pins, {{"excess", 1.0}});
+  calibrate(constraints, rest, pins, {.flexural_rigidity = rigidity});
+  SimulationInput input = test::sheet(rest, pins, "none", density);
+  input.distance = constraints.distance;
+  input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-7};
+  input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
+  input.method = find_method("quasi_newton");
+  input.settings = {.dt = dt, .substeps = 2, .iterations = 20};
+  input.settings.own = ParameterValues(input.method->parameters);
+  input.settings.own.set("membrane", std::string("auto"));
+  input.push_tension = push_tension(input.distance, rest, 1);
+  const auto simulation = make_simulation<double>(input, {});
+  for (int step = 0; step < 30; ++step) REQUIRE(simulation->step());
+  // The edges along it have grown by no more than that, and what iterations leave.
+  const Positions x = simulation->positions();
+  const double end = (x.colwise().maxCoeff() - x.colwise().minCoeff()).norm();
+  CHECK(end < 1.01 * rest.size());
+  REQUIRE(simulation->membrane_softness());
+  CHECK(input.push_tension * 1e-7 * *simulation->membrane_softness() <= 3e-3 * (1 + 1e-9));
 }
 
 }  // namespace bendlab

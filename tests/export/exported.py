@@ -107,13 +107,15 @@ def read_ply(path):
     lines = head.decode("ascii").splitlines()
     assert lines[:2] == ["ply", "format binary_little_endian 1.0"]
     vertices, faces = (int(line.split()[2]) for line in lines if line.startswith("element"))
-    names = [line.split()[2] for line in lines if line.startswith("property float")]
+    number = {"float": "<f4", "double": "<f8"}
+    fields = [line.split()[1:] for line in lines if re.match("property (float|double) ", line)]
     assert "property list uchar int vertex_indices" in lines
-    values = np.frombuffer(body, "<f4", vertices * len(names)).reshape(vertices, -1)
+    values = np.frombuffer(body, np.dtype([(name, number[kind]) for kind, name in fields]), vertices)
     table = np.frombuffer(body[values.nbytes:], np.dtype([("count", "u1"), ("corners", "<i4", 3)]))
     assert len(table) == faces and (table["count"] == 3).all()
-    texture = values[:, names.index("s"):names.index("t") + 1][table["corners"]] if "s" in names else None
-    return values[:, :3], table["corners"], texture
+    columns = lambda *names: np.stack([values[name] for name in names], axis=1)  # noqa: E731
+    texture = columns("s", "t")[table["corners"]] if "s" in values.dtype.names else None
+    return columns("x", "y", "z"), table["corners"], texture
 
 
 def read_pc2(path):

@@ -115,6 +115,14 @@ class Installed(unittest.TestCase):
                 self.assertEqual(len(edges), 3 * 8**2 - 2 * 8)  # interior edges of 8² squares cut in two
                 np.testing.assert_allclose(file["constraints/hinge/softness"][()], edges**-power, rtol=1e-12)
 
+    def test_with_k_a_model_of_hinges_that_differ_is_refused(self):
+        by_k = json.dumps({"model": "edge_hinge", "k": 0.5})
+        done = command(self.program, "run", "sweep.json", "--set", f"/bending={by_k}", "--set", "/sweep={}",
+                       folder=self.example)
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("/bending/stiffness", done.stderr)
+        self.assertIn("softness_needs_compliance", done.stderr)
+
     def test_the_same_cloth_has_the_same_bits_in_the_installed_program(self):
         """Library and example have different flags, and of a function that both have one is linked."""
         [run] = lines(succeeds(self.bendlab, "run", "plain.json", "--json", folder=self.example))

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "bendlab/bending/levels.hpp"
+#include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -151,6 +152,52 @@ TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   CHECK(select_vertices(sleeve, "bottom_rim") == std::vector{0, 1, 2, 3, 4});
   const int last = sleeve.vertex_count() - 1;
   CHECK(select_vertices(sleeve, "top_rim") == std::vector{last - 4, last - 3, last - 2, last - 1, last});
+}
+
+TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
+  const TriangleMesh flat = grid(3, 2, 12, 8);  // 13 vertices in a row, 9 rows
+  const RestMesh lying(flat);
+  const auto standing = [&](int right, double waves) {
+    TriangleMesh mesh = flat;
+    mesh.positions.setZero();
+    mesh.positions.col(right) = flat.positions.col(0);
+    mesh.positions.col(2) = flat.positions.col(1);
+    mesh.positions.col(1 - right) = waves * (4 * flat.positions.col(0)).array().sin();
+    return mesh;
+  };
+  // In the planes y = 0 and x = 0, and with folds as a curtain has them: the same places as lying.
+  for (const int right : {0, 1})
+    for (const double waves : {0.0, 0.08}) {
+      INFO("right is axis " << right << ", folds of " << waves);
+      const RestMesh rest(standing(right, waves));
+      for (const std::string_view name : vertex_selectors())
+        if (name.find("rim") == name.npos && name != "circle")  // distances along folds are longer
+          CHECK(select_vertices(rest, name) == select_vertices(lying, name));
+      CHECK(select_vertices(rest, "upper_left") == std::vector{8 * 13});
+      CHECK(select_vertices(rest, "top_rim") == select_vertices(lying, "top"));
+    }
+  // A sheet that only leans has its names in x and y, and so has a tube.
+  TriangleMesh leaning = flat;
+  leaning.positions.col(2) = 5 * flat.positions.col(1);
+  CHECK(select_vertices(RestMesh(leaning), "upper_left") == std::vector{8 * 13});
+  CHECK(named_axes(RestMesh(tube(0.05, 0.05, 3, 12))).up == 1);
+}
+
+TEST_CASE("of equally near vertices the place decides, not the number", "[mesh]") {
+  // The middle of 3 × 3 cells is between four vertices; a corner of a tube's box is above every second row.
+  const auto place = [](const TriangleMesh& mesh, std::string_view name) -> Vector3 {
+    const RestMesh rest(mesh);
+    return rest.position(select_vertices(rest, name).front());
+  };
+  const TriangleMesh square = grid(3, 3, 3, 3), sleeve = tube(1, 1, 4, 8), ball = sphere(1, 4);
+  CHECK((place(square, "centre") - Vector3(-0.5, -0.5, 0)).norm() < 1e-12);
+  CHECK((place(ball, "centre") - Vector3(0, 0, 1)).norm() < 1e-12);  // seen from above
+  const double top = sleeve.positions.col(2).maxCoeff();
+  CHECK(place(sleeve, "upper_right").z() > top - 2 * 4.0 / 5);  // of the upper two of at least five rows
+  for (const unsigned seed : {1U, 2U, 3U})
+    for (const TriangleMesh& mesh : {square, sleeve, ball})
+      for (const char* name : {"centre", "upper_right", "lower_left"})
+        CHECK((place(shuffled(mesh, seed), name) - place(mesh, name)).norm() < 1e-12);
 }
 
 TEST_CASE("a circle is closed around the centre, and four vertices lie inside", "[mesh]") {

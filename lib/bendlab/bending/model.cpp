@@ -42,6 +42,22 @@ const BendingModel* find_bending_model(std::string_view name) {
   return found == all.end() ? nullptr : *found;
 }
 
+std::optional<std::string> unknown_to_k(const BendingModel& model, const BendingConstraints& constraints) {
+  if (model.softness_needs_compliance) return std::nullopt;
+  double least = 1, most = 1;
+  const auto look_at = [&](const std::vector<double>& softness) {
+    for (const double each : softness) least = std::min(least, each), most = std::max(most, each);
+  };
+  look_at(constraints.distance.softness);
+  for_each_kind(constraints.elements, [&](const auto& list) { look_at(list.softness); });
+  if (least == 1 && most == 1) return std::nullopt;
+  return fmt::format(
+      "'{}' makes its constraints {:.3g} to {:.3g} times as soft as the scene's compliance, and k would "
+      "correct all by the same share: state \"compliance\" instead, or a flexural_rigidity; if the model is "
+      "meant to be the same with k, it says .softness_needs_compliance = true",
+      model.name, least, most);
+}
+
 void register_bending_model(const BendingModel& model) {
   if (model.build == nullptr)
     throw std::invalid_argument(

@@ -3,6 +3,7 @@
 // this library may register its own.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,9 @@ struct BendingModel {
   bool springs_only = false;  ///< build() gives no elements, whatever the parameters
   bool one_sided = false;     ///< its elements only push: their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
+  /// With k, which removes the same share of every constraint, its softness is left out. A model that does
+  /// not say so is refused with k if a softness is not 1.
+  bool softness_needs_compliance = false;
   BendingConstraints (*build)(const BendingInput&);
   /// How many constraints build() will give, for forecasts; null: a hinge over every interior edge.
   ExpectedConstraints (*expect)(const ExpectedMesh&, const ParameterValues&) = nullptr;
@@ -56,6 +60,10 @@ std::span<const BendingModel* const> bending_models();
 
 /// The model of that name, or nullptr.
 const BendingModel* find_bending_model(std::string_view name);
+
+/// Why a model's constraints cannot have their stiffness as k: they have a softness, which k would leave out,
+/// and the model does not say that it may. Nothing if they can.
+std::optional<std::string> unknown_to_k(const BendingModel& model, const BendingConstraints& constraints);
 
 /// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
 /// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it

@@ -16,31 +16,52 @@ namespace {
 // as 10 substeps of one.
 constexpr double membrane_of_one_projection = 1;
 
+constexpr double at_rest = 1e-6;  // of its length, as in calibration.cpp
+
 double bounded(double excess, double growth) {
   return 1 / (1 / excess + 1 / growth);
 }
 
 }  // namespace
 
+double push_tension(const DistanceConstraints& springs, const RestMesh& rest, double compliance) {
+  double virial = 0;
+  for (std::size_t s = 0; s < springs.size(); ++s) {
+    const auto [a, b] = springs.vertices[s];
+    const double length = (rest.position(a) - rest.position(b)).norm(), push = springs.rest(s) - length,
+                 softness = springs.softness.empty() ? 1 : springs.softness[s];
+    if (push > at_rest * length) virial += push / (compliance * softness) * length;
+  }
+  const double area = std::accumulate(rest.areas().begin(), rest.areas().end(), 0.0);
+  return virial > 0 && area > 0 ? virial / (2 * area) : 0;
+}
+
+std::optional<std::string> push_on_membrane_warning(double tension, double compliance) {
+  if (!(tension * compliance > tolerated_growth)) return std::nullopt;
+  return fmt::format(
+      "the springs push with {:.3g} N/m, and the stated membrane of {:.3g} N/m gives way: the sheet grows by "
+      "up to {:.0f} %, or by the springs' excess if that is less. A membrane compliance of {:.2g} m/N holds "
+      "it to {:.0f} %; so do longer springs, whose push falls as the square of their length "
+      "(/bending/prestressed/radius)",
+      tension, 1 / compliance, 100 * tension * compliance, 0.9 * tolerated_growth / tension,
+      100 * tolerated_growth);
+}
+
 std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh& rest,
                                     std::span<const double> mass, double substep, int projections) {
-  constexpr double at_rest = 1e-6;  // of its length, as in calibration.cpp
   PushBound bound;
   std::vector<double> length(springs.size());
-  double virial = 0;
   for (std::size_t s = 0; s < springs.size(); ++s) {
     const auto [a, b] = springs.vertices[s];
     length[s] = (rest.position(a) - rest.position(b)).norm();
     const double push = springs.rest(s) - length[s];
     if (!(push > at_rest * length[s])) continue;
-    virial += push / springs.softness[s] * length[s];
     bound.stated = std::max(bound.stated, push / length[s]);
     bound.length = std::max(bound.length, length[s]);
   }
-  const double area = std::accumulate(rest.areas().begin(), rest.areas().end(), 0.0),
-               all = std::accumulate(mass.begin(), mass.end(), 0.0);
-  if (!(virial > 0 && area > 0 && all > 0)) return std::nullopt;
-  bound.tension = virial / (2 * area);
+  const double all = std::accumulate(mass.begin(), mass.end(), 0.0);
+  bound.tension = push_tension(springs, rest, 1);
+  if (!(bound.tension > 0 && all > 0)) return std::nullopt;
   bound.growth = bound.tension * substep * substep /
                  (membrane_of_one_projection * projections * all / static_cast<double>(mass.size()));
   bound.taken = bound.stated, bound.expected = bounded(bound.stated, bound.growth);

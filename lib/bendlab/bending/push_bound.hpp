@@ -36,6 +36,13 @@ struct PushBound {
   int substeps_factor = 1;  ///< how many times as many substeps hold the stated excess
 };
 
+/// N/m: the tension T with which springs that push stretch the rest shape, at this compliance; 0 if none
+/// pushes.
+double push_tension(const DistanceConstraints& springs, const RestMesh& rest, double compliance);
+
+/// Why a membrane of this compliance (m/N) gives way to that tension, and what helps; nothing if it holds it.
+std::optional<std::string> push_on_membrane_warning(double tension, double compliance);
+
 /// Lowers the excess of all springs until the growth is at most `tolerated_growth`, with the same push in the
 /// rest shape; changes no bit if it is already. `springs` are calibrated (forces at a compliance of 1),
 /// `mass` is #V in kg, `substep` in s, `projections` those of each constraint in a substep. Returns nothing

@@ -2,6 +2,7 @@
 
 #include "bendlab/constraints/kinds.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace bendlab {
@@ -51,6 +52,14 @@ LargeArray<Real> lane_values(const BatchOrder& order, Real padding, Get get) {
   return values;
 }
 
+// As near as Real has it, and neither 0 nor infinite.
+template <class Real>
+double nearest_number(double softness) {
+  if (!(softness > 0)) return softness;
+  return std::clamp(softness, static_cast<double>(std::numeric_limits<Real>::min()),
+                    static_cast<double>(std::numeric_limits<Real>::max()));
+}
+
 }  // namespace
 
 template <class Real>
@@ -62,7 +71,8 @@ DistanceBatch<Real> make_distance_batch(const DistanceConstraints& list, BatchOr
   batch.rest_length =
       lane_values<Real>(order, std::numeric_limits<Real>::max(), [&](std::size_t c) { return list.rest(c); });
   if (!list.softness.empty())
-    batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
+    batch.softness = lane_values<Real>(order, Real(1),
+                                       [&](std::size_t c) { return nearest_number<Real>(list.softness[c]); });
   batch.order = std::move(order);
   return batch;
 }
@@ -92,7 +102,8 @@ ElementBatch<Real, Kind> make_element_batch(const ElementList<Kind>& list, Batch
     batch.corner[i] = corner_offsets(list.vertices, order, static_cast<int>(i), vertex_count);
   for (std::size_t i = 0; i < Kind::rest_values; ++i)
     batch.rest[i] = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.rest[c][i]; });
-  batch.softness = lane_values<Real>(order, Real(1), [&](std::size_t c) { return list.softness[c]; });
+  batch.softness = lane_values<Real>(order, Real(1),
+                                     [&](std::size_t c) { return nearest_number<Real>(list.softness[c]); });
   batch.order = std::move(order);
   return batch;
 }

@@ -1,7 +1,8 @@
 // One HDF5 file per run, for us and for ParaView: VTKHDF 2.0 PolyData with Steps, and our own groups beside
 // it.
 //
-//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps)
+//   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps); Points
+//                           are float64 if the solver's are, or if float32 would round edges away from 0
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
 //   /metrics                values (F, C): a row per recorded frame; names, units and meanings (C) of the
 //                           columns, of which `time` is one

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "bendlab/mesh/rings.hpp"
@@ -17,10 +19,28 @@ constexpr std::array<std::string_view, 13> selectors = {
 
 constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
 
+// On the face that names mean.
+Vector2 on_face(const NamedAxes& axes, const Vector3& point) {
+  return {point(axes.right), point(axes.up)};
+}
+
 int nearest_vertex(const RestMesh& rest, const Vector2& target) {
-  Eigen::Index nearest = 0;
-  (rest.positions().leftCols<2>().rowwise() - target.transpose()).rowwise().squaredNorm().minCoeff(&nearest);
-  return static_cast<int>(nearest);
+  const NamedAxes axes = named_axes(rest);
+  const auto distance = [&](int v) { return (on_face(axes, rest.position(v)) - target).norm(); };
+  const double equal = relative_tolerance * rest.size();
+  double least = std::numeric_limits<double>::infinity();
+  for (int v = 0; v < rest.vertex_count(); ++v) least = std::min(least, distance(v));
+  // By how much a vertex is in front of another, or lower, or farther left.
+  const auto goes_before = [&](int v, int other) {
+    const Vector3 way = rest.position(v) - rest.position(other);
+    for (const double by : {way(axes.front), -way(axes.up), -way(axes.right)})
+      if (std::abs(by) > equal) return by > 0;
+    return false;
+  };
+  int nearest = -1;
+  for (int v = 0; v < rest.vertex_count(); ++v)
+    if (distance(v) <= least + equal && (nearest < 0 || goes_before(v, nearest))) nearest = v;
+  return nearest;
 }
 
 // Vertices on the side of the rest box where coordinate `axis` has the value `level`.
@@ -43,9 +63,10 @@ std::vector<int> rim_vertices(const RestMesh& rest, std::string_view name, doubl
 
 // Vertices within the radius around the vertex nearest to the centre that have a neighbour outside.
 std::vector<int> circle_vertices(const RestMesh& rest) {
-  const Vector2 extent = (rest.box_max() - rest.box_min()).head<2>();
+  const NamedAxes axes = named_axes(rest);
+  const Vector2 extent = on_face(axes, rest.box_max() - rest.box_min());
   const double radius = 0.25 * extent.minCoeff() + relative_tolerance * rest.size();
-  const Vector3 middle = rest.position(nearest_vertex(rest, rest.centre().head<2>()));
+  const Vector3 middle = rest.position(nearest_vertex(rest, on_face(axes, rest.centre())));
   const auto is_inside = [&](int v) { return (rest.position(v) - middle).norm() <= radius; };
   std::vector<int> circle;
   for (int v = 0; v < rest.vertex_count(); ++v)
@@ -55,7 +76,8 @@ std::vector<int> circle_vertices(const RestMesh& rest) {
 
 // Not at quarters: on a grid several vertices would be equally near to these.
 std::vector<int> interior_vertices(const RestMesh& rest) {
-  const Vector2 low = rest.box_min().head<2>(), extent = rest.box_max().head<2>() - low;
+  const NamedAxes axes = named_axes(rest);
+  const Vector2 low = on_face(axes, rest.box_min()), extent = on_face(axes, rest.box_max()) - low;
   std::vector<int> interior;
   for (const double y : {0.3, 0.7})
     for (const double x : {0.3, 0.7})
@@ -113,19 +135,31 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
   return pins;
 }
 
+NamedAxes named_axes(const RestMesh& rest) {
+  constexpr double thin = 0.1;  // of both other extents: folds of a curtain are lower
+  const Vector3 extent = rest.box_max() - rest.box_min();
+  const auto is_thin = [&](int axis, int one, int other) {
+    return extent(axis) < thin * std::min(extent(one), extent(other));
+  };
+  if (is_thin(1, 0, 2)) return {0, 2, 1};
+  if (is_thin(0, 1, 2)) return {1, 2, 0};
+  return {};
+}
+
 std::vector<int> select_vertices(const RestMesh& rest, std::string_view name) {
-  const Vector3 low = rest.box_min(), high = rest.box_max();
-  if (name == "upper_right") return {nearest_vertex(rest, {high.x(), high.y()})};
+  const NamedAxes axes = named_axes(rest);
+  const Vector2 low = on_face(axes, rest.box_min()), high = on_face(axes, rest.box_max());
+  if (name == "upper_right") return {nearest_vertex(rest, high)};
   if (name == "upper_left") return {nearest_vertex(rest, {low.x(), high.y()})};
   if (name == "lower_right") return {nearest_vertex(rest, {high.x(), low.y()})};
-  if (name == "lower_left") return {nearest_vertex(rest, {low.x(), low.y()})};
-  if (name == "centre") return {nearest_vertex(rest, rest.centre().head<2>())};
-  if (name == "top") return side_vertices(rest, 1, high.y());
-  if (name == "bottom") return side_vertices(rest, 1, low.y());
-  if (name == "left") return side_vertices(rest, 0, low.x());
-  if (name == "right") return side_vertices(rest, 0, high.x());
-  if (name == "top_rim") return rim_vertices(rest, name, high.z());
-  if (name == "bottom_rim") return rim_vertices(rest, name, low.z());
+  if (name == "lower_left") return {nearest_vertex(rest, low)};
+  if (name == "centre") return {nearest_vertex(rest, on_face(axes, rest.centre()))};
+  if (name == "top") return side_vertices(rest, axes.up, high.y());
+  if (name == "bottom") return side_vertices(rest, axes.up, low.y());
+  if (name == "left") return side_vertices(rest, axes.right, low.x());
+  if (name == "right") return side_vertices(rest, axes.right, high.x());
+  if (name == "top_rim") return rim_vertices(rest, name, rest.box_max().z());
+  if (name == "bottom_rim") return rim_vertices(rest, name, rest.box_min().z());
   if (name == "circle") return circle_vertices(rest);
   if (name == "interior") return interior_vertices(rest);
   throw std::invalid_argument(

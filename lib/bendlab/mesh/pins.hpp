@@ -22,7 +22,16 @@ struct Pins {
 /// std::out_of_range for a seed that is not a vertex.
 Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double distance = 0);
 
-/// Vertices by name, on the x-y face of the rest box:
+/// Which axes (0 to 2) of the coordinates names mean by right, up, and towards the viewer.
+struct NamedAxes {
+  int right = 0, up = 1, front = 2;
+};
+
+/// x, y and z. A sheet that stands, thinner along x or y than a tenth of its other two extents, is seen from
+/// its side: z is up then, and right is x, or y if it is thin along x.
+NamedAxes named_axes(const RestMesh& rest);
+
+/// Vertices by name, on that face of the rest box (x-y, unless the sheet stands):
 ///
 /// * `upper_right`, `upper_left`, `lower_right`, `lower_left`: the vertex nearest to that corner;
 /// * `top`, `bottom`, `left`, `right`: all vertices within 10⁻⁶ sizes of that side;
@@ -31,6 +40,8 @@ Pins make_pins(const RestMesh& rest, std::vector<int> seeds, int rings, double d
 /// * `circle`: the outermost vertices within a quarter of the box's smaller x-y extent of the `centre`;
 /// * `interior`: four, nearest to 0.3 and 0.7 of the box's width and height.
 ///
+/// Of vertices that are equally near (within 10⁻⁶ sizes) the frontmost is taken, then the lowest, then the
+/// leftmost: their order in the mesh decides nothing.
 /// Throws std::invalid_argument for another name, and for a rim of a flat mesh, because that is every vertex.
 std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
 

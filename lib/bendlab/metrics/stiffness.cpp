@@ -216,9 +216,10 @@ void StiffnessMeter::find_clamp(const RestMesh& rest, std::span<const char> is_p
     low = std::min({low, from, to});
     high = std::max({high, from, to});
   }
-  if (high - low > 2 * rest.mean_edge_length())
+  clamp_depth_ = high - low;
+  if (clamp_depth_ > 2 * rest.mean_edge_length())
     no_strip(fmt::format("the edge of its clamp is not straight but {:.3g} m deep, more than two edges",
-                         high - low));
+                         clamp_depth_));
 
   for (int v = 0; v < rest.vertex_count(); ++v) {
     const double s = rest.position(v).dot(along_);

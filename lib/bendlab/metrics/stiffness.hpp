@@ -92,6 +92,8 @@ class StiffnessMeter {
 
   /// #V, m from the clamp's edge along the strip at rest; negative in the clamp.
   std::span<const double> along() const { return s_; }
+  double length() const { return length_; }            ///< m, of the free part at rest
+  double clamp_depth() const { return clamp_depth_; }  ///< m, by how much the clamp's edge zigzags
 
   /// Measures the strip at `positions` (#V by 3, m). Throws std::invalid_argument if they are not finite or
   /// the clamp has moved.
@@ -125,7 +127,7 @@ class StiffnessMeter {
   StripLoad load_;
   Vector3 down_, along_, across_;
   std::vector<double> s_;  // #V, m from the clamp's edge
-  double length_ = 0, width_ = 0;
+  double length_ = 0, width_ = 0, clamp_depth_ = 0;
   std::vector<Slice> slices_;
 };
 

@@ -1,6 +1,7 @@
 #include "bendlab/solver/ordered_constraints.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
 
 #include "bendlab/solver/colouring.hpp"
@@ -73,6 +74,34 @@ auto batch_of(const SimulationInput& input, const List& list, Colour colour, Mak
               vertex_count);
 }
 
+// The compliances α with which α, α/h² and a force C/α stay within Real, with room for what they are
+// multiplied by. One that is softer than this does nothing in a substep, and one that is stiffer is rigid.
+template <class Real>
+class ComplianceRange {
+ public:
+  explicit ComplianceRange(double substep) : most_(largest / spare * std::min(1.0, substep * substep)) {}
+
+  Real held(double compliance) const {
+    return static_cast<Real>(compliance > 0 ? std::clamp(compliance, least, most_) : compliance);
+  }
+
+  // Softness times the compliance (already held).
+  void hold(LargeArray<Real>& softness, Real held_compliance) const {
+    const auto compliance = static_cast<double>(held_compliance);
+    if (!(compliance > 0)) return;
+    for (Real& each : softness) {
+      const double alpha = static_cast<double>(each) * compliance;
+      if (alpha > 0 && !(alpha >= least && alpha <= most_))
+        each = static_cast<Real>(std::min(std::clamp(alpha, least, most_) / compliance, largest));
+    }
+  }
+
+ private:
+  static constexpr double spare = 0x1p24, largest{std::numeric_limits<Real>::max()},
+                          least = double{std::numeric_limits<Real>::min()} * spare;
+  double most_;
+};
+
 }  // namespace
 
 template <class Real>
@@ -80,12 +109,13 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
                                       ConstraintTiles* tiles) {
   Constraints<Real> constraints;
   const int projections = input.settings.projections_per_substep();
+  const ComplianceRange<Real> range(input.settings.dt / input.settings.substeps);
   StrainBatch<Real>& strain = constraints.strain;
   strain = batch_of<Real>(input, input.strain, colour_order<3>, make_strain_batch<Real>,
                           tiles ? &tiles->strain : nullptr);
   const StrainStiffness& s = input.strain_stiffness;
   const auto fraction = [&](double k) { return static_cast<Real>(k_of_projection(s.kind, k, projections)); };
-  strain.form = s.form, strain.kind = s.kind, strain.compliance = static_cast<Real>(s.compliance);
+  strain.form = s.form, strain.kind = s.kind, strain.compliance = range.held(s.compliance);
   strain.warp = fraction(s.warp), strain.weft = fraction(s.weft), strain.shear = fraction(s.shear);
   strain.area = fraction(s.area);
   if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
@@ -95,7 +125,8 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
                             tiles ? &tiles->distance : nullptr);
   const BendingStiffness& d = input.bending_stiffness;
   strain.rest_points = distance.rest_points = rest_points;
-  distance.kind = d.kind, distance.compliance = static_cast<Real>(d.compliance);
+  distance.kind = d.kind, distance.compliance = range.held(d.compliance);
+  range.hold(distance.softness, distance.compliance);
   distance.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
   if (d.kind == StiffnessKind::compliance) distance.multiplier.assign(distance.b.size(), 0);
 
@@ -103,7 +134,8 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
     auto& batch = std::get<ElementBatch<Real, Kind>>(constraints.elements);
     batch = batch_of<Real>(input, list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
                            tiles ? &tiles->elements[kind_index<Kind>] : nullptr);
-    batch.kind = d.kind, batch.compliance = static_cast<Real>(d.compliance);
+    batch.kind = d.kind, batch.compliance = range.held(d.compliance);
+    range.hold(batch.softness, batch.compliance);
     batch.rest_points = rest_points;
     batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
     if (d.kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);

@@ -88,6 +88,7 @@ struct SimulationInput {
   ElementLists elements;
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
+  double push_tension = 0;  ///< N/m, with which springs that push stretch the rest shape
   const Method* method = &default_method();
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;

@@ -6,6 +6,8 @@
 #include <queue>
 #include <utility>
 
+#include "bendlab/solver/push_tension.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -51,7 +53,7 @@ std::vector<double> distances_from_pins(const SimulationInput& input) {
 }  // namespace
 
 SoftMembrane::SoftMembrane(const SimulationInput& input)
-    : size_(input.size), compliance_(input.strain_stiffness.compliance) {
+    : size_(input.size), compliance_(input.strain_stiffness.compliance), push_tension_(input.push_tension) {
   const std::vector<double> distance = distances_from_pins(input);
   for (const std::array<int, 3>& corner : input.strain.vertices) {
     double sum = 0;
@@ -61,7 +63,8 @@ SoftMembrane::SoftMembrane(const SimulationInput& input)
 }
 
 std::vector<double> SoftMembrane::softness(double error, double force) const {
-  const double needed = moved_per_load * force / (size_ * error);  // N/m
+  const double needed = std::max(moved_per_load * force / (size_ * error),
+                                 membrane_for_push(push_tension_, error));  // N/m
   const double most = needed > 0 && compliance_ > 0 ? 1 / (compliance_ * needed) : 1;
   std::vector<double> softness;
   softness.reserve(distance_.size());

@@ -27,6 +27,7 @@ class SoftMembrane {
 
  private:
   double size_, compliance_;      // m, m/N
+  double push_tension_;           // of springs that push, N/m
   std::vector<double> distance_;  // of each triangle from pins, m; infinite without pins
 };
 

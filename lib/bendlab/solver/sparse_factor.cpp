@@ -29,7 +29,9 @@ SparseFactor<Real>::SparseFactor(const Eigen::SparseMatrix<double>& lower) {
   solver.cholmod().method[0].ordering = CHOLMOD_AMD;
   solver.compute(lower);
   if (solver.info() != Eigen::Success)
-    throw std::runtime_error("SparseFactor: the matrix is not positive definite");
+    throw std::runtime_error(
+        "the matrix of inertia and stiffness is not positive definite to the last digit: bending, membrane "
+        "and mass are too many powers of ten apart; state a lower stiffness");
   keep(solver.factor());
 }
 

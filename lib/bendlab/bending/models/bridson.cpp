@@ -29,6 +29,7 @@ extern constinit const BendingModel bridson{
         "irregular meshes, see /bending/deflection",
     .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
     .parameters = {},
+    .softness_needs_compliance = true,
     .build = build,
 };
 }  // namespace models

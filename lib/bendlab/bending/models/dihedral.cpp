@@ -41,6 +41,7 @@ extern constinit const BendingModel dihedral{
         "diagonals and 0.93 on irregular meshes, see /bending/deflection",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
     .parameters = parameters,
+    .softness_needs_compliance = true,
     .build = build,
 };
 }  // namespace models

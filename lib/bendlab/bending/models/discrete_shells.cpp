@@ -30,6 +30,7 @@ extern constinit const BendingModel discrete_shells{
     .compliance =
         "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
     .parameters = {},
+    .softness_needs_compliance = true,
     .build = build,
 };
 }  // namespace models

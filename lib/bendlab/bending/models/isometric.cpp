@@ -63,6 +63,7 @@ extern constinit const BendingModel isometric{
         "see /bending/deflection",
     .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
     .parameters = parameters,
+    .softness_needs_compliance = true,
     .build = build,
 };
 }  // namespace models

@@ -50,6 +50,7 @@ extern constinit const BendingModel prestressed{
     .parameters = parameters,
     .springs_only = true,
     .prestressed = true,
+    .softness_needs_compliance = true,
     .build = build,
     .expect = expected_thinned_rings,
 };

@@ -27,6 +27,7 @@ extern constinit const BendingModel sparse_lod{
         "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
     .parameters = thinned_ring_parameters,
     .springs_only = true,
+    .softness_needs_compliance = true,
     .build = build,
     .expect = expected_thinned_rings,
 };

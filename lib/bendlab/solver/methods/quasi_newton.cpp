@@ -207,7 +207,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
 
   void prepare() {
     std::vector<double> softness(metric_.triangle_count(), 1);
-    if (soft_membrane_ && load_ > 0) softness = soft_membrane_->softness(membrane_error_, load_);
+    if (soft_membrane_) softness = soft_membrane_->softness(membrane_error_, load_);
     softness_ = softness.empty() ? 1 : *std::ranges::max_element(softness);
     StrainBatch<Real>& strain = constraints_.strain;
     strain.softness.clear();

@@ -1,0 +1,174 @@
+#include "experiments/measures/strip_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "bendlab/bending/model.hpp"
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/metrics/elastica.hpp"
+#include "experiments/measures/strip.hpp"
+#include "experiments/scene/gravity.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr int enough_edges = 12;  // along a strip: with H/W = 1 its two readings agree within 3 % (tried)
+
+bool measures_stiffness(const RunConfig& config) {
+  const std::vector<std::string> names = config.section("/output").texts("measures");
+  return std::ranges::find(names, "stiffness") != names.end();
+}
+
+std::optional<StiffnessMeter> meter_of(const RunConfig& config, const Scene& scene) try {
+  return StiffnessMeter(scene.rest, scene.pins.is_pinned,
+                        {config.section("/material").number("density"), gravity_of(config.effects())});
+} catch (const std::invalid_argument&) {  // the measure says so itself
+  return std::nullopt;
+}
+
+struct Law {
+  BendingLaw law = BendingLaw::linear;
+  double coefficient = 0;                                          // B in N m, or C in N m³
+  int power() const { return law == BendingLaw::linear ? 3 : 5; }  // of the length in Γ
+};
+
+// The law that the config states, physically.
+std::optional<Law> stated_law(const RunConfig& config) {
+  const ParameterValues& bending = config.section("/bending");
+  if (bending.text("stiffness") != "physical") return std::nullopt;
+  const BendingModel& model = *find_bending_model(config.bending_model());
+  const bool cubic = model.springs_only && !model.prestressed;
+  if (!cubic)
+    return bending.has("flexural_rigidity")
+               ? std::optional(Law{BendingLaw::linear, bending.number("flexural_rigidity")})
+               : std::nullopt;
+  if (bending.has("quartic_coefficient"))
+    return Law{BendingLaw::cubic, bending.number("quartic_coefficient")};
+  if (!bending.has("flexural_rigidity") || !bending.has("at_curvature")) return std::nullopt;
+  const double curvature = bending.number("at_curvature");
+  return Law{BendingLaw::cubic, bending.number("flexural_rigidity") / (curvature * curvature)};
+}
+
+// "a strip of 0.17 m": one of which H/W is 1.
+std::string strip_that_would_do(const Law& law, double weight) {
+  const double gamma = hanging_strip(law.law, 1).gamma,
+               length = std::pow(gamma * law.coefficient / weight, 1.0 / law.power());
+  return fmt::format(
+      "a strip whose free part is about {:.2g} m long, and at least {} edges, drops by as much "
+      "as it reaches out and can be read",
+      length, enough_edges);
+}
+
+double weight_of(const RunConfig& config) {
+  return config.section("/material").number("density") * gravity_of(config.effects()).norm();
+}
+
+}  // namespace
+
+std::optional<std::string> unreadable_strip(const RunConfig& config, const Scene& scene) {
+  if (!measures_stiffness(config)) return std::nullopt;
+  const std::optional<Law> law = stated_law(config);
+  const std::optional<StiffnessMeter> meter = meter_of(config, scene);
+  if (!law || !meter) return std::nullopt;
+  const double length = meter->length(), edge = scene.rest.mean_edge_length(), weight = weight_of(config),
+               gamma = weight * std::pow(length, law->power()) / law->coefficient;
+  // A soft strip hangs by T = ρ g L. With the angle φ from the vertical, T (1 - cos φ) is B κ²/2, or 3 C
+  // κ⁴/4; it reaches out by ∫ sin φ dφ / κ.
+  const double reach = law->law == BendingLaw::linear ? length * std::sqrt(2 / gamma)
+                                                      : length * 4 / 3 * std::pow(0.75 / gamma, 0.25);
+  if (reach < edge)
+    return fmt::format(
+        "the strip is too soft for its mesh: with the stated stiffness its {:.3g} m turn downward within "
+        "{:.2g} m of the clamp, and an edge is {:.2g} m long, so that no stiffness can be read; {}",
+        length, reach, edge, strip_that_would_do(*law, weight));
+  // A stiff one drops by Γ/8 of its length; its curvature is Γ/8L halfway. Both have to be above rounding.
+  if (law->law != BendingLaw::linear || scene.precision == Precision::double_precision) return std::nullopt;
+  const double rounding = scene.rest.size() * 0x1p-24, curvature = gamma / (8 * length);
+  if (curvature * edge * edge < 80 * rounding)
+    return fmt::format(
+        "the strip is too stiff to be read in single precision: with the stated stiffness its {:.3g} m drop "
+        "by {:.2g} m, and bend by {:.1g} m along an edge, where coordinates are rounded to {:.1g} m; {}",
+        length, length * gamma / 8, curvature * edge * edge, rounding, strip_that_would_do(*law, weight));
+  return std::nullopt;
+}
+
+std::optional<double> ratio_of_readings(const std::map<std::string, double>& summary) {
+  const auto number = [&](const char* name) {
+    const auto found = summary.find(name);
+    return found == summary.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+  };
+  constexpr double near_linear = 0.3, near_cubic = 0.6;  // of the exponent
+  const double exponent = number("stiffness_fit_exponent");
+  double ratio = std::numeric_limits<double>::quiet_NaN();
+  if (std::abs(exponent - 1) < near_linear)
+    ratio = number("stiffness_flexural_rigidity") / number("stiffness_fit_B");
+  else if (std::abs(exponent - 3) < near_cubic)
+    ratio = number("stiffness_quartic") / number("stiffness_fit_C");
+  return ratio > 0 && std::isfinite(ratio) ? std::optional(ratio) : std::nullopt;
+}
+
+bool readings_disagree(const std::map<std::string, double>& summary) {
+  const std::optional<double> ratio = ratio_of_readings(summary);
+  const bool linear = ratio && summary.at("stiffness_fit_exponent") < 2;
+  return ratio && std::abs(std::log(*ratio)) > std::log(linear ? 1.03 : 1.05);
+}
+
+std::optional<std::string> doubtful_reference(const RunConfig& config,
+                                              const std::filesystem::path& file) try {
+  const RunStrip strip = strip_in(file, config);
+  const auto readings = summary_of(strip.meter.measure(as_rows(read_positions(file, -1)), strip.options));
+  if (!readings_disagree(readings)) return std::nullopt;
+  return fmt::format(
+      "two readings of its strip's stiffness differ by {:.0f} %: `bendlab stiffness {}` shows them",
+      100 * std::abs(*ratio_of_readings(readings) - 1), file.parent_path().string());
+} catch (const std::invalid_argument&) {  // no strip
+  return std::nullopt;
+}
+
+std::optional<std::string> doubtful_reading(const RunConfig& config, const Scene& scene,
+                                            const std::map<std::string, double>& summary) {
+  const auto found = summary.find("stiffness_height_over_width");
+  const std::optional<StiffnessMeter> meter = meter_of(config, scene);
+  if (found == summary.end() || !meter) return std::nullopt;
+  const std::optional<Law> stated = stated_law(config);
+  const bool fitted = summary.contains("stiffness_fit_exponent");
+  // H² + W² is a little less than L².
+  const double edge = scene.rest.mean_edge_length(), reach = meter->length() / std::hypot(1, found->second);
+  if (!fitted || reach < edge) {
+    const Law read = stated.value_or(Law{BendingLaw::linear, summary.contains("stiffness_flexural_rigidity")
+                                                                 ? summary.at("stiffness_flexural_rigidity")
+                                                                 : std::numeric_limits<double>::quiet_NaN()});
+    return fmt::format(
+        "the strip shows no stiffness: H/W is {:.3g}, {}; {}", found->second,
+        reach < edge ? fmt::format("so that it turns downward within {:.2g} m and edges are {:.2g} m long",
+                                   reach, edge)
+                     : "and fewer than three places have a curvature that can be told from rounding",
+        read.coefficient > 0 ? strip_that_would_do(read, weight_of(config))
+                             : "take a longer strip, or more cells, and let it come to rest");
+  }
+  if (!readings_disagree(summary)) return std::nullopt;
+  const bool linear = summary.at("stiffness_fit_exponent") < 2;
+  const std::string readings = fmt::format(
+      "two readings of the strip disagree by {:.0f} %: {} by its free end, {} by its moments and "
+      "curvatures: ",
+      100 * std::abs(*ratio_of_readings(summary) - 1),
+      linear ? fmt::format("B = {:.3g} N m", summary.at("stiffness_flexural_rigidity"))
+             : fmt::format("C = {:.3g} N m³", summary.at("stiffness_quartic")),
+      linear ? fmt::format("{:.3g}", summary.at("stiffness_fit_B"))
+             : fmt::format("{:.3g}", summary.at("stiffness_fit_C")));
+  if (meter->clamp_depth() > 0.1 * edge)
+    return readings + fmt::format(
+                          "the edge of its clamp zigzags by {:.2g} m, where the membrane cannot bend without "
+                          "stretching. "
+                          "Let edges lie along it (equilateral: /mesh/rows), or take a finer mesh",
+                          meter->clamp_depth());
+  return readings +
+         "it has not come to rest, its mesh is coarse or its membrane soft. Take the method equilibrium, and "
+         "twice the /mesh/cells";
+}
+
+}  // namespace bendlab
