@@ -373,7 +373,7 @@ TEST_CASE("a file that does not follow its format is refused with the line", "[m
   check_refused(folder.write("a.off", "OFF\n99999999999 1 0\n0 0 0\n"), "ends before vertex 1 of");
   check_refused(folder.write("a.off", off + "3 0 1\n"), "line 7: a face of 3 corners has fewer indices");
   check_refused(folder.write("a.off", off + "3 0 1 1.5\n"), "line 7: '1.5' is not a whole number");
-  check_refused(folder.write("a.off", off + "2 0 1\n"), "2 corners");
+  check_refused(folder.write("a.off", off + "2 0 1\n"), "fewer than 3 corners: it has 2");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 zero 0\n"), "line 3: 'zero' is not a number");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 \x1b[2J\xff 0\n"),
                 "'?[2J?' is not a number");  // no escapes

@@ -72,9 +72,24 @@ class Turner {
         next.push({there, other});
       }
     }
+    if (seam_length(part, [](const SharedEdge& e) { return e.alike; }) <=
+        seam_length(part,
+                    [&](const SharedEdge& e) { return alike(e); }))  // a band that was closed on purpose
+      for (const std::size_t t : part) found_.turned[t] = 0;
     const auto turned = std::ranges::count_if(part, [&](std::size_t t) { return found_.turned[t] != 0; });
     if (2 * static_cast<std::size_t>(turned) > part.size())
       for (const std::size_t t : part) found_.turned[t] ^= 1;
+  }
+
+  // Twice that of the edges at these triangles that are not alike.
+  template <class Alike>
+  double seam_length(const std::vector<std::size_t>& part, const Alike& are_alike) const {
+    double sum = 0;
+    for (const std::size_t t : part)
+      for (const std::size_t e : edges_of_[t])
+        if (const SharedEdge& edge = found_.edges[e]; !are_alike(edge))
+          sum += (point(edge.ends[0]) - point(edge.ends[1])).norm();
+    return sum;
   }
 
   const PolygonSoup& soup_;

@@ -25,7 +25,8 @@ struct Orientation {
   std::vector<char> turned;
   std::vector<SharedEdge> edges;  ///< all shared edges; `alike` is true of triangles that are turned as above
   /// Edges that are not alike all the same, because the surface has one side only (a Möbius band). They lie
-  /// where the shortest ways from a triangle around the surface meet: across a band.
+  /// where the shortest ways from a triangle around the surface meet, which is across a band; or as they did,
+  /// if that is shorter.
   std::size_t seams = 0;
 };
 
