@@ -351,40 +351,6 @@ TEST_CASE("repair unites points that rounding has moved apart", "[mesh][bad]") {
     }
 }
 
-TEST_CASE("a long row of near points does not become one", "[mesh][bad]") {
-  // Each is within the tolerance of the next, but not of the one after it.
-  PolygonSoup soup;
-  constexpr double step = 0.6 * united_within;
-  for (int i = 0; i < 10; ++i) soup.points.push_back({step * i, 0, 0});
-  soup.points.push_back({1, 0, 0}), soup.points.push_back({0, 1e-3, 0});
-  for (std::int64_t i = 0; i < 10; ++i) soup.triangles.push_back({i, 10, 11});
-  CHECK(told(accept(soup, BadTriangles::repair), "united") == 5);  // every second
-}
-
-// A band of ten quadrilaterals with half a turn in it.
-TEST_CASE("repair cuts a Möbius band open", "[mesh][bad]") {
-  PolygonSoup soup;
-  constexpr int around = 10;
-  for (int i = 0; i < around; ++i) {
-    const double turn = 2 * 3.14159265358979 * i / around;
-    for (const double side : {-0.2, 0.2}) {
-      const double radius = 1 + side * std::cos(turn / 2);
-      soup.points.push_back({radius * std::cos(turn), radius * std::sin(turn), side * std::sin(turn / 2)});
-    }
-  }
-  for (int i = 0; i < around; ++i) {
-    const bool seam = i + 1 == around;
-    const int a = 2 * i, b = a + 1, c = seam ? 1 : a + 2, d = seam ? 0 : a + 3;
-    soup.triangles.push_back({a, c, b});
-    soup.triangles.push_back({c, d, b});
-  }
-  CHECK_FALSE(diagnose(soup).empty());
-  const TriangleMesh mesh = accept(soup, BadTriangles::repair).mesh;
-  CHECK(diagnose(mesh).empty());
-  CHECK(mesh.vertex_count() == 2 * around + 2);  // the cut edge has two more ends
-  CHECK(mesh.triangle_count() == 2 * around);
-}
-
 TEST_CASE("a triangle without area gets a rest shape of a thousandth of its length", "[mesh][bad]") {
   for (const double scale : {1e-3, 1.0, 1e3}) {
     PolygonSoup soup = square();

@@ -220,35 +220,6 @@ TEST_CASE("STL merges exactly equal points", "[mesh][files]") {
   }
 }
 
-TEST_CASE("STL as text: all solids, in any case", "[mesh][files]") {
-  const Folder folder;
-  const auto facet = [](const std::string& corners) {
-    return "facet normal 0 0 1\nouter loop\n" + corners + "endloop\nendfacet\n";
-  };
-  const std::string lower = facet("vertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\n"),
-                    upper = facet("vertex 0 0 0\nvertex 1 1 0\nvertex 0 1 0\n");
-  std::string capitals = "solid\n" + lower + upper + "endsolid\n";
-  for (char& c : capitals)
-    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
-  for (const std::string& text : std::vector<std::string>{
-           "solid a\n" + lower + "endsolid a\nsolid b\n" + upper + "endsolid b\n",
-           "\xEF\xBB\xBFsolid a\n" + lower + "endsolid a\n\n\nsolid solid\n" + upper + "endsolid",
-           "\n  solid a\rfacet\rvertex 0 0 0\rvertex 1 0 0\rvertex 1 1 0\rvertex 0 1 0\rendfacet\rendsolid\r",
-           capitals}) {
-    INFO(text);
-    const TriangleMesh mesh = read_mesh(folder.write("a.stl", text));
-    CHECK(mesh.positions == unit_square);
-    CHECK(mesh.triangles == two_triangles);
-  }
-  check_refused(folder.write("a.stl", "solid a\n" + lower), "ends before 'endsolid'");
-  check_refused(folder.write("a.stl", "solid a\n" + lower + "endsolid\nsolid b\n" + upper),
-                "ends before 'endsolid'");
-  // The end of one file lost, another behind it.
-  check_refused(
-      folder.write("a.stl", "solid a\n" + lower.substr(0, 60) + "\nsolid b\n" + upper + "endsolid\n"),
-      "no 'endfacet'");
-}
-
 TEST_CASE("concave polygons of OFF and PLY keep their area", "[mesh][files]") {
   const Folder folder;
   const std::array<std::string, 4> dart = {"0 0 0\n", "2 1 0\n", "0 2 0\n", "0.5 1 0\n"};
