@@ -13,14 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 
 Json run_entry(const fs::path& out, const Experiment& experiment, const RunConfig& config) {
-  Json entry = {{"point", point_json(config)}, {"id", nullptr}, {"folder", nullptr}};
-  try {
-    const std::string id = run_id(config);
-    entry["id"] = id;
-    entry["folder"] = run_folder(out, experiment, config, id).filename().string();
-  } catch (const RunFileError&) {  // the run itself will say it
-  }
-  return entry;
+  const std::string id = run_id(config);
+  return {{"point", point_json(config)},
+          {"id", id},
+          {"folder", run_folder(out, experiment, config, id).filename().string()}};
 }
 
 Json to_json(const Expectation& expectation) {
@@ -38,17 +34,7 @@ std::string lines_of(const Json& list) {
   return text + "\n]";
 }
 
-}  // namespace
-
-fs::path sweep_file(const fs::path& out, const Experiment& experiment) {
-  std::string name = experiment.source.empty() ? "text" : experiment.source.stem().string();
-  if (!experiment.overrides.empty())
-    name += "," + hex_hash(fmt::format("{}", fmt::join(experiment.overrides, "\n")));
-  return out / experiment.name / (name + ".sweep.json");
-}
-
-void write_sweep_file(const fs::path& out, const Experiment& experiment) {
-  const fs::path file = sweep_file(out, experiment);
+std::string sweep_text(const fs::path& out, const Experiment& experiment) {
   const BuildInfo& build = build_info();
   Json axes = Json::object(), runs = Json::array(), expect = Json::array();
   for (const Expectation& expectation : experiment.expectations) expect.push_back(to_json(expectation));
@@ -61,10 +47,30 @@ void write_sweep_file(const fs::path& out, const Experiment& experiment) {
                      {"cover", experiment.cover.strength}, {"expect", expect}};
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());
-  text += fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));
+  return text + fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));
+}
 
-  make_folder(file.parent_path());
-  replace_file(file, text);
+}  // namespace
+
+fs::path sweep_file(const fs::path& out, const Experiment& experiment) {
+  std::string name = experiment.source.empty() ? "text" : experiment.source.stem().string();
+  if (!experiment.overrides.empty())
+    name += "," + hex_hash(fmt::format("{}", fmt::join(experiment.overrides, "\n")));
+  return out / experiment.name / (name + ".sweep.json");
+}
+
+std::vector<SweepFile> sweep_files(const fs::path& out, const std::vector<Experiment>& experiments) {
+  std::vector<SweepFile> files;
+  for (const Experiment& experiment : experiments)
+    files.push_back({sweep_file(out, experiment), sweep_text(out, experiment)});
+  return files;
+}
+
+void write(const std::vector<SweepFile>& files) {
+  for (const auto& [file, text] : files) {
+    make_folder(file.parent_path());
+    replace_file(file, text);
+  }
 }
 
 }  // namespace bendlab

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
+#include <vector>
 
 #include "experiments/config/config.hpp"
 
@@ -11,9 +13,18 @@ namespace bendlab {
 /// a trial does not replace the sweep as it is written.
 std::filesystem::path sweep_file(const std::filesystem::path& out, const Experiment& experiment);
 
-/// Writes it: the settings as written, the program, every registered bending model with its label, the axes
-/// with their values, what is expected of the runs, and of each run its point, its id and its folder (null
-/// where a file that the run needs can't be read). Throws RunFileError.
-void write_sweep_file(const std::filesystem::path& out, const Experiment& experiment);
+struct SweepFile {
+  std::filesystem::path file;
+  std::string text;
+};
+
+/// Of each experiment: the settings as written, the program, every registered bending model with its label,
+/// the axes with their values, what is expected of the runs, and of each run its point, id and folder. Reads
+/// every file that a run needs, and throws RunFileError if one can't be read. Nothing is created.
+std::vector<SweepFile> sweep_files(const std::filesystem::path& out,
+                                   const std::vector<Experiment>& experiments);
+
+/// Throws RunFileError.
+void write(const std::vector<SweepFile>& files);
 
 }  // namespace bendlab

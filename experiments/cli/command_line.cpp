@@ -46,6 +46,7 @@ struct Arguments {
   ReproduceArguments reproduce;
   QualityThresholds thresholds;
   std::string bad_triangles = "refuse";
+  std::filesystem::path mesh_copy;
   StiffnessArguments stiffness;
   AdviseArguments advise;
   BenchOptions bench;
@@ -420,13 +421,15 @@ void add_advise_command(CLI::App& app, Arguments& a) {
 }
 
 void add_mesh_command(CLI::App& app, Arguments& a) {
-  CLI::App* mesh =
-      add_command(app, a, "mesh", "Check a mesh file and print the quality of its triangles",
-                  [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.json); });
+  CLI::App* mesh = add_command(
+      app, a, "mesh", "Check a mesh file and print the quality of its triangles",
+      [&a] { return mesh_command(a.mesh_file, a.thresholds, a.bad_triangles, a.mesh_copy, a.json); });
   mesh->add_option("FILE", a.mesh_file, "Mesh: .obj, .ply, .off or .stl")->required();
   mesh->add_option("--bad-triangles", a.bad_triangles, "What to do with a bad mesh, as /mesh/bad_triangles")
       ->check(CLI::IsMember(std::vector<std::string>(bad_triangles_names.begin(), bad_triangles_names.end())))
       ->capture_default_str();
+  mesh->add_option("--write", a.mesh_copy, "Write the mesh as it was taken to this file (.obj, .ply or .off)")
+      ->type_name("FILE");
   mesh->add_option("--needle-ratio", a.thresholds.needle_ratio,
                    "Ratio of longest to shortest edge from which a triangle is a needle")
       ->check(CLI::Range(1.0, 1e9))

@@ -148,8 +148,8 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
 int bench_command(const BenchOptions& options, bool list, bool json);
 
 /// Diagnosis and quality of a mesh file as the policy (of bad_triangles_names) accepts it; if it refuses the
-/// mesh, what the other policies would do.
+/// mesh, what the other policies would do. The accepted mesh is written to the file `write`, if not empty.
 int mesh_command(const std::filesystem::path& file, const QualityThresholds& thresholds,
-                 std::string_view policy, bool json);
+                 std::string_view policy, const std::filesystem::path& write, bool json);
 
 }  // namespace bendlab

@@ -233,7 +233,7 @@ std::string policies_text(const fs::path& file) try {
 }  // namespace
 
 int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std::string_view policy,
-                 bool json) {
+                 const fs::path& write, bool json) {
   const auto chosen = named<BadTriangles>(policy, bad_triangles_names);
   AcceptedMesh accepted;
   try {
@@ -243,6 +243,7 @@ int mesh_command(const fs::path& file, const QualityThresholds& thresholds, std:
     throw MeshFileError(error.kind(), error.what() + policies_text(file));
   }
   for (const std::string& note : accepted.notes) print_text(stderr, "bendlab: {}\n", note);
+  if (!write.empty()) write_mesh(write, accepted.mesh);
   if (json) {
     nlohmann::ordered_json report = mesh_report_json(accepted.mesh, file.string(), thresholds);
     report["bad_triangles"] = policy;

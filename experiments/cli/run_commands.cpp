@@ -137,8 +137,9 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
     print_text(stderr, "bendlab: nothing was computed, because --strict makes these warnings errors\n");
     return exit_failed;
   }
+  const std::vector<SweepFile> sweeps = sweep_files(options.out, experiments);  // before anything is created
   check_writable(options.out);
-  for (const Experiment& experiment : experiments) write_sweep_file(options.out, experiment);
+  write(sweeps);
   catch_stop_signals();
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   tell_large_needs(runs);

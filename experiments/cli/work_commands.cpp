@@ -128,7 +128,7 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
   options.shard = arguments.shard.empty() ? Shard{} : shard_of(arguments.shard);
   const Plan plan = load_plan(arguments.plan);
   options.out = plan.out;
-  for (const Experiment& experiment : plan.experiments) write_sweep_file(plan.out, experiment);
+  write(sweep_files(plan.out, plan.experiments));
   catch_stop_signals();
   const std::vector<CampaignRun> runs = work_on(plan.experiments, options);
   std::size_t computed = 0, found = 0, left = 0, failed = 0;

@@ -238,7 +238,8 @@ std::vector<double> masses_of(const ParameterValues& material, const RestMesh& r
   return mass;
 }
 
-std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh) {
+std::vector<InverseRest> material_coordinates(const ParameterValues& material, const TriangleMesh& mesh,
+                                              const std::vector<std::string>& mesh_notes) {
   if (named<MaterialCoordinates>(material.text("coordinates"), material_coordinates_names) ==
       MaterialCoordinates::warp) {
     const std::vector<double>& warp = material.numbers("warp_direction");
@@ -247,7 +248,8 @@ std::vector<InverseRest> material_coordinates(const ParameterValues& material, c
   try {
     return inverse_rest_from_texture(mesh);
   } catch (const std::invalid_argument& error) {
-    throw MeshError(error.what());
+    if (mesh_notes.empty()) throw MeshError(error.what());
+    throw MeshError(fmt::format("{} ({})", error.what(), fmt::join(mesh_notes, "; ")));
   }
 }
 
@@ -346,7 +348,7 @@ Scene build_scene(const RunConfig& config) {
     input.edges = edge_springs(rest, scene.pins);
   else
     input.strain =
-        strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh()),
+        strain_constraints(rest, scene.pins, material_coordinates(material, rest.mesh(), scene.mesh_notes),
                            policy_for_bad_triangles(config.section("/mesh")) == BadTriangles::membrane_off
                                ? dispensable_triangles(rest)
                                : std::vector<char>{});

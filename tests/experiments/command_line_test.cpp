@@ -121,6 +121,36 @@ TEST_CASE("A bad mesh is refused, or taken by policy with a word on what was don
     }
 }
 
+TEST_CASE("The refusal of an obstacle names a remedy that works", "[command line]") {
+  Workplace here;
+  here.write("bad.obj", "v 0 0 -1\nv 1 0 -1\nv 1 1 -1\nf 1 2 3\nf 2 3 1\n");  // a triangle twice
+  const auto config = [](const std::string& file) {
+    return R"({"name": "o", "defaults": "paper", "duration": 0.05, "mesh": {"cells": 4},
+               "effects": [{"type": "mesh_obstacle", "file": ")" +
+           file + "\"}]}";
+  };
+  here.write("bad.json", config("bad.obj"));
+  here.write("new.json", config("new.obj"));
+  CHECK(here.run("run bad.json") == 4);
+  CHECK_THAT(here.err(), ContainsSubstring("--bad-triangles repair --write NEW.obj"));
+  CHECK_THAT(here.err(), !ContainsSubstring("/mesh/bad_triangles"));
+  REQUIRE(here.run("mesh bad.obj --bad-triangles repair --write new.obj") == 0);
+  CHECK(here.run("mesh new.obj") == 0);
+  CHECK(here.run("run new.json") == 0);
+  CHECK(here.run("mesh new.obj --write new.stl") == 4);
+}
+
+TEST_CASE("Texture coordinates on some of the faces are counted", "[command line]") {
+  Workplace here;
+  here.write("half.obj",
+             "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nf 1/1 2/2 3/3\nf 1 3 4\n");
+  here.write("half.json",
+             R"({"name": "h", "defaults": "paper", "duration": 0.05, "mesh": {"file": "half.obj"},
+                              "material": {"coordinates": "texture"}})");
+  CHECK(here.run("run half.json") == 4);
+  CHECK_THAT(here.err(), ContainsSubstring("1 of 2 triangles have none"));
+}
+
 TEST_CASE("A run prints a row per point, in a pipe without a word on stderr", "[command line]") {
   Workplace here;
   here.write("small.json", small);

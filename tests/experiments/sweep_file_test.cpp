@@ -51,20 +51,30 @@ TEST_CASE("sweep file: a trial with other settings does not replace the sweep as
   CHECK(std::distance(std::filesystem::directory_iterator(place.folder / "results/s"), {}) == 2 + 3);
 }
 
-TEST_CASE("sweep file: a run whose mesh can't be read has no id", "[campaign]") {
+TEST_CASE("sweep file: nothing is created where a file that a config names can't be read", "[campaign]") {
   Workplace place;
-  place.write("first.json", R"({"name": "s", "defaults": "paper",
-          "duration": 0.05, "mesh": {"file": "gone.obj"}})");
-  CHECK(place.run("run first.json") != 0);
-  const json sweep = sweep_in(place, "s/first.sweep.json");
-  REQUIRE(sweep["runs"].size() == 1);
-  CHECK(sweep["runs"][0]["id"].is_null());
+  place.write("sound.json", R"({"name": "s", "defaults": "paper", "duration": 0.05})");
+  place.write("ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n");
+  const std::string begin = R"({"name": "t", "defaults": "paper", "duration": 0.05, )";
+  for (const char* rest :
+       {R"("mesh": {"file": "gone.obj"}})", R"("mesh": {"file": "."}})",
+        R"("sweep": {"/mesh": [{"cells": 2}, {"file": "ramp.obj"}, {"file": "gone.obj"}]}})",
+        R"("effects": [{"type": "mesh_obstacle", "file": "gone.obj"}]})",
+        R"("initial": {"after": ["/mesh={\"file\": \"gone.obj\"}"]}})"}) {
+    INFO(rest);
+    place.write("first.json", begin + rest);
+    CHECK(place.run("run sound.json first.json") == 5);
+    CHECK_THAT(place.err(), Catch::Matchers::ContainsSubstring("gone.obj") ||
+                                Catch::Matchers::ContainsSubstring("is a folder"));
+    CHECK_FALSE(std::filesystem::exists(place.folder / "results"));
+  }
 }
 
 TEST_CASE("run config: what follows from its settings is derived once", "[config]") {
-  const RunConfig config =
-      parse_experiment(R"({"name": "s", "defaults": "paper",
-          "initial": {"after": ["/duration=2"]}})", "test").runs.front();
+  const RunConfig config = parse_experiment(R"({"name": "s", "defaults": "paper",
+          "initial": {"after": ["/duration=2"]}})",
+                                            "test")
+                               .runs.front();
   int made = 0;
   const auto make = [&] {
     ++made;

@@ -283,28 +283,72 @@ TEST_CASE("repair splits a cap's neighbours and keeps area and texture", "[mesh]
     }
 }
 
-// A band of ten quadrilaterals with half a turn in it.
-TEST_CASE("repair cuts a Möbius band open", "[mesh][bad]") {
+namespace {
+
+// Vertices - edges + triangles: 1 of a disc, 0 of a ring and of a Möbius band.
+Eigen::Index euler_number(const TriangleMesh& mesh) {
+  return mesh.vertex_count() - RestMesh(mesh).edges().rows() + mesh.triangle_count();
+}
+
+}  // namespace
+
+// Cut across it is a strip, a disc; cut along it would be a ring, twice as long.
+TEST_CASE("repair cuts a Möbius band across, and says so", "[mesh][bad]") {
+  constexpr int around = 40, across = 3;
+  constexpr double width = 0.3;
   PolygonSoup soup;
-  constexpr int around = 10;
   for (int i = 0; i < around; ++i) {
     const double turn = 2 * 3.14159265358979 * i / around;
-    for (const double side : {-0.2, 0.2}) {
-      const double radius = 1 + side * std::cos(turn / 2);
+    for (int j = 0; j <= across; ++j) {
+      const double side = width * (1.0 * j / across - 0.5), radius = 0.5 + side * std::cos(turn / 2);
       soup.points.push_back({radius * std::cos(turn), radius * std::sin(turn), side * std::sin(turn / 2)});
     }
   }
-  for (int i = 0; i < around; ++i) {
-    const bool seam = i + 1 == around;
-    const int a = 2 * i, b = a + 1, c = seam ? 1 : a + 2, d = seam ? 0 : a + 3;
-    soup.triangles.push_back({a, c, b});
-    soup.triangles.push_back({c, d, b});
-  }
-  CHECK_FALSE(diagnose(soup).empty());
-  const TriangleMesh mesh = accept(soup, BadTriangles::repair).mesh;
-  CHECK(diagnose(mesh).empty());
-  CHECK(mesh.vertex_count() == 2 * around + 2);  // the cut edge has two more ends
-  CHECK(mesh.triangle_count() == 2 * around);
+  const auto vertex = [&](int i, int j) { return i < around ? 4 * i + j : across - j; };
+  for (int i = 0; i < around; ++i)
+    for (int j = 0; j < across; ++j) {
+      const std::int64_t a = vertex(i, j), b = vertex(i + 1, j), c = vertex(i + 1, j + 1),
+                         d = vertex(i, j + 1);
+      soup.triangles.push_back({a, b, c});
+      soup.triangles.push_back({a, c, d});
+    }
+  REQUIRE(euler_number(to_mesh(soup)) == 0);
+  const AcceptedMesh accepted = accept(soup, BadTriangles::repair);
+  CHECK(diagnose(accepted.mesh).empty());
+  CHECK(accepted.mesh.triangle_count() == 2 * around * across);
+  CHECK(euler_number(accepted.mesh) == 1);
+  // A path of n edges across has n + 1 vertices, which are doubled.
+  const auto doubled = accepted.mesh.vertex_count() - 4 * around;
+  CHECK(told(accepted, "cut along") == doubled - 1);
+  const auto cut =
+      std::ranges::find_if(accepted.notes, [](auto& note) { return note.starts_with("cut along"); });
+  REQUIRE(cut != accepted.notes.end());
+  const double length = std::stod(cut->substr(cut->find(", ") + 2));
+  CHECK(length > 0.999 * width);  // three digits are written
+  CHECK(length < 2 * width);
+}
+
+TEST_CASE("repair unites points that rounding has moved apart", "[mesh][bad]") {
+  for (const double size : {1e-3, 1.0, 1e3})
+    for (const double apart : {0.0, 1e-7, 1e-6, 1e-5}) {
+      INFO(size << " m, " << apart << " of it");
+      // Two halves of a square that have no vertex in common; √2 large.
+      PolygonSoup soup{
+          .points = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {apart, 0, apart}, {1, 1 - apart, 0}, {0, 1, 0}},
+          .triangles = {{0, 1, 2}, {3, 4, 5}}};
+      for (auto& p : soup.points)
+        for (double& x : p) x *= size;
+      const AcceptedMesh accepted = accept(soup, BadTriangles::repair);
+      const bool united = std::sqrt(2.0) * apart < std::sqrt(2.0) * united_within;
+      CHECK(accepted.mesh.vertex_count() == (united ? 4 : 6));
+      CHECK(told(accepted, "united") == (united ? 2 : 0));
+      if (!united) continue;
+      CHECK(accepted.notes[0].find(apart > 0 ? "m away" : "at the same place") != std::string::npos);
+      CHECK(accepted.notes[0].find("2e-06 of the mesh's size") != std::string::npos);
+      // The first of the points stays where it is.
+      CHECK(accepted.mesh.positions.row(0) == Eigen::RowVector3d(0, 0, 0));
+      CHECK(accepted.mesh.positions.row(2) == Eigen::RowVector3d(size, size, 0));
+    }
 }
 
 TEST_CASE("a triangle without area gets a rest shape of a thousandth of its length", "[mesh][bad]") {

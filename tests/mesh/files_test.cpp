@@ -1,5 +1,6 @@
 #include "bendlab/mesh/files.hpp"
 
+#include <Eigen/Geometry>
 #include <bit>
 #include <cstring>
 #include <fstream>
@@ -103,9 +104,12 @@ TEST_CASE("OBJ texture coordinates belong to corners", "[mesh][files]") {
   const TriangleMesh quad = read_mesh(folder.write("b.obj", obj_vertices + texture + "f 1/1 2/2 3/3 4/4\n"));
   expected << 0, 0, 0.5, 0, 0.5, 0.25, 0, 0, 0.5, 0.25, 0.125, 1;
   CHECK(quad.texture_coordinates == expected);
-  // Where a corner has none, the mesh has none.
-  CHECK(read_mesh(folder.write("c.obj", obj_vertices + texture + "f 1/1 2/2 3/3\nf 1 3 4\n"))
+  // Where a corner has none, the mesh has none, and a note says how many.
+  std::vector<std::string> notes;
+  CHECK(read_mesh(folder.write("c.obj", obj_vertices + texture + "f 1/1 2/2 3/3\nf 1 3 4\n"), &notes)
             .texture_coordinates.rows() == 0);
+  REQUIRE(notes.size() == 1);
+  CHECK(notes[0] == "texture coordinates left out: 1 of 2 triangles have none");
   check_refused(folder.write("d.obj", obj_vertices + texture + "f 1/1 2/2 3/5\n"), "texture coordinate 5");
   check_refused(folder.write("e.obj", obj_vertices + "vt 0 nan\nf 1/1 2/1 3/1\n"), "line 5");
 }
@@ -204,11 +208,92 @@ TEST_CASE("STL merges exactly equal points", "[mesh][files]") {
     CHECK(mesh.positions == unit_square);
     CHECK(mesh.triangles == two_triangles);
   }
-  check_refused(folder.write("cut.stl", bytes.substr(0, bytes.size() - 1)), "ends before");  // read as text
-  bytes[0] = 'x';
-  check_refused(folder.write("cut.stl", bytes.substr(0, bytes.size() - 1)),
-                "2 triangles would take 184 bytes");
-  check_refused(folder.write("cut.stl", text.substr(0, text.size() / 2)), "ends before 'endsolid'");
+  for (const char first : {'s', 'x'}) {  // a header that begins with "solid" makes no text of it
+    bytes[0] = first;
+    check_refused(folder.write("cut.stl", bytes.substr(0, bytes.size() - 1)),
+                  "2 triangles would take 184 bytes, it has 183");
+    const TriangleMesh mesh = read_mesh(folder.write("more.stl", bytes + std::string(33, 'm')));
+    CHECK(mesh.positions == unit_square);
+    CHECK(mesh.triangles == two_triangles);
+    check_refused(folder.write("more.stl", bytes + std::string(100, '\0')),
+                  "says 2 triangles where there is room for 4");
+  }
+}
+
+TEST_CASE("concave polygons of OFF and PLY keep their area", "[mesh][files]") {
+  const Folder folder;
+  const std::array<std::string, 4> dart = {"0 0 0\n", "2 1 0\n", "0 2 0\n", "0.5 1 0\n"};
+  for (std::size_t first = 0; first < 4; ++first) {
+    std::string points, face = "4";
+    for (std::size_t c = 0; c < 4; ++c) {
+      points += dart[c];
+      face += " " + std::to_string((first + c) % 4);
+    }
+    const std::string ply = "ply\nformat ascii 1.0\n";
+    const std::string vertices = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+    const std::string faces = "element face 1\nproperty list uchar int vertex_indices\n";
+    for (const fs::path& path :
+         {folder.write("a.off", "OFF\n4 1 0\n" + points + face + "\n"),
+          folder.write("a.ply", ply + vertices + faces + "end_header\n" + points + face + "\n"),
+          folder.write("b.ply", ply + faces + vertices + "end_header\n" + face + "\n" + points)}) {
+      INFO(path << ", first corner " << first);
+      const TriangleMesh mesh = read_mesh(path);
+      double area = 0;
+      for (const auto& t : mesh.triangles.rowwise()) {
+        const Vector3 a = mesh.positions.row(t(0)), b = mesh.positions.row(t(1)),
+                      c = mesh.positions.row(t(2));
+        CHECK((b - a).cross(c - a).z() > 0);
+        area += 0.5 * (b - a).cross(c - a).z();
+      }
+      CHECK(area == 1.5);  // of halves and quarters: exact
+    }
+  }
+  const std::string crossed = "0 0 0\n1 1 0\n1 0 0\n0 1 0\n";
+  check_refused(folder.write("a.off", "OFF\n4 1 0\n" + crossed + "4 0 1 2 3\n"), "line 7: the face crosses");
+  check_refused(folder.write("a.ply",
+                             "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty "
+                             "float y\nproperty float z\nelement face 1\nproperty list uchar int "
+                             "vertex_indices\nend_header\n" +
+                                 crossed + "4 0 1 2 3\n"),
+                "face 0: the face crosses");
+}
+
+TEST_CASE("OFF and PLY with a byte order mark and any ends of lines", "[mesh][files]") {
+  const Folder folder;
+  const std::string points = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n", faces = "3 0 1 2\n3 0 2 3\n",
+                    off = "OFF\n4 2 0\n" + points + faces,
+                    ply = "ply\nformat ascii 1.0\n" + ply_vertices + points + faces;
+  for (const std::string mark : {"", "\xEF\xBB\xBF"})
+    for (const std::string end : {"\n", "\r\n", "\r"})
+      for (const auto& [name, text] : {std::pair{"a.off", off}, std::pair{"a.ply", ply}}) {
+        std::string bytes = mark;
+        for (const char c : text) bytes += c == '\n' ? end : std::string(1, c);
+        const TriangleMesh mesh = read_mesh(folder.write(name, bytes));
+        CHECK(mesh.positions == unit_square);
+        CHECK(mesh.triangles == two_triangles);
+      }
+  // A binary element that begins with the byte of \n, behind a header whose lines end with \r alone.
+  std::string bytes =
+      "ply\rformat binary_little_endian 1.0\relement vertex 3\rproperty uchar shade\rproperty float "
+      "x\rproperty float y\rproperty float z\relement face 1\rproperty list uchar int "
+      "vertex_indices\rend_header\r";
+  for (Eigen::Index v = 0; v < 3; ++v) {
+    bytes += '\n';
+    for (Eigen::Index i = 0; i < 3; ++i) append(bytes, static_cast<float>(unit_square(v, i)));
+  }
+  append(bytes, std::uint8_t{3});
+  for (std::int32_t c = 0; c < 3; ++c) append(bytes, c);
+  CHECK(read_mesh(folder.write("a.ply", bytes)).positions == unit_square.topRows(3));
+}
+
+TEST_CASE("a refusal names a remedy that works where no config has a policy", "[mesh][files]") {
+  const Folder folder;
+  const fs::path path = folder.write("a.obj", obj_vertices + "f 1 2 3\nf 1 2 3\nf 1 3 4\n");
+  const std::string text = refusal_of(path).text;
+  CHECK(text.find("/mesh/bad_triangles") == text.npos);
+  CHECK(text.find("--bad-triangles repair --write NEW.obj") != text.npos);
+  write_mesh(folder.path("new.obj"), read_mesh(path, BadTriangles::repair).mesh);
+  CHECK(read_mesh(folder.path("new.obj")).triangles == two_triangles);
 }
 
 TEST_CASE("what is written reads back to the same bits", "[mesh][files]") {
@@ -259,7 +344,7 @@ TEST_CASE("a file that does not follow its format is refused with the line", "[m
   check_refused(folder.write("a.off", "OFF\n99999999999 1 0\n0 0 0\n"), "ends before vertex 1 of");
   check_refused(folder.write("a.off", off + "3 0 1\n"), "line 7: a face of 3 corners has fewer indices");
   check_refused(folder.write("a.off", off + "3 0 1 1.5\n"), "line 7: '1.5' is not a whole number");
-  check_refused(folder.write("a.off", off + "2 0 1\n"), "2 corners");
+  check_refused(folder.write("a.off", off + "2 0 1\n"), "fewer than 3 corners: it has 2");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 zero 0\n"), "line 3: 'zero' is not a number");
   check_refused(folder.write("a.off", "OFF\n1 0 0\n0 \x1b[2J\xff 0\n"),
                 "'?[2J?' is not a number");  // no escapes

@@ -156,11 +156,3 @@ TEST_CASE("isolated vertices are dropped and the others renumbered", "[mesh][sou
   CHECK(mesh.texture_coordinates.rows() == 6);
   CHECK(diagnose(mesh).empty());
 }
-
-TEST_CASE("polygons become fans around their first corner", "[mesh][soup]") {
-  PolygonSoup soup;
-  const std::vector<std::int64_t> pentagon = {4, 5, 6, 7, 8};
-  add_polygon(soup, pentagon);
-  CHECK(soup.triangles == std::vector<std::array<std::int64_t, 3>>{{4, 5, 6}, {4, 6, 7}, {4, 7, 8}});
-  CHECK_THROWS_AS(add_polygon(soup, std::span(pentagon).first(2)), std::invalid_argument);
-}

@@ -25,8 +25,12 @@ double mean(const ByDirection& values) {
 }
 
 void StiffnessFit::add(double& softness, const ByDirection& energy, const Shares& shares) {
+  // What is left by rounding of an energy that is zero must not count: where a clamp leaves a vertex no other
+  // resistance in a direction, the fit would raise it to what is wanted there.
+  constexpr double rounding = 1e-12;  // of the largest; angles round by 1e-16, their squares by 1e-32
+  const double least = rounding * *std::ranges::max_element(energy);
   softness_.push_back(&softness);
-  energy_.insert(energy_.end(), energy.begin(), energy.end());
+  for (const double value : energy) energy_.push_back(value > least ? value : 0);
   shares_.insert(shares_.end(), shares.begin(), shares.end());
   first_share_.push_back(shares_.size());
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "bendlab/mesh/orientation.hpp"
 #include "bendlab/mesh/rings.hpp"
 
 namespace bendlab {
@@ -19,11 +20,17 @@ class TangentPlanes {
  public:
   explicit TangentPlanes(const RestMesh& rest)
       : rest_(rest), normal_(Positions::Zero(rest.vertex_count(), 3)) {
+    const Orientation orientation = orientation_of(to_soup(rest.mesh()));
     for (int t = 0; t < rest.triangle_count(); ++t) {
       const auto corner = rest.triangles().row(t);
-      const Vector3 normal = (rest.position(corner(1)) - rest.position(corner(0)))
-                                 .cross(rest.position(corner(2)) - rest.position(corner(0)));
-      for (int c = 0; c < 3; ++c) normal_.row(corner(c)) += normal.transpose();
+      Vector3 normal = (rest.position(corner(1)) - rest.position(corner(0)))
+                           .cross(rest.position(corner(2)) - rest.position(corner(0)));
+      if (orientation.turned[static_cast<std::size_t>(t)] != 0) normal = -normal;
+      for (int c = 0; c < 3; ++c) {
+        auto sum = normal_.row(corner(c));
+        const bool against = orientation.seams > 0 && sum.dot(normal) < 0;  // across a seam of a Möbius band
+        sum += (against ? -1 : 1) * normal.transpose();
+      }
     }
     for (auto normal : normal_.rowwise())
       if (normal.isZero(0)) normal = Vector3::UnitZ();  // its triangles have no area: any plane will do

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -28,14 +29,28 @@ QuarticForm product(const QuadraticForm& a, const QuadraticForm& b) {
   return p;
 }
 
+// Of a flat sheet: the side that most of its area faces. Triangles that face the other side count as well, or
+// a sheet with half of them turned over would have none.
 Vector3 normal_of(const RestMesh& rest) {
-  Vector3 sum = Vector3::Zero();
-  for (int t = 0; t < rest.triangle_count(); ++t) {
+  const auto twice_area = [&](int t) -> Vector3 {
     const auto corner = rest.triangles().row(t);
     const Vector3 first = rest.position(corner(0));
-    sum += (rest.position(corner(1)) - first).cross(rest.position(corner(2)) - first);
+    return (rest.position(corner(1)) - first).cross(rest.position(corner(2)) - first);
+  };
+  const auto largest = std::ranges::max_element(rest.areas());
+  if (largest == rest.areas().end()) return Vector3::Zero();
+  const Vector3 side = twice_area(static_cast<int>(largest - rest.areas().begin()));
+  Vector3 alike = Vector3::Zero(), sum = Vector3::Zero();
+  for (int t = 0; t < rest.triangle_count(); ++t) {
+    const Vector3 normal = twice_area(t);
+    sum += normal;
+    if (normal.dot(side) < 0)
+      alike -= normal;
+    else
+      alike += normal;
   }
-  return sum.norm() > 0 ? sum.normalized() : Vector3::Zero().eval();
+  if (!(alike.norm() > 0)) return Vector3::Zero();
+  return sum.dot(alike) < 0 ? -alike.normalized() : alike.normalized();
 }
 
 // Zero for a triangle without area, so that it adds nothing.

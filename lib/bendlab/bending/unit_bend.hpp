@@ -23,8 +23,8 @@ double value_in(const std::array<double, N>& form, const Vector2& direction) {
 using QuadraticForm = std::array<double, 3>;
 using QuarticForm = std::array<double, 5>;
 
-/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of its triangles. They are x
-/// and y if the sheet lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
+/// #V by 2, m: coordinates in the sheet's plane, right-handed about the normal of most of its triangles. They
+/// are x and y if the sheet lies in z = 0. Empty if the rest shape is not flat (to 10⁻⁶ of its size).
 std::vector<Vector2> plane_coordinates(const RestMesh& rest);
 
 /// Fold angle over κ, in m, at the edge q0 q1 between the triangles with q2 and q3: z = ½ κ (q·d)² at the

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <set>
 #include <stdexcept>
 
@@ -12,7 +14,7 @@ namespace bendlab {
 namespace {
 
 // For a note: what the policy does about a problem.
-std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
+std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
   const bool mends = policy == BadTriangles::repair;
   switch (kind) {
     case MeshProblemKind::empty:
@@ -37,7 +39,7 @@ std::string_view remedy(MeshProblemKind kind, BadTriangles policy) {
     case MeshProblemKind::non_manifold_vertex:
       return mends ? "cut, the vertex doubled" : "kept as one vertex";
     case MeshProblemKind::inconsistent_orientation:
-      return mends ? "turned alike" : "kept: nothing that is simulated depends on it";
+      return mends ? "turned alike as far as possible" : "kept: nothing that is simulated depends on it";
   }
   return {};
 }
@@ -76,7 +78,7 @@ std::string lines_of(const std::vector<MeshProblem>& problems) {
 
 }  // namespace
 
-AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy) {
+AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_view remedy) {
   const std::vector<MeshProblem> problems = diagnose(soup);
   if (soup.triangles.empty())
     throw std::invalid_argument(
@@ -85,16 +87,21 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy) {
   const std::string refusal = lines_of(problems);
   if (!refusal.empty() && policy == BadTriangles::refuse)
     throw std::invalid_argument(
-        "can't be simulated until it is repaired, in a mesh editor for instance or by /mesh/bad_triangles: "
-        "repair, regularise or membrane_off (indices count from 0):" +
-        refusal);
+        fmt::format("can't be simulated until it is repaired, in a mesh editor for instance or {} (indices "
+                    "count from 0):{}",
+                    remedy, refusal));
   AcceptedMesh accepted;
   for (const MeshProblem& problem : problems)
-    accepted.notes.push_back(fmt::format("{}: {}", remedy(problem.kind, policy), describe(problem)));
+    accepted.notes.push_back(fmt::format("{}: {}", treatment(problem.kind, policy), describe(problem)));
+  if (soup.untextured_triangles > 0)
+    accepted.notes.push_back(fmt::format("texture coordinates left out: {} of {} triangles have none",
+                                         soup.untextured_triangles, soup.triangles.size()));
   PolygonSoup usable = policy == BadTriangles::refuse ? soup : without_unusable(soup);
   if (policy == BadTriangles::repair) {
     const std::size_t used = static_cast<std::size_t>(to_mesh(usable).vertex_count());
-    usable = repaired(usable);
+    Repaired mended = repaired(usable);
+    usable = std::move(mended.soup);
+    std::ranges::move(mended.notes, std::back_inserter(accepted.notes));
     const std::size_t left = static_cast<std::size_t>(to_mesh(usable).vertex_count());
     if (used != left) accepted.notes.push_back(fmt::format("repaired: {} vertices became {}", used, left));
   }

@@ -42,6 +42,15 @@ PolygonSoup parse(const std::string& extension, const std::string& bytes) {
       fmt::format("extension '{}' is not known; allowed are .obj, .ply, .off, .stl", extension));
 }
 
+AcceptedMesh read(const std::filesystem::path& path, BadTriangles policy, std::string_view remedy) {
+  const PolygonSoup soup = read_polygon_soup(path);
+  try {
+    return accept(soup, policy, remedy);
+  } catch (const std::invalid_argument& error) {
+    fail(Kind::refused, path, error.what());
+  }
+}
+
 void write_obj(std::ostream& out, const TriangleMesh& mesh) {
   const bool textured = mesh.texture_coordinates.rows() > 0;
   for (const auto& p : mesh.positions.rowwise()) fmt::print(out, "v {} {} {}\n", p(0), p(1), p(2));
@@ -82,16 +91,14 @@ PolygonSoup parse_polygon_soup(const std::filesystem::path& path, const std::str
 }
 
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy) {
-  const PolygonSoup soup = read_polygon_soup(path);
-  try {
-    return accept(soup, policy);
-  } catch (const std::invalid_argument& error) {
-    fail(Kind::refused, path, error.what());
-  }
+  return read(path, policy, remedy_of_cloth);
 }
 
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes) {
-  AcceptedMesh accepted = read_mesh(path, BadTriangles::refuse);
+  AcceptedMesh accepted = read(
+      path, BadTriangles::refuse,
+      fmt::format("by 'bendlab mesh {} --bad-triangles repair --write NEW.obj', and name NEW.obj instead",
+                  path.string()));
   if (notes != nullptr) notes->insert(notes->end(), accepted.notes.begin(), accepted.notes.end());
   return std::move(accepted.mesh);
 }

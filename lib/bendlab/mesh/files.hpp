@@ -27,8 +27,8 @@ class MeshFileError : public std::runtime_error {
 };
 
 /// Reads a file by its extension (.obj, .ply, .off, .stl; upper or lower case), in text or binary form as far
-/// as the format has them. Polygons with more than three corners become fans around their first corner (right
-/// for convex ones). OBJ: with texture coordinates if every corner has one. STL has no indices: exactly equal
+/// as the format has them. Polygons with more than three corners are cut into triangles (cut_polygon.hpp).
+/// OBJ: with texture coordinates if every corner has one. STL has no indices: exactly equal
 /// points become one vertex. Vertices and indices are not checked. Throws MeshFileError.
 PolygonSoup read_polygon_soup(const std::filesystem::path& path);
 
@@ -39,8 +39,8 @@ PolygonSoup parse_polygon_soup(const std::filesystem::path& path, const std::str
 /// that the policy refuses.
 AcceptedMesh read_mesh(const std::filesystem::path& path, BadTriangles policy);
 
-/// Refuses a mesh in which diagnose() finds problems, but leaves out isolated vertices. `notes`, if given,
-/// receives what was left out.
+/// Refuses a mesh in which diagnose() finds problems, but leaves out isolated vertices: for meshes that no
+/// config has a policy for. `notes`, if given, receives what was left out.
 TriangleMesh read_mesh(const std::filesystem::path& path, std::vector<std::string>* notes = nullptr);
 
 /// Writes .obj (with texture coordinates), .ply or .off as text that reads back to the same numbers. Throws

@@ -95,8 +95,8 @@ std::vector<InverseRest> inverse_rest_from_warp(const TriangleMesh& mesh, const 
 std::vector<InverseRest> inverse_rest_from_texture(const TriangleMesh& mesh) {
   if (mesh.texture_coordinates.rows() != 3 * mesh.triangle_count())
     throw std::invalid_argument(
-        "the mesh has no texture coordinates: use an OBJ with vt entries, or material coordinates from the "
-        "warp direction");
+        "the mesh has no texture coordinates: use an OBJ whose faces all name vt entries (f 1/1 2/2 3/3), or "
+        "material coordinates from the warp direction");
   std::vector<InverseRest> inverses;
   inverses.reserve(static_cast<std::size_t>(mesh.triangle_count()));
   const std::vector<double> heights = least_heights(mesh);

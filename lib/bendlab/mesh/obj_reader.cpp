@@ -1,75 +1,120 @@
 #include <fmt/format.h>
-#include <tiny_obj_loader.h>
 
+#include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
+#include "bendlab/mesh/polygon_list.hpp"
 #include "bendlab/mesh/readers.hpp"
 #include "bendlab/mesh/text_lines.hpp"
 
 namespace bendlab {
 namespace {
 
-// tinyobjloader reads faces and their indices. Coordinates are read here, because tinyobjloader rounds them
-// to float and reads 0 if a word is not a number.
-void read_coordinates(std::string_view bytes, PolygonSoup& soup,
-                      std::vector<std::array<double, 2>>& texture) {
-  TextLines lines(bytes, '#');
-  while (lines.next()) {
-    if (lines.word(0) == "v") soup.points.push_back({lines.real(1), lines.real(2), lines.real(3)});
-    if (lines.word(0) != "vt") continue;
-    texture.push_back({lines.real(1), lines.word_count() > 2 ? lines.real(2) : 0.0});
-    if (!std::isfinite(texture.back()[0]) || !std::isfinite(texture.back()[1]))
-      lines.fail("a texture coordinate is not finite");
-  }
-}
+constexpr std::int64_t none = -1;
 
-void add_face(std::span<const tinyobj::index_t> corners, std::span<const std::array<double, 2>> texture,
-              PolygonSoup& soup) {
-  std::vector<std::int64_t> vertices;
-  for (const auto& corner : corners) vertices.push_back(corner.vertex_index);
-  add_polygon(soup, vertices);
-  const auto add_texture = [&](const tinyobj::index_t& corner) {  // -1: the corner has none
-    if (corner.texcoord_index >= static_cast<int>(texture.size()))
-      throw std::invalid_argument(fmt::format("texture coordinate {} is named, but there are {}",
-                                              corner.texcoord_index + 1, texture.size()));
-    if (corner.texcoord_index >= 0)
-      soup.texture_coordinates.push_back(texture[static_cast<std::size_t>(corner.texcoord_index)]);
-  };
-  for (std::size_t c = 2; c < corners.size(); ++c)
-    for (const std::size_t at : {std::size_t{0}, c - 1, c}) add_texture(corners[at]);
-}
+class ObjReader {
+ public:
+  explicit ObjReader(std::string_view bytes) : lines_(bytes, '#', '\\') {}
+
+  // Reads v, vt and f. Skips everything else: normals, names, materials, lines, points, curves.
+  PolygonSoup run() {
+    while (lines_.next()) {
+      const std::string_view key = lines_.word(0);
+      if (key == "v") read_point();
+      if (key == "vt") read_texture();
+      if (key == "f" || key == "fo") read_face();  // fo: its name in old files
+    }
+    polygons_.cut(corner_textures_);
+    look_up_textures();
+    return std::move(soup_);
+  }
+
+ private:
+  // x y z, then a weight, a colour or both, which are not used.
+  void read_point() {
+    soup_.points.push_back({lines_.real(1), lines_.real(2), lines_.real(3)});
+    for (std::size_t i = 4; i < lines_.word_count(); ++i) lines_.real(i);
+  }
+
+  // u, then v and w, which may be left out.
+  void read_texture() {
+    textures_.push_back({lines_.real(1), lines_.word_count() > 2 ? lines_.real(2) : 0.0});
+    if (!std::isfinite(textures_.back()[0]) || !std::isfinite(textures_.back()[1]))
+      lines_.fail("a texture coordinate is not finite");
+  }
+
+  // Corners v, v/vt, v//vn or v/vt/vn; a number behind a slash may be left out.
+  void read_face() {
+    vertices_.clear(), of_corners_.clear();
+    for (std::size_t i = 1; i < lines_.word_count(); ++i) {
+      const std::string_view word = lines_.word(i);
+      const std::size_t slash = std::min(word.find('/'), word.size());
+      vertices_.push_back(index(word.substr(0, slash), soup_.points.size()));
+      if (vertices_.back() == none)
+        lines_.fail(fmt::format("{} names vertex {}, and there are {} before it", TextLines::quoted(word),
+                                TextLines::quoted(word.substr(0, slash)), soup_.points.size()));
+      of_corners_.push_back(texture_of(word.substr(std::min(slash + 1, word.size()))));
+    }
+    polygons_.add(vertices_, lines_.line());
+    for (std::size_t c = 2; c < of_corners_.size(); ++c)
+      corner_textures_.push_back({of_corners_[0], of_corners_[c - 1], of_corners_[c]});
+  }
+
+  // From what follows the first slash: "vt", "vt/", "vt/vn", "/vn" or nothing.
+  std::int64_t texture_of(std::string_view rest) {
+    if (rest.empty()) return none;
+    const std::size_t slash = std::min(rest.find('/'), rest.size());
+    const std::string_view normal = rest.substr(std::min(slash + 1, rest.size()));
+    if (!normal.empty()) lines_.integer_of(normal);
+    if (slash == 0) return none;
+    const std::int64_t texture = index(rest.substr(0, slash), textures_.size());
+    if (texture == none)
+      lines_.fail(fmt::format("texture coordinate {} is named, but there are {} before it",
+                              TextLines::quoted(rest.substr(0, slash)), textures_.size()));
+    return texture;
+  }
+
+  // Counted from 0; `none` if a negative number counts back beyond the first of the `before` that there are.
+  std::int64_t index(std::string_view text, std::size_t before) const {
+    const std::int64_t number = lines_.integer_of(text);
+    if (number == 0) lines_.fail("index 0: indices of vertices and texture coordinates count from 1");
+    if (number > 0) return number - 1;
+    return std::max(none, static_cast<std::int64_t>(before) + number);
+  }
+
+  void look_up_textures() {
+    std::size_t untextured = 0;
+    for (const auto& corners : corner_textures_)
+      if (std::ranges::find(corners, none) != corners.end()) ++untextured;
+    if (untextured > 0) {
+      if (untextured < corner_textures_.size()) soup_.untextured_triangles = untextured;
+      return;
+    }
+    soup_.texture_coordinates.reserve(3 * corner_textures_.size());
+    for (std::size_t t = 0; t < corner_textures_.size(); ++t)
+      for (const std::int64_t corner : corner_textures_[t]) {
+        if (corner >= static_cast<std::int64_t>(textures_.size()))
+          throw std::invalid_argument(
+              fmt::format("triangle {} names texture coordinate {}, but there are {} (numbers of texture "
+                          "coordinates count from 1, of triangles from 0)",
+                          t, corner + 1, textures_.size()));
+        soup_.texture_coordinates.push_back(textures_[static_cast<std::size_t>(corner)]);
+      }
+  }
+
+  TextLines lines_;
+  PolygonSoup soup_;
+  PolygonList polygons_{soup_, "line"};
+  std::vector<std::array<double, 2>> textures_;
+  std::vector<std::array<std::int64_t, 3>> corner_textures_;  // #T: indices into textures_, or none
+  std::vector<std::int64_t> vertices_, of_corners_;           // of the current face
+};
 
 }  // namespace
 
-PolygonSoup parse_obj(const std::string& bytes) {
-  PolygonSoup soup;
-  std::vector<std::array<double, 2>> texture;
-  read_coordinates(bytes, soup, texture);
-
-  tinyobj::ObjReaderConfig config;
-  config.triangulate = false;  // it would leave out polygons with an index out of range
-  config.vertex_color = false;
-  tinyobj::ObjReader reader;
-  if (!reader.ParseFromString(bytes, "", config)) throw std::invalid_argument(reader.Error());
-  if (reader.Warning().find("Degenerated face") != std::string::npos)
-    throw std::invalid_argument("a face has fewer than 3 corners");
-
-  for (const tinyobj::shape_t& shape : reader.GetShapes()) {
-    const auto& counts = shape.mesh.num_face_vertices;
-    const std::span<const tinyobj::index_t> corners(shape.mesh.indices);
-    if (std::accumulate(counts.begin(), counts.end(), std::size_t{0}) != corners.size())
-      throw std::invalid_argument(
-          "a face has more than 255 corners");  // its count is a byte in older versions
-    std::size_t first = 0;
-    for (const std::size_t count : counts) {
-      add_face(corners.subspan(first, count), texture, soup);
-      first += count;
-    }
-  }
-  if (soup.texture_coordinates.size() != 3 * soup.triangles.size()) soup.texture_coordinates.clear();
-  return soup;
+PolygonSoup parse_obj(std::string_view bytes) {
+  return ObjReader(bytes).run();
 }
 
 }  // namespace bendlab

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "bendlab/mesh/polygon_list.hpp"
 #include "bendlab/mesh/readers.hpp"
 #include "bendlab/mesh/text_lines.hpp"
 
@@ -23,6 +24,7 @@ PolygonSoup parse_off(std::string_view bytes) {
   const std::size_t vertices = lines.count(first), faces = lines.count(first + 1);
 
   PolygonSoup soup;
+  PolygonList polygons(soup, "line");
   for (std::size_t v = 0; v < vertices; ++v) {
     lines.need_next(fmt::format("vertex {} of {}", v, vertices));
     soup.points.push_back({lines.real(0), lines.real(1), lines.real(2)});
@@ -34,8 +36,9 @@ PolygonSoup parse_off(std::string_view bytes) {
     if (count >= lines.word_count()) lines.fail(fmt::format("a face of {} corners has fewer indices", count));
     corners.clear();
     for (std::size_t c = 1; c <= count; ++c) corners.push_back(lines.integer(c));
-    add_polygon(soup, corners);
+    polygons.add(corners, lines.line());
   }
+  polygons.cut();
   return soup;
 }
 

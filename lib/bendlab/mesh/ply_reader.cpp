@@ -8,6 +8,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "bendlab/mesh/polygon_list.hpp"
 #include "bendlab/mesh/readers.hpp"
 #include "bendlab/mesh/text_lines.hpp"
 
@@ -127,7 +128,7 @@ void read_property(const Property& property, const ValueSource& next, std::vecto
   for (std::int64_t i = 0; i < count; ++i) values.push_back(next(property.type));
 }
 
-void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup) {
+void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup, PolygonList& polygons) {
   if (element.properties.empty()) return;
   std::vector<double> values;
   std::vector<std::int64_t> corners;
@@ -142,7 +143,7 @@ void read_element(const Element& element, const ValueSource& next, PolygonSoup& 
         continue;
       corners.clear();
       for (const double value : values) corners.push_back(whole(value));
-      add_polygon(soup, corners);
+      polygons.add(corners, item);
     }
     if (element.name == "vertex") soup.points.push_back(point);
   }
@@ -173,7 +174,9 @@ PolygonSoup parse_ply(std::string_view bytes) {
     throw std::invalid_argument(fmt::format(
         "format '{}'; allowed are ascii, binary_little_endian, binary_big_endian", header.format));
   PolygonSoup soup;
-  for (const Element& element : header.elements) read_element(element, next, soup);
+  PolygonList polygons(soup, "face");
+  for (const Element& element : header.elements) read_element(element, next, soup, polygons);
+  polygons.cut();
   return soup;
 }
 

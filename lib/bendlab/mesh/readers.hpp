@@ -1,18 +1,18 @@
 // The mesh file formats, from a file's bytes to a soup. All throw std::invalid_argument if the bytes do not
-// follow the format, for text with the line. Indices and coordinates are not checked.
+// follow the format, for text with the line. Indices and coordinates are not checked. Polygons are cut into
+// triangles, by cut_polygon.hpp.
 //
-// OFF, PLY and STL are not read by CGAL: its readers return a bare "false" for bad indices and coordinates
-// and, compiled without assertions, crash on a PLY file with whole-number coordinates.
+// The formats are not read by CGAL: its readers return a bare "false" for bad indices and coordinates and,
+// compiled without assertions, crash on a PLY file with whole-number coordinates.
 #pragma once
 
-#include <string>
 #include <string_view>
 
 #include "bendlab/mesh/soup.hpp"
 
 namespace bendlab {
 
-PolygonSoup parse_obj(const std::string& bytes);
+PolygonSoup parse_obj(std::string_view bytes);
 PolygonSoup parse_off(std::string_view bytes);
 PolygonSoup parse_ply(std::string_view bytes);
 PolygonSoup parse_stl(std::string_view bytes);

@@ -1,14 +1,17 @@
-#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Simple_cartesian.h>
+#include <fmt/format.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <set>
 
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/collinear.hpp"
+#include "bendlab/mesh/disjoint_sets.hpp"
+#include "bendlab/mesh/near_points.hpp"
+#include "bendlab/mesh/orientation.hpp"
 
 namespace bendlab {
 namespace {
@@ -28,27 +31,29 @@ Edge edge_of(const Triangle& t, std::size_t corner) {
 
 // Why not CGAL's repair of a soup: it renumbers vertices that need no repair, it has no texture, and a NaN in
 // an unused point makes it merge different points. Its remove_degenerate_faces() only sees areas that are
-// exactly zero.
+// exactly zero, and it cuts a Möbius band along its length.
 class Mender {
  public:
   explicit Mender(const PolygonSoup& soup)
-      : points_(soup.points), textured_(!soup.texture_coordinates.empty()), same_as_(points_.size()) {
+      : points_(soup.points), textured_(!soup.texture_coordinates.empty()) {
     for (std::size_t t = 0; t < soup.triangles.size(); ++t) {
       Triangle& triangle = triangles_.emplace_back();
       for (std::size_t c = 0; c < 3; ++c)
         triangle[c] = {static_cast<std::size_t>(soup.triangles[t][c]),
                        textured_ ? soup.texture_coordinates[3 * t + c] : std::array<double, 2>{}};
     }
-    std::iota(same_as_.begin(), same_as_.end(), std::size_t(0));
   }
 
-  PolygonSoup run() {
-    unite_equal_points();
+  Repaired run() {
+    unite_near_points();
     find_thickness();
     constexpr int rounds = 100;  // of two thin neighbours one waits for the next round
     for (int round = 0; round < rounds && mend_thin_ones(); ++round) unite();
     std::erase_if(triangles_, [&](const Triangle& t) { return thin(t); });
-    return oriented();
+    while (turn_and_cut()) {  // edges where two triangles are left of more: they may face differently
+    }
+    tell_cuts();
+    return {.soup = soup(), .notes = std::move(notes_)};
   }
 
  private:
@@ -63,12 +68,29 @@ class Mender {
     return collinear_within(thickness_, point(t[0]), point(t[1]), point(t[2]));
   }
 
-  void unite_equal_points() {
-    std::map<std::array<double, 3>, std::size_t> first;
+  void unite_near_points() {
+    std::vector<char> used(points_.size(), 0);
+    Eigen::AlignedBox3d box;
     for (const Triangle& t : triangles_)
-      for (const Corner& corner : t)
-        same_as_[corner.vertex] = first.try_emplace(points_[corner.vertex], corner.vertex).first->second;
+      for (const Corner& corner : t) used[corner.vertex] = 1, box.extend(point(corner));
+    const double tolerance = box.isEmpty() ? 0 : united_within * box.diagonal().norm();
+    same_as_ = near_points(points_, used, tolerance);
+    std::size_t united = 0;
+    double farthest = 0;
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+      if (same_as_[v] == v) continue;
+      ++united;
+      farthest = std::max(farthest, (Eigen::Map<const Vector3>(points_[v].data()) -
+                                     Eigen::Map<const Vector3>(points_[same_as_[v]].data()))
+                                        .norm());
+    }
     unite();
+    if (united > 0)
+      notes_.push_back(
+          fmt::format("united: {} with another one {} (the tolerance is {:.2g} m, {:.0e} of the mesh's size)",
+                      united == 1 ? "1 vertex" : fmt::format("{} vertices", united),
+                      farthest > 0 ? fmt::format("at most {:.2g} m away", farthest) : "at the same place",
+                      tolerance, united_within));
   }
 
   std::size_t representative(std::size_t vertex) const {
@@ -143,33 +165,74 @@ class Mender {
     triangles_.push_back(second);
   }
 
-  // CGAL doubles vertices where the surface branches, touches itself in a point or cannot be oriented. It
-  // also reverses triangles, but keeps their order.
-  PolygonSoup oriented() const {
-    using Point = CGAL::Simple_cartesian<double>::Point_3;
-    std::vector<Point> points;
-    for (const auto& p : points_) points.emplace_back(p[0], p[1], p[2]);
-    std::vector<std::vector<std::size_t>> polygons;
-    for (const Triangle& t : triangles_) polygons.push_back({t[0].vertex, t[1].vertex, t[2].vertex});
-    CGAL::Polygon_mesh_processing::orient_polygon_soup(points, polygons);
-
-    PolygonSoup soup;
-    for (const Point& p : points) soup.points.push_back({p.x(), p.y(), p.z()});
-    for (std::size_t t = 0; t < polygons.size(); ++t) {
+  PolygonSoup soup() const {
+    PolygonSoup soup{.points = points_};
+    for (const Triangle& t : triangles_) {
+      auto& corners = soup.triangles.emplace_back();
       for (std::size_t c = 0; c < 3; ++c) {
-        soup.triangles.resize(t + 1);
-        soup.triangles[t][c] = static_cast<std::int64_t>(polygons[t][c]);
-        if (textured_)
-          soup.texture_coordinates.push_back(texture_at(triangles_[t], soup.points[polygons[t][c]]));
+        corners[c] = static_cast<std::int64_t>(t[c].vertex);
+        if (textured_) soup.texture_coordinates.push_back(t[c].texture);
       }
     }
     return soup;
   }
 
-  // By position: a doubled vertex has another index, but no other corner of the triangle is at its position.
-  std::array<double, 2> texture_at(const Triangle& t, const std::array<double, 3>& position) const {
-    return std::ranges::find_if(t, [&](const Corner& corner) { return points_[corner.vertex] == position; })
-        ->texture;
+  // Turns triangles alike. Then a vertex becomes one vertex per fan of triangles around it: the mesh is cut
+  // where the surface branches, touches itself in a point, or cannot be turned alike. Whether it was cut.
+  bool turn_and_cut() {
+    const PolygonSoup before = soup();
+    const Orientation orientation = orientation_of(before);
+    for (std::size_t t = 0; t < triangles_.size(); ++t)
+      if (orientation.turned[t] != 0) std::swap(triangles_[t][1], triangles_[t][2]);
+    DisjointSets fans(3 * triangles_.size());  // of corners
+    const auto corner_at = [&](std::size_t t, std::int64_t vertex) {
+      std::size_t c = 0;
+      while (triangles_[t][c].vertex != static_cast<std::size_t>(vertex)) ++c;
+      return 3 * t + c;
+    };
+    for (const SharedEdge& edge : orientation.edges) {
+      if (!edge.alike) {
+        ++seams_, seam_length_ += length(edge);
+        continue;
+      }
+      for (const std::int64_t end : edge.ends)
+        fans.join(corner_at(edge.triangles[0], end), corner_at(edge.triangles[1], end));
+    }
+    return double_vertices(fans);
+  }
+
+  // The first fan of a vertex keeps it.
+  bool double_vertices(DisjointSets& fans) {
+    constexpr std::size_t none = static_cast<std::size_t>(-1);
+    const std::size_t before = points_.size();
+    std::vector<std::size_t> first_fan(before, none), vertex_of(3 * triangles_.size(), none);
+    for (std::size_t i = 0; i < 3 * triangles_.size(); ++i) {
+      std::size_t& vertex = triangles_[i / 3][i % 3].vertex;
+      const std::size_t fan = fans.find(i);
+      if (vertex_of[fan] == none) {
+        const bool is_first = first_fan[vertex] == none;
+        if (is_first) first_fan[vertex] = fan;
+        vertex_of[fan] = is_first ? vertex : points_.size();
+        if (!is_first) points_.push_back(std::array(points_[vertex]));
+      }
+      vertex = vertex_of[fan];
+    }
+    return points_.size() > before;
+  }
+
+  double length(const SharedEdge& edge) const {
+    const auto at = [&](std::int64_t vertex) {
+      return Eigen::Map<const Vector3>(points_[static_cast<std::size_t>(vertex)].data());
+    };
+    return (at(edge.ends[0]) - at(edge.ends[1])).norm();
+  }
+
+  void tell_cuts() {
+    if (seams_ > 0)
+      notes_.push_back(fmt::format(
+          "cut along {}, {:.3g} m in all, because the surface has one side only there, as a Möbius "
+          "band has: its triangles cannot all be turned alike",
+          seams_ == 1 ? "1 edge" : fmt::format("{} edges", seams_), seam_length_));
   }
 
   std::vector<std::array<double, 3>> points_;
@@ -177,11 +240,14 @@ class Mender {
   bool textured_;
   std::vector<std::size_t> same_as_;  // for each point itself, or one that it was united with
   double thickness_ = 0;              // m
+  std::size_t seams_ = 0;             // edges of a surface with one side that were cut
+  double seam_length_ = 0;            // m
+  std::vector<std::string> notes_;
 };
 
 }  // namespace
 
-PolygonSoup repaired(const PolygonSoup& soup) {
+Repaired repaired(const PolygonSoup& soup) {
   return Mender(soup).run();
 }
 

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 #include "bendlab/mesh/collinear.hpp"
+#include "bendlab/mesh/disjoint_sets.hpp"
 
 namespace bendlab {
 namespace {
@@ -64,23 +64,6 @@ struct HalfEdge {
   std::int64_t low, high;
   std::size_t triangle;
   bool ascending;
-};
-
-// Disjoint sets that can be united; the representative of a set is its lowest element.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0); }
-  std::size_t find(std::size_t element) {
-    while (parent_[element] != element) element = parent_[element] = parent_[parent_[element]];
-    return element;
-  }
-  void join(std::size_t a, std::size_t b) {
-    a = find(a), b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::size_t> parent_;
 };
 
 class Diagnosis {
@@ -231,14 +214,6 @@ class Diagnosis {
 };
 
 }  // namespace
-
-void add_polygon(PolygonSoup& soup, std::span<const std::int64_t> corners) {
-  if (corners.size() < 3)
-    throw std::invalid_argument(
-        fmt::format("polygon {} has {} corners; it needs at least 3", soup.triangles.size(), corners.size()));
-  for (std::size_t c = 2; c < corners.size(); ++c)
-    soup.triangles.push_back({corners[0], corners[c - 1], corners[c]});
-}
 
 std::vector<MeshProblem> diagnose(const PolygonSoup& soup) {
   return Diagnosis(soup).run();

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -16,11 +15,8 @@ struct PolygonSoup {
   std::vector<std::array<std::int64_t, 3>> triangles;  ///< indices into `points`; may be out of range
   /// One per triangle corner (3t + c), or empty; texture coordinates are finite.
   std::vector<std::array<double, 2>> texture_coordinates;
+  std::size_t untextured_triangles = 0;  ///< of a file where only others have texture coordinates
 };
-
-/// Adds a fan of triangles around the polygon's first corner. Throws std::invalid_argument for fewer than
-/// three corners.
-void add_polygon(PolygonSoup& soup, std::span<const std::int64_t> corners);
 
 enum class MeshProblemKind {
   empty,                     ///< no triangles

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstring>
 #include <map>
 #include <stdexcept>
 
+#include "bendlab/mesh/polygon_list.hpp"
 #include "bendlab/mesh/readers.hpp"
 #include "bendlab/mesh/text_lines.hpp"
 
@@ -34,16 +36,25 @@ class PointMerger {
 constexpr std::size_t header_size = 84;    // 80 bytes of anything, then the number of triangles
 constexpr std::size_t triangle_size = 50;  // normal and three points as 12 floats, then two bytes of anything
 
-std::size_t binary_triangles(std::string_view bytes) {
-  std::uint32_t count = 0;
-  if (bytes.size() >= header_size) std::memcpy(&count, bytes.data() + 80, sizeof count);
-  return count;
-}
-
 PolygonSoup parse_binary(std::string_view bytes) {
+  std::uint32_t triangles = 0;
+  if (bytes.size() >= header_size) std::memcpy(&triangles, bytes.data() + 80, sizeof triangles);
+  const std::size_t size = header_size + triangle_size * triangles;
+  if (bytes.size() < size)
+    throw std::invalid_argument(
+        fmt::format("neither text (it does not start with 'solid', or has bytes of value 0) nor binary ({} "
+                    "triangles would "
+                    "take {} bytes, it has {})",
+                    triangles, size, bytes.size()));
+  // Bytes behind the last triangle mean nothing, unless they could be triangles.
+  if (const std::size_t more = bytes.size() - size; more > 0 && more % triangle_size == 0)
+    throw std::invalid_argument(
+        fmt::format("binary, and its header says {} triangles where there is room for {}: write it anew with "
+                    "another program",
+                    triangles, triangles + more / triangle_size));
   PolygonSoup soup;
   PointMerger points(soup);
-  for (std::size_t at = header_size; at < bytes.size(); at += triangle_size) {
+  for (std::size_t at = header_size; at < size; at += triangle_size) {
     std::array<float, 12> values;
     std::memcpy(values.data(), bytes.data() + at, sizeof values);
     std::array<std::int64_t, 3> corners;
@@ -55,33 +66,52 @@ PolygonSoup parse_binary(std::string_view bytes) {
   return soup;
 }
 
+// Old programs write capitals.
+bool equal_but_for_case(std::string_view text, std::string_view lower) {
+  return std::ranges::equal(text, lower, [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+  });
+}
+
+// One solid after the other, all part of the mesh.
 PolygonSoup parse_text(std::string_view bytes) {
   PolygonSoup soup;
   PointMerger points(soup);
+  PolygonList polygons(soup, "line");
   std::vector<std::int64_t> corners;
   TextLines lines(bytes);
-  do {
-    lines.need_next("'endsolid'");
-    if (lines.word(0) == "vertex")
+  bool in_solid = false, in_facet = false;
+  while (lines.next()) {
+    const auto is = [&](std::string_view keyword) { return equal_but_for_case(lines.word(0), keyword); };
+    if (is("solid") || is("endsolid") || is("facet")) {
+      if (in_facet) lines.fail("the facet before this line has no 'endfacet'");
+      in_solid = !is("endsolid"), in_facet = is("facet");
+    } else if (is("vertex")) {
       corners.push_back(points.add({lines.real(1), lines.real(2), lines.real(3)}));
-    if (lines.word(0) != "endfacet") continue;
-    add_polygon(soup, corners);
-    corners.clear();
-  } while (lines.word(0) != "endsolid");
+    } else if (is("endfacet")) {
+      polygons.add(corners, lines.line());
+      corners.clear();
+      in_facet = false;
+    }
+  }
+  if (in_solid || in_facet) lines.fail("the file ends before 'endsolid'");
+  polygons.cut();
   return soup;
+}
+
+// The header of a binary file may start with "solid", too, but its number of triangles has a zero byte. (With
+// 2²⁴ triangles or more it need not have one, but the first triangles have.)
+bool is_text(std::string_view bytes) {
+  constexpr std::size_t beginning = 1024;
+  if (bytes.substr(0, beginning).find('\0') != bytes.npos) return false;
+  TextLines lines(bytes);
+  return lines.next() && equal_but_for_case(lines.word(0), "solid");
 }
 
 }  // namespace
 
 PolygonSoup parse_stl(std::string_view bytes) {
-  // Checks the size first: the header of a binary file may start with "solid", too.
-  const std::size_t triangles = binary_triangles(bytes);
-  if (bytes.size() == header_size + triangle_size * triangles) return parse_binary(bytes);
-  if (bytes.starts_with("solid")) return parse_text(bytes);
-  throw std::invalid_argument(fmt::format(
-      "neither text (it does not start with 'solid') nor binary ({} triangles would take {} bytes, it has "
-      "{})",
-      triangles, header_size + triangle_size * triangles, bytes.size()));
+  return is_text(bytes) ? parse_text(bytes) : parse_binary(bytes);
 }
 
 }  // namespace bendlab

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <charconv>
-#include <limits>
+#include <cstdlib>
 #include <stdexcept>
 
 namespace bendlab {
 namespace {
 
-constexpr std::string_view blanks = " \t\r\v\f";
+constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+
+bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
 
 template <class Number>
 std::errc parse(std::string_view text, Number& value) {
@@ -20,17 +24,47 @@ std::errc parse(std::string_view text, Number& value) {
 
 }  // namespace
 
+TextLines::TextLines(std::string_view text, char comment, char join)
+    : rest_(text), comment_(comment), join_(join) {
+  if (rest_.starts_with(byte_order_mark)) rest_.remove_prefix(byte_order_mark.size());
+  // Binary data behind a header may begin with \n: where \r alone ends a line, that is no second half of it.
+  const std::size_t end = rest_.find_first_of("\r\n");
+  pairs_ = end == rest_.npos || rest_.substr(end, 2) == "\r\n" || rest_[end] == '\n';
+}
+
+std::string_view TextLines::take_line() {
+  std::size_t end = 0;
+  while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
+  const std::string_view line = rest_.substr(0, end);
+  const bool pair = pairs_ && rest_.substr(end, 2) == "\r\n";
+  rest_.remove_prefix(std::min(end + (pair ? 2 : 1), rest_.size()));
+  ++lines_taken_;
+  return line;
+}
+
+void TextLines::split(std::string_view line) {
+  const char *at = line.data(), *const end = at + line.size();
+  while (true) {
+    while (at != end && is_blank(*at)) ++at;
+    if (at == end) return;
+    const char* const start = at;
+    while (at != end && !is_blank(*at)) ++at;
+    words_.emplace_back(start, static_cast<std::size_t>(at - start));
+  }
+}
+
 bool TextLines::next() {
   words_.clear();
   while (words_.empty() && !rest_.empty()) {
-    std::string_view line = rest_.substr(0, rest_.find('\n'));
-    rest_.remove_prefix(std::min(line.size() + 1, rest_.size()));
-    ++line_;
-    if (comment_ != '\0') line = line.substr(0, line.find(comment_));
-    for (std::size_t start = line.find_first_not_of(blanks); start != line.npos;) {
-      const std::size_t end = std::min(line.find_first_of(blanks, start), line.size());
-      words_.push_back(line.substr(start, end - start));
-      start = line.find_first_not_of(blanks, end);
+    line_ = lines_taken_ + 1;
+    for (bool joined = true; joined && !rest_.empty();) {
+      std::string_view line = take_line();
+      if (comment_ != '\0') line = line.substr(0, line.find(comment_));
+      split(line);
+      joined = join_ != '\0' && !words_.empty() && words_.back().ends_with(join_);
+      if (!joined) continue;
+      words_.back().remove_suffix(1);
+      if (words_.back().empty()) words_.pop_back();
     }
   }
   return !words_.empty();
@@ -48,18 +82,17 @@ std::string_view TextLines::word(std::size_t i) const {
 double TextLines::real(std::size_t i) const {
   double value = 0;
   const std::errc error = parse(word(i), value);
-  if (error == std::errc::result_out_of_range) {  // from_chars does not say on which side
-    const bool tiny =
-        word(i).find("e-") != std::string_view::npos || word(i).find("E-") != std::string_view::npos;
-    return tiny ? 0.0 : std::numeric_limits<double>::infinity();
-  }
+  if (error == std::errc::result_out_of_range)  // from_chars does not say on which side
+    return std::strtod(std::string(word(i)).c_str(), nullptr);
   if (error != std::errc()) fail(quoted(i) + " is not a number");
   return value;
 }
 
-std::int64_t TextLines::integer(std::size_t i) const {
+std::int64_t TextLines::integer_of(std::string_view text) const {
   std::int64_t value = 0;
-  if (parse(word(i), value) != std::errc()) fail(quoted(i) + " is not a whole number");
+  const std::errc error = parse(text, value);
+  if (error == std::errc::result_out_of_range) fail(quoted(text) + " is too large a number");
+  if (error != std::errc()) fail(quoted(text) + " is not a whole number");
   return value;
 }
 
@@ -69,12 +102,12 @@ std::size_t TextLines::count(std::size_t i) const {
   return static_cast<std::size_t>(value);
 }
 
-std::string TextLines::quoted(std::size_t i) const {
+std::string TextLines::quoted(std::string_view text) {
   constexpr std::size_t longest = 40;
-  std::string text(word(i).substr(0, longest));
-  for (char& c : text)
+  std::string shown(text.substr(0, longest));
+  for (char& c : shown)
     if (c < ' ' || c > '~') c = '?';
-  return "'" + text + (word(i).size() > longest ? "…'" : "'");
+  return "'" + shown + (text.size() > longest ? "…'" : "'");
 }
 
 void TextLines::fail(std::string_view what) const {

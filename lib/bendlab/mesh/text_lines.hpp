@@ -8,35 +8,44 @@
 
 namespace bendlab {
 
-/// The lines of a text that hold words. The text has to outlive the object. Throws std::invalid_argument with
-/// the line if something does not fit.
+/// The lines of a text that hold words. A line ends with \n, \r\n or \r. A byte order mark of UTF-8 at the
+/// start is no part of the text. The text has to outlive the object. Throws std::invalid_argument with the
+/// line if something does not fit.
 class TextLines {
  public:
-  /// Ignores the rest of a line from the character `comment` on, if it is not 0.
-  explicit TextLines(std::string_view text, char comment = '\0') : rest_(text), comment_(comment) {}
+  /// Ignores the rest of a line from the character `comment` on, if it is not 0. A line whose last word ends
+  /// with the character `join`, if it is not 0, goes on in the next line; in front of a comment, too.
+  explicit TextLines(std::string_view text, char comment = '\0', char join = '\0');
 
   /// Goes to the next line with at least one word; false at the end of the text.
   bool next();
   /// The same, but the end of the text is an error: "… ends before <what>".
   void need_next(std::string_view what);
 
+  std::size_t line() const { return line_; }  ///< number of the current line's first part, from 1
   std::size_t word_count() const { return words_.size(); }
   std::string_view word(std::size_t i) const;
   double real(std::size_t i) const;  ///< nan and inf are allowed; too large is infinite
-  std::int64_t integer(std::size_t i) const;
-  std::size_t count(std::size_t i) const;  ///< an integer that is not negative
+  std::int64_t integer(std::size_t i) const { return integer_of(word(i)); }
+  std::int64_t integer_of(std::string_view text) const;  ///< of a part of a word
+  std::size_t count(std::size_t i) const;                ///< an integer that is not negative
 
-  /// The word for an error text: in quotes, cut if it is long, without control and other unusual characters.
-  std::string quoted(std::size_t i) const;
+  /// A word for an error text: in quotes, cut if it is long, without control and other unusual characters.
+  static std::string quoted(std::string_view text);
+  std::string quoted(std::size_t i) const { return quoted(word(i)); }
 
   std::string_view rest() const { return rest_; }  ///< what follows the current line
   [[noreturn]] void fail(std::string_view what) const;
 
  private:
+  std::string_view take_line();
+  void split(std::string_view line);
+
   std::string_view rest_;
-  char comment_;
+  char comment_, join_;
+  bool pairs_ = true;  // \r\n is one end of a line, not two
   std::vector<std::string_view> words_;
-  std::size_t line_ = 0;
+  std::size_t line_ = 0, lines_taken_ = 0;
 };
 
 }  // namespace bendlab

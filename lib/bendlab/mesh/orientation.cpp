@@ -1,0 +1,132 @@
+#include "bendlab/mesh/orientation.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <queue>
+
+namespace bendlab {
+namespace {
+
+struct HalfEdge {
+  std::int64_t low, high;
+  std::size_t triangle;
+  bool ascending;  // the triangle runs along it from low to high
+};
+
+class Turner {
+ public:
+  explicit Turner(const PolygonSoup& soup)
+      : soup_(soup),
+        found_{.turned = std::vector<char>(soup.triangles.size(), 0), .edges = shared_edges(soup.triangles)} {
+  }
+
+  Orientation run() {
+    if (std::ranges::all_of(found_.edges, &SharedEdge::alike)) return std::move(found_);
+    edges_of_.resize(soup_.triangles.size());
+    for (std::size_t e = 0; e < found_.edges.size(); ++e)
+      for (const std::size_t t : found_.edges[e].triangles) edges_of_[t].push_back(e);
+    way_.assign(soup_.triangles.size(), std::numeric_limits<double>::infinity());
+    for (std::size_t t = 0; t < soup_.triangles.size(); ++t)
+      if (way_[t] == std::numeric_limits<double>::infinity()) turn_part_of(t);
+    for (SharedEdge& edge : found_.edges) {
+      edge.alike = alike(edge);
+      if (!edge.alike) ++found_.seams;
+    }
+    return std::move(found_);
+  }
+
+ private:
+  bool alike(const SharedEdge& edge) const {
+    return edge.alike == (found_.turned[edge.triangles[0]] == found_.turned[edge.triangles[1]]);
+  }
+
+  Vector3 point(std::int64_t vertex) const {
+    return Eigen::Map<const Vector3>(soup_.points[static_cast<std::size_t>(vertex)].data());
+  }
+  Vector3 centre(std::size_t t) const {
+    const auto& [a, b, c] = soup_.triangles[t];
+    return (point(a) + point(b) + point(c)) / 3;
+  }
+
+  // Dijkstra's shortest ways over the triangles' centres and the middles of their edges.
+  void turn_part_of(std::size_t first) {
+    using Reached = std::pair<double, std::size_t>;
+    std::priority_queue<Reached, std::vector<Reached>, std::greater<>> next;
+    std::vector<std::size_t> part;
+    way_[first] = 0;
+    next.push({0.0, first});
+    while (!next.empty()) {
+      const auto [way, t] = next.top();
+      next.pop();
+      if (way > way_[t]) continue;
+      part.push_back(t);
+      for (const std::size_t e : edges_of_[t]) {
+        const SharedEdge& edge = found_.edges[e];
+        const std::size_t other = edge.triangles[edge.triangles[0] == t ? 1 : 0];
+        const Vector3 middle = (point(edge.ends[0]) + point(edge.ends[1])) / 2;
+        const double there = way + (centre(t) - middle).norm() + (centre(other) - middle).norm();
+        if (!(there < way_[other])) continue;
+        way_[other] = there;
+        found_.turned[other] = static_cast<char>(found_.turned[t] != static_cast<char>(!edge.alike));
+        next.push({there, other});
+      }
+    }
+    if (seam_length(part, [](const SharedEdge& e) { return e.alike; }) <=
+        seam_length(part,
+                    [&](const SharedEdge& e) { return alike(e); }))  // a band that was closed on purpose
+      for (const std::size_t t : part) found_.turned[t] = 0;
+    const auto turned = std::ranges::count_if(part, [&](std::size_t t) { return found_.turned[t] != 0; });
+    if (2 * static_cast<std::size_t>(turned) > part.size())
+      for (const std::size_t t : part) found_.turned[t] ^= 1;
+  }
+
+  // Twice that of the edges at these triangles that are not alike.
+  template <class Alike>
+  double seam_length(const std::vector<std::size_t>& part, const Alike& are_alike) const {
+    double sum = 0;
+    for (const std::size_t t : part)
+      for (const std::size_t e : edges_of_[t])
+        if (const SharedEdge& edge = found_.edges[e]; !are_alike(edge))
+          sum += (point(edge.ends[0]) - point(edge.ends[1])).norm();
+    return sum;
+  }
+
+  const PolygonSoup& soup_;
+  Orientation found_;
+  std::vector<std::vector<std::size_t>> edges_of_;  // #T
+  std::vector<double> way_;                         // #T, m: from the first triangle of its part
+};
+
+}  // namespace
+
+std::vector<SharedEdge> shared_edges(const std::vector<std::array<std::int64_t, 3>>& triangles) {
+  std::vector<HalfEdge> half_edges;
+  half_edges.reserve(3 * triangles.size());
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    for (std::size_t c = 0; c < 3; ++c) {
+      const std::int64_t from = triangles[t][c], to = triangles[t][(c + 1) % 3];
+      half_edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
+    }
+  std::ranges::stable_sort(half_edges, [](const HalfEdge& l, const HalfEdge& r) {
+    return l.low != r.low ? l.low < r.low : l.high < r.high;
+  });
+  std::vector<SharedEdge> edges;
+  for (std::size_t first = 0, last = 0; first < half_edges.size(); first = last) {
+    const HalfEdge& edge = half_edges[first];
+    for (last = first + 1;
+         last < half_edges.size() && half_edges[last].low == edge.low && half_edges[last].high == edge.high;)
+      ++last;
+    if (last - first == 2)
+      edges.push_back({{edge.low, edge.high},
+                       {edge.triangle, half_edges[first + 1].triangle},
+                       edge.ascending != half_edges[first + 1].ascending});
+  }
+  return edges;
+}
+
+Orientation orientation_of(const PolygonSoup& soup) {
+  return Turner(soup).run();
+}
+
+}  // namespace bendlab
