@@ -19,6 +19,7 @@
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/campaign/work.hpp"
 #include "experiments/cli/child_program.hpp"
+#include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/load_experiments.hpp"
@@ -47,10 +48,11 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// Prints each warning of an experiment once, with the first run that has it.
+/// Prints each warning of an experiment once, with the run where it is worst.
 void tell_warnings(std::span<const CampaignRun> runs) {
-  for (const CollectedWarning& warning : collected_warnings(runs))
-    print_text(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
+  for (const CollectedText& warning : collected_warnings(runs))
+    print_text(stderr, "bendlab: warning: {}: {}: {}\n", runs.front().experiment->name, warning.kind,
+               text_of(warning));
 }
 
 /// Whether a run's mesh is so large that building it takes seconds.
@@ -128,7 +130,7 @@ enum class Report { tables, lines, json, explanations };
 
 /// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
 /// were not started because of a signal are left out.
-int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, Report report,
+int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
                    bool strict = false) {
   if (const KnownBefore known = strict ? look_before(experiments, true) : KnownBefore{};
       known.exit_code != exit_ok) {
@@ -143,9 +145,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   tell_large_needs(runs);
   std::vector<CampaignRun> of_experiment;
+  options.tells_verdicts = report != Report::tables;  // a table has them below it, each kind once
   bool first = true;
-  // Messages go to stderr while the runs go on. Who reads both on one terminal need not read them twice.
-  const bool one_terminal = isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
     if (report == Report::json && runs[index].started()) print_text("{}\n", json_text(run_json(runs[index])));
@@ -153,10 +154,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
       print_text("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
-      if (report != Report::lines && !(report == Report::tables && one_terminal))
-        tell_warnings(of_experiment);
-      if (report == Report::tables)
-        print_text("{}{}", first ? "" : "\n", experiment_text(of_experiment, !one_terminal));
+      if (report == Report::json || report == Report::explanations) tell_warnings(of_experiment);
+      if (report == Report::tables) print_text("{}{}", first ? "" : "\n", experiment_text(of_experiment));
       if (report == Report::lines) print_text("{}", experiment_line(of_experiment));
       first = false;
     }
