@@ -11,7 +11,7 @@ from pathlib import Path
 COMMITTED = Path(__file__).resolve().parent.parent / "results"  # the folder of the committed pages
 OWN = "own"  # below it, and ignored by git: the pages of whoever runs the scripts
 ROUNDING = 1e-3  # relative: numbers that agree so well agree to rounding
-MOST = 20  # lines of a list on the terminal
+MOST, FEW = 20, 8  # lines of a list on the terminal, and of what was not run
 OPEN = "open"
 KEYS = ("figure", "claim", "setting", "check", "case", "experiment", "point", "model", "mesh", "precision",
         "method", "command")  # what tells an object of a page's data from the others, in their order
@@ -67,7 +67,8 @@ def compared(committed, own):
         found.not_made += other.verdict == OPEN != row.verdict
         if row.verdict != other.verdict:
             found.verdicts.append((row.label, row.verdict, other.verdict))
-        _compare_numbers(row, other, digits, found)
+        if other.verdict != OPEN:
+            _compare_numbers(row, other, digits, found)
     found.numbers.sort(key=lambda each: -_apart(each[1], each[2]))
     _compare_bits(_bits(committed), _bits(own), found)
     return found
@@ -222,19 +223,20 @@ def text(found):
                                                   zip(row[1:], widths[1:]))]).rstrip() for row in rows]
     changed = [each for each in found.verdicts if each[2] != OPEN]
     opened = [each for each in found.verdicts if each[2] == OPEN]
-    for title, some in (("Verdicts that are others:", changed),
-                        ("Verdicts that are open here, because their runs are not made:", opened)):
-        lines += _listed(title, [f"{committed} → {own}: {label}" for label, committed, own in some])
+    for title, some, most in (("Verdicts that are others:", changed, MOST),
+                              ("Verdicts that are open here, because their runs are not made:", opened, FEW)):
+        lines += _listed(title, [f"{committed} → {own}: {label}" for label, committed, own in some], most)
     lines += _listed("Numbers that are others, those that differ most first:",
-                     [f"{committed:.4g} → {own:.4g}: {label}" for label, committed, own in found.numbers])
+                     [f"{committed:.4g} → {own:.4g}: {label}" for label, committed, own in found.numbers],
+                     MOST)
     return "\n".join(lines)
 
 
-def _listed(title, lines):
+def _listed(title, lines, most):
     if not lines:
         return []
-    more = [f"  … and {len(lines) - MOST} more"] if len(lines) > MOST else []
-    return ["", title, *(f"  {_shortened(line)}" for line in lines[:MOST]), *more]
+    more = [f"  … and {len(lines) - most} more"] if len(lines) > most else []
+    return ["", title, *(f"  {_shortened(line)}" for line in lines[:most]), *more]
 
 
 def _shortened(line, most=160):

@@ -4,6 +4,7 @@ the cloths.
 The sheets are chaotic, so no two cloths are alike. The yardstick is the distance between two runs of the same
 full model that differ only in the seed of a perturbation of 10⁻⁶ of the size.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 
 import style

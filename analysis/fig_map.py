@@ -1,4 +1,5 @@
 """The verdict maps: for which answers to the paper's open questions each of its claims holds."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import map_rules as rules
 from claim_map import SOLVERS, Place, places
 from load import select

@@ -4,6 +4,7 @@ Whether the stiffness stays the same is measured on strips: fig_promise_strip.py
 All three rows hang in the same medium for 4 s, after which most rest: crossover springs with the pin alone,
 the paper's adaptive springs with the pin's 1-ring, and the recommended settings with the pin alone.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -190,8 +190,8 @@ void add_run_commands(CLI::App& app, Arguments& a) {
       reproduce->add_flag("--full", a.reproduce.full, "Add what takes longest, such as resolution 256");
   reproduce
       ->add_flag("--quick", a.reproduce.quick,
-                 "Leave out configs whose names end in _slow, of which paper has none; the page says what is "
-                 "missing")
+                 "Leave out configs whose names end in _slow, of which paper and plain have none; the page "
+                 "says what is missing")
       ->excludes(full);
   CLI::Option* out = reproduce->add_option(
       "--out", a.reproduce.out,

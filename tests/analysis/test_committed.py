@@ -119,6 +119,9 @@ class Own(unittest.TestCase):
             self.assertEqual({entry["holds"] for entry in again}, {None})  # without runs every claim is open
 
     def test_a_python_without_the_libraries_hands_over(self):
+        for script in sorted(ANALYSIS.glob("*.py")):
+            if script.name.startswith("fig_") and "__main__" in script.read_text(encoding="utf-8"):
+                self.assertIn("\nimport right_python", script.read_text(encoding="utf-8"), script)
         told = subprocess.run([sys.executable, "-S", ANALYSIS / "stiffness_page.py", "--help"],
                               capture_output=True, text=True, check=False)
         self.assertEqual(told.returncode, 0, told.stderr)
