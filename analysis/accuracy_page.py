@@ -1,4 +1,5 @@
 """Writes the page of accuracy and its cost: index.html, and summary.json with one object per run."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import accuracy
 import accuracy_runs
 import charts_accuracy

@@ -63,6 +63,7 @@ class ClaimMap:
     number: str  # what the number in a cell is
     cells: dict = field(default_factory=dict)  # Place → Cell
     note: str = ""
+    left_out: bool = False  # cells of --full, whose runs are not there; they could decide another way
 
     @property
     def judged(self):
@@ -82,7 +83,7 @@ class ClaimMap:
             return None
         share = np.mean([cell.holds for cell in self.judged])
         if share in (0, 1):
-            return None if self.open else bool(share)
+            return None if self.open or self.left_out else bool(share)
         return float(share)
 
     @property
@@ -100,6 +101,7 @@ class ClaimMap:
         idle = len(self.cells) - count - self.open
         return (said + (f"; {_cells(self.open, 'are')} open, because their runs are not there"
                         if self.open else "")
+                + ("; those of --full are not run" if self.left_out else "")
                 + (f"; {_cells(idle, 'have')} nothing to compare" if idle else ""))
 
     def _at_least_work(self):

@@ -1,4 +1,5 @@
 """Fig. 1: with strain constraints and one pinned vertex, triangles at the pin get the wrong stretch."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -4,6 +4,7 @@ of pins.
 The paper's adaptive runs also pin the 1-ring of the pinned vertex: it changes two settings at once. This
 figure adds the two runs that change one setting only, and edge springs as a control.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

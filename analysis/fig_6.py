@@ -4,6 +4,7 @@ the cloths.
 The sheets are chaotic, so no two cloths are alike. The yardstick is the distance between two runs of the same
 full model that differ only in the seed of a perturbation of 10⁻⁶ of the size.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 
 import style
@@ -175,10 +176,11 @@ def _claims(cases):
                 alike[f"{case.name}, full and LOD {level_name(level)}"] = [distance, pin_of_lod]
                 verdicts.append(distance <= 1.25 * case.yardstick[0].median and pin_of_lod <= 2 * pin)
     nearest = [case.fewer[case.nearest_to_claim()] for case in cases.values() if case.nearest_to_claim()]
-    within = [abs(fewer - CLAIMED) <= 0.05 for fewer in nearest]
+    found = any(abs(fewer - CLAIMED) <= 0.05 for fewer in nearest)
+    every_n = {case.n for case in cases.values()} == set(EXPERIMENTS)  # another N could have such a level
     return [Claim("6", "LOD needs 20 % fewer springs.", "at some N, some level t in [m, n] has 15 to 25 % "
                   "fewer springs than the full structure (the paper states neither N nor t)", counted,
-                  any(within) if within else None),
+                  True if found else False if every_n else None),
             Claim("6", "LOD looks almost the same as the full structure.", "at the default t and at the t "
                   "nearest to 20 % fewer, the RMS distance to the full cloth is at most 1.25 times that "
                   "between two seeds of the full model, and stretch − 1 at the pin is at most twice the full "

@@ -1,4 +1,5 @@
 """Fig. 7: the level n of pinned vertices times 1, 2 and 4, as a control of the material."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 
 import style

@@ -1,4 +1,5 @@
 """One row per question that the paper leaves open: the effect of each answer on the sheet."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import re
 
 import matplotlib.pyplot as plt

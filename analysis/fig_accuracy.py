@@ -1,4 +1,5 @@
 """What accuracy costs: error and CPU time of every bending model on one stated cloth."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D

@@ -3,6 +3,7 @@ time.
 
 The control is the paper's setting on fewer cells: how much does the coarser mesh alone gain?
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D

@@ -1,4 +1,5 @@
 """Error against time, over solver methods: the pose at rest, and motion."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

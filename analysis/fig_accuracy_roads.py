@@ -1,4 +1,5 @@
 """Different methods that should give the same reference, and the cost of each remedy for a single pin."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Rounding errors of single precision in short substeps: a fall, a hanging strip, a soft strip."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

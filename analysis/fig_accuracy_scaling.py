@@ -1,4 +1,5 @@
 """Cost over the size of the mesh at equal error, and accuracy of motion."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D

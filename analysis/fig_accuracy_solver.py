@@ -1,4 +1,5 @@
 """Equal work in substeps or iterations; effects of time step, constraint order and precision."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

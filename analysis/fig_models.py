@@ -1,4 +1,5 @@
 """Every bending model on the same two scenes: the hanging sheet of Fig. 5 and a clamped strip."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """The plain matrix: runs that broke a bound, with or without a warning, by value and by pair of values."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import itertools
 from collections import Counter
 

@@ -4,6 +4,7 @@ Whether the stiffness stays the same is measured on strips: fig_promise_strip.py
 All three rows hang in the same medium for 4 s, after which most rest: crossover springs with the pin alone,
 the paper's adaptive springs with the pin's 1-ring, and the recommended settings with the pin alone.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
@@ -46,8 +47,9 @@ def main(results, out):
               OURS: _in_scene(ours, "one corner")}
     if any(corner.values()):
         section.pictures.append((_sheets(corner, out), "Sheets after 4 s in a medium with about the drag of "
-                                 "air; the corner says which are at rest. All panels have the same camera. "
-                                 "Back faces are bluish."))
+                                 "air; the corner says which are at rest. The number in a panel is the "
+                                 "median over the last second, as in the tables. All panels have the same "
+                                 "camera. Back faces are bluish."))
         section.pictures.append((_close_ups(corner, out), "The pin (dot) and its triangles in the same "
                                  "frames, a twentieth of the sheet wide."))
     substeps = load_experiment(results, "paper/recommended_substeps_full").runs
@@ -114,11 +116,11 @@ def _panels(samples, camera, metric, out, picture):
 
 
 def _stretch_text(sample, metric):
+    """The number of the page's tables and claims: the median over the last second, not that of the frame."""
     if not sample:
         return None
-    run, frame = sample
     where = "pin" if metric == "pin_max_stretch" else "largest"
-    return f"{where} σ₁ − 1 = {style.number(run.metrics[metric][frame] - 1, 2)}"
+    return f"{where} σ₁ − 1 = {style.number(sample[0].summary.get(metric, np.nan) - 1, 3)}"
 
 
 def _worst(runs, metric, offset):

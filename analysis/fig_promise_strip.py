@@ -4,6 +4,7 @@ A projection moves the four vertices of a hinge only, so that bending travels fr
 a substep h the solver passes on at most a rigidity of about ρ a⁴ / h² (a: edge length, ρ: mass per area):
 what the strip has of the stated rigidity depends on substeps / N² alone.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Scenes × bending models: cloth in wind, over obstacles, on moving pins and on itself."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 from dataclasses import dataclass, replace
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,5 @@
 """Hard cases × bending models: a matrix of verdicts, and pictures of runs that failed."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import itertools
 import textwrap
 

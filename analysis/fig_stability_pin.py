@@ -1,4 +1,5 @@
 """The single pinned corner, frame by frame: does the strain fail first, and which remedies help?"""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 from dataclasses import dataclass
 
 import matplotlib.pyplot as plt

@@ -1,4 +1,5 @@
 """Lateral buckling: upright strips of hinges deflect above a theoretical load, of springs under any."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

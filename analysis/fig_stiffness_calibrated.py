@@ -1,4 +1,5 @@
 """Calibrated stiffness: measured over stated physical stiffness, and the paper's rule beside it."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D

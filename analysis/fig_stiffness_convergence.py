@@ -1,4 +1,5 @@
 """Effect of the solver on stiffness: XPBD and static equilibrium; k over iterations and time step."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Share of the stated stiffness that a run has: its own estimate compared with its strip."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Hinges against the heavy elastica: H/W, flexural rigidity, exponent, growth with gravity."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Stiffness over resolution with the paper's settings: every model on four kinds of mesh."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Ring springs: moment ∝ κ³ and its coefficient, the membrane's effect on both, and droop over gravity."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

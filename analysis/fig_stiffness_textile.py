@@ -1,4 +1,5 @@
 """The tests of textile laboratories: ASTM D1388, Cusick's drape, and the catenary."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

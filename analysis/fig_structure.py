@@ -1,4 +1,5 @@
 """Figs. 2-4: the springs of one pinned and one free vertex for each model, as the solver has them."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection

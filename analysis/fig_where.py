@@ -4,6 +4,7 @@ A model that mends the pin has not mended the cloth if the stretch is then elsew
 springs come with a pinned 1-ring, so crossover springs are shown with it too: only then do the two differ in
 nothing but their springs.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 

@@ -1,4 +1,5 @@
 """Writes the page of the paper: index.html, summary.json (claims), reference.csv (medians of groups)."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import argparse
 import csv
 import importlib
@@ -24,7 +25,8 @@ import page_frames
 from frames import place_html
 from html_parts import Part, address, escape, picture_html, section_part
 from load import at, group, statuses, summary_spread
-from project_pages import KEPT, Content, keep, kept, made_of, renew_start, write
+from project_pages import (KEPT, Content, folder_options, keep, kept, made_of, parsed, renew_start,
+                           write)
 from repeat import runs_of
 from report import print_option, rounded, write_objects
 from run_facts import differing, stated
@@ -210,11 +212,11 @@ def _setting(run, sweep):
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
-    parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the page")
+    folder_options(parser, "paper")
     parser.add_argument("--only", choices=FIGURES, default="everything", help="which figures")
     parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
     print_option(parser)
-    arguments = parser.parse_args()
+    arguments = parsed(parser, "paper")
     if arguments.again:
         lay_out(arguments.out)
     else:

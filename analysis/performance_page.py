@@ -1,4 +1,5 @@
 """Writes the page of what the solver costs: index.html, and summary.json with one object per row."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import argparse
 import json
 import re
@@ -149,14 +150,15 @@ if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("bench", nargs="?", type=Path, default=Path(FILE),
                         help="what `bendlab bench --json` printed (default: %(default)s)")
-    parser.add_argument("--out", type=Path, default=Path("results/performance"), help="folder for the page")
+    parser.add_argument("--out", type=Path, help="folder for the page (default: that of the measurements)")
     parser.add_argument("--again", action="store_true", help=f"write index.html again, of the {KEPT} there")
     print_option(parser)
     arguments = parser.parse_args()
+    out = arguments.out or arguments.bench.parent
     try:
         measured = json.loads(arguments.bench.read_text(encoding="utf-8"))
     except (OSError, ValueError) as error:
         sys.exit(f"{arguments.bench}: {error}; make it with: ./bendlab bench --json > {arguments.bench}")
-    (lay_out if arguments.again else main)(measured, arguments.out)
-    renew_start(arguments.out)
-    print(arguments.out / "index.html")
+    (lay_out if arguments.again else main)(measured, out)
+    renew_start(out)
+    print(out / "index.html")

@@ -1,4 +1,5 @@
 """Writes the page of the plain matrix: index.html, and summary.json with one object per run."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import os
 
 # With 3 × 2 matrices OpenBLAS threads wait for each other: 100 times as slow on a busy machine.

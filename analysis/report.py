@@ -1,5 +1,6 @@
 """What a figure gives to its page: pictures, tables, checks, and claims with a rule."""
 import argparse
+import hashlib
 import json
 import math
 from dataclasses import dataclass, field, fields, is_dataclass
@@ -7,6 +8,7 @@ from datetime import date
 from pathlib import Path
 
 from claim_map import ClaimMap
+from committed import home
 
 EXACT = 9  # significant digits of what a page is made of again
 
@@ -85,11 +87,13 @@ class Section:
     missing: list = field(default_factory=list)
     text: str = ""
     origins: list = field(default_factory=list)  # of runs that were seen: commit, machine, date
+    bits: dict = field(default_factory=dict)  # config → place on its sweep (short) → bits of the run there
 
     def uses(self, experiment):
         """Adds the experiment's command and its missing points to the section; returns its runs."""
         self.commands.append(experiment.command)
         self.origins += [origin_of(run) for run in experiment.runs[-1:]]
+        self.bits[experiment.config] = {short(run.point): bits_of(run) for run in experiment.runs if run.over}
         if experiment.missing_text:
             self.missing.append(f"configs/{experiment.config}.json: {experiment.missing_text}")
         return experiment.runs
@@ -108,6 +112,18 @@ class Section:
                  "claims": lambda each: Claim(**each | {"numbers": known(each["numbers"])}),
                  "checks": lambda each: Check(**known(each)), "maps": ClaimMap.of_kept}
         return cls(**kept | {name: [make(each) for each in kept[name]] for name, make in lists.items()})
+
+
+def short(value):
+    """Eight letters that tell an object of JSON from others."""
+    return hashlib.sha256(json.dumps(value, sort_keys=True).encode()).hexdigest()[:8]
+
+
+def bits_of(run):
+    """Eight letters that are equal for two runs if every number of their summaries is, to the last bit; but
+    what the machine decides, times and memory."""
+    return short({name: float(value).hex() for name, value in run.summary.items()
+                  if name not in ("cpu_s", "step_cpu_s", "wall_s", "memory_bytes")})
 
 
 def exactly(value):
@@ -164,7 +180,8 @@ def figure_main(main):
     """Command line of one figure: draws the figure and prints its claims as JSON."""
     parser = argparse.ArgumentParser(description=main.__doc__)
     parser.add_argument("--results", type=Path, default=Path("results"), help="folder with the runs")
-    parser.add_argument("--out", type=Path, default=Path("results/paper"), help="folder for the pictures")
+    parser.add_argument("--out", type=Path, default=home("paper", committed=False),
+                        help="folder for the pictures (default: %(default)s)")
     print_option(parser)
     arguments = parser.parse_args()
     section = main(arguments.results, arguments.out)

@@ -1,4 +1,5 @@
 """Writes the page of the hard cases: index.html with the matrix, and summary.json with one object per run."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import string
 from collections import Counter
 

@@ -2,6 +2,7 @@
 
 It reads what the other pages wrote: summary.json of accuracy, stability and stiffness, and their answers.
 """
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 import argparse
 import json
 import re
@@ -10,6 +11,7 @@ from pathlib import Path
 import accuracy_runs
 import charts_stiffness
 from charts_accuracy import front
+from committed import OWN
 from html_parts import Made, Part, escape, number_text, page, table_html
 from load import group
 from project_pages import KEPT, PAGES, links_html, made_of, sized
@@ -53,11 +55,14 @@ def write(results):
     data = accuracy_runs.data(chosen) if chosen else {"runs": []}
     data |= {"charts": [], "chooser": chooser_data(chosen, stable, checks)}
     top = (f"<h1>{escape(TITLE)}</h1><p class='lead'>Measured answers, each one click from its evidence.</p>")
+    if results.name == OWN:
+        top += ("<p class='grey small'>These pages are made of your own runs. The project's are <a "
+                "href='../index.html'>the committed ones</a>.</p>")
     parts = [Part("choose", "Which model for my mesh?", chooser_html(runs), "Choose"),
              Part("pages", "The pages", cards_html(results), "Pages"),
              Part("origin", "Where the numbers are from", origin_html(results), "Origin")]
     made = Made("", "", "", "python3 analysis/start_page.py")
-    text = page("bendlab: which model for my mesh?", top, parts, made, data, places=links_html(""),
+    text = page("bendlab: which model for my mesh?", top, parts, made, data, places=links_html("", results),
                 player=False)
     (results / "index.html").write_text(sized(text, results), encoding="utf-8")
 

@@ -1,4 +1,5 @@
 """Writes the page of stiffness: index.html, and summary.json with one object per check."""
+import right_python  # noqa: F401  (first: it may hand over to another Python)
 from html_parts import Part, escape, number_text, section_part
 from verdicts_html import cards_html, checks_html, tally
 import charts_stiffness

@@ -7,6 +7,7 @@ import numpy as np
 from collected import flattened
 from sweeps import point_key
 
+MESH = "/mesh"
 CELLS = "/mesh/cells"
 
 
@@ -19,10 +20,11 @@ class Axis:
     unit: str = ""
     meaning: str = ""
     places: dict = field(default_factory=dict)  # point_key of a value → its number
+    counts: bool = False  # whether its values are counts, which charts show on a logarithmic scale
 
     @property
     def numeric(self):
-        return all(_is_number(value) for value in self.values)
+        return all(is_number(value) for value in self.values)
 
     @property
     def short(self):
@@ -50,6 +52,8 @@ class Axis:
             return "band"
         if self.pointer == CELLS:
             return "log2"
+        if self.counts:
+            return "log"
         numbers = np.sort(np.array(self.values, float))
         if numbers[0] <= 0:
             return "linear"
@@ -72,6 +76,19 @@ def axes_of(sweep, meanings):
     """The axes of a sweep with more than one value, and those that have one only."""
     axes = [_axis(pointer, values, sweep, meanings) for pointer, values in sweep.axes.items() if values]
     return [axis for axis in axes if len(axis.values) > 1], [axis for axis in axes if len(axis.values) == 1]
+
+
+def by_vertices(sweep, axis):
+    """An axis of meshes as one of their numbers of vertices, if these tell them apart; else the axis."""
+    if not axis.pointer.startswith(MESH) or axis.pointer == CELLS or axis.is_seed:
+        return axis
+    counts = [{run.summary["vertices"] for run in sweep.runs if axis.place(run) == place
+               and "vertices" in run.summary} for place in range(len(axis.values))]
+    if any(len(some) != 1 for some in counts) or len(set().union(*counts)) < len(counts):
+        return axis
+    texts = [f"{axis.short} {text}" for text in axis.texts] if axis.numeric else axis.texts
+    return Axis(axis.pointer, [some.pop() for some in counts], texts, "vertices",
+                meaning=f"of the meshes of {axis.pointer}", places=axis.places, counts=True)
 
 
 def _axis(pointer, values, sweep, meanings):
@@ -119,12 +136,13 @@ def value_text(value):
         return str(int(value)) if value == int(value) and abs(value) < 1e9 else f"{value:.6g}"
     if isinstance(value, str):
         return value
-    if isinstance(value, list) and all(_is_number(entry) for entry in value):
+    if isinstance(value, list) and all(is_number(entry) for entry in value):
         return " ".join(map(value_text, value))
     return json.dumps(value)
 
 
-def _is_number(value):
+def is_number(value):
+    """Whether a value of JSON is a number."""
     return isinstance(value, (int, float)) and not isinstance(value, bool)
 
 

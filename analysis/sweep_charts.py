@@ -6,7 +6,7 @@ import numpy as np
 import looks
 from expectations import expected_of
 from load import by_model, group
-from sweep_axes import label_of
+from sweep_axes import by_vertices, label_of
 
 FIRST = ["mean_strain", "pin_max_stretch", "max_stretch", "drop", "effective_bending_stiffness",
          "effective_membrane_stiffness", "error_physical_rms", "error_solver_rms",
@@ -16,7 +16,7 @@ FRAME_S = 1 / 60  # of which CPU times are told
 CPU = "ms_per_frame"
 MOST_NUMBERS, MOST_ROWS, MOST_TIMES, MOST_PARTS = 12, 24, 300, 4
 NOT_OF_STEPS = ("recording", "set_up")  # passes that no step has: told, but not drawn at first
-OF_COURSE = ("vertices", "triangles", "size", "memory_bytes")  # not measured, but chosen
+OF_COURSE = ("vertices", "triangles", "size", "edge_length", "memory_bytes")  # not measured, but chosen
 
 
 def cpu_ms(run):
@@ -72,6 +72,7 @@ def axis_charts(sweep, axes, numbers, command, prefix):
     if not numbers:
         return []
     wanted = [axis for axis in axes if not axis.is_seed]
+    wanted = [by_vertices(sweep, axis) for axis in wanted]
     ordered = sorted(wanted, key=lambda axis: (axis.scale == "band", axis.pointer != "/mesh/cells"))
     charts = [_axis_chart(sweep, axis, wanted, numbers, command, f"{prefix}against-{i + 1}")
               for i, axis in enumerate(ordered)]
@@ -120,7 +121,7 @@ def _curve_name(axis, place, sweep):
         return sweep.name, looks.of_model(models[0]) if len(models) == 1 else looks.of_place(0)
     look = looks.of_model(axis.models[place]) if axis.models and _own_looks(axis) else looks.of_place(place)
     text = axis.texts[place]
-    return (text if axis.scale == "band" else f"{axis.short} {text}"), look
+    return (text if axis.scale == "band" or axis.counts else f"{axis.short} {text}"), look
 
 
 def _own_looks(axis):

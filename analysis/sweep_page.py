@@ -14,9 +14,11 @@ import frames
 import looks
 import run_facts
 import sweep_charts
+import sweep_figures
 from collected import collect, tell
 from html_parts import Part, escape, number_text, page
 from meanings import Meanings
+from number_chart import number_chart
 from origin import made_of
 from page_answer import status_html, top_html
 from run_table import RunTable, about, unit_html
@@ -26,13 +28,15 @@ FRAMES_LIMIT = 12e6  # bytes of all frames of a page in its file
 WATCHED_LIMIT = 60e6  # of `bendlab view`, whose page is for this machine
 STILLS = 40  # as many runs as a page may have for each to have a still
 MOST_CHARTS, MOST_PASS_CHARTS = 8, 12
+ASKED = "asked"  # the end of the id of a chart that was asked for
 
 
 class Report:
     """Everything that a page says of some sweeps."""
 
-    def __init__(self, sweeps, meanings, command, play=(), limit=FRAMES_LIMIT, most_frames=None):
+    def __init__(self, sweeps, meanings, command, play=(), limit=FRAMES_LIMIT, most_frames=None, asked=None):
         self.sweeps, self.meanings, self.command, self.limit = sweeps, meanings, command, limit
+        self.asked = asked  # (x, y) of a chart of two numbers, or None
         self.axes = [axes_of(sweep, meanings) for sweep in sweeps]
         self.runs = list({run.id: run for sweep in sweeps for run in sweep.runs}.values())
         self.sweep_of = {run.id: i for i, sweep in reversed(list(enumerate(sweeps))) for run in sweep.runs}
@@ -113,7 +117,10 @@ class Report:
             varied, fixed = self.axes[i]
             charts = sweep_charts.axis_charts(sweep, varied, self.numbers[i], self.command,
                                               f"s{i + 1}-")[:MOST_CHARTS]
-            if not varied:
+            asked = self.asked and number_chart(sweep, varied, *self.asked, self.meanings, self.command,
+                                                f"s{i + 1}-{ASKED}")
+            charts = [asked, *charts] if asked else charts
+            if not varied and not asked:
                 continue
             self.charts += charts
             lead = f"<p>{escape(sweep.description)}</p>" if sweep.description and not alone else ""
@@ -241,6 +248,10 @@ def main():
     parser.add_argument("--open", action="store_true", help="open the page in the browser")
     parser.add_argument("--play", action="append", default=[], metavar="ID",
                         help="a run to be played: the beginning of its id, or part of its folder's name")
+    parser.add_argument("--figures", choices=list(sweep_figures.NO_DATE), metavar="FORMAT",
+                        help="write the charts as files beside the page, too: %(choices)s")
+    parser.add_argument("--x", help="with --y: a chart against this number")
+    parser.add_argument("--y", help="with --x: a chart of this number")
     parser.add_argument("--program", help="bendlab, which tells units and meanings")
     parser.add_argument("--command", default="", help="the command that the page names as its own")
     arguments = parser.parse_args()
@@ -249,8 +260,9 @@ def main():
     limit = WATCHED_LIMIT if arguments.cached else FRAMES_LIMIT
     try:
         report = Report(collect(arguments.results), Meanings(arguments.program), command, arguments.play,
-                        limit)
+                        limit, asked=arguments.x and (arguments.x, arguments.y))
         write_page(out, report.html())
+        files = written_figures(report, out.parent / "figures", arguments)
     except ValueError as error:
         tell(error)
         return 2
@@ -258,9 +270,19 @@ def main():
         tell(f"the page could not be written to {out}: {error.strerror or error}. Name another file with -o")
         return 5
     print(out, flush=True)
+    if files:
+        print(files[0] if len(files) == 1 else f"{files[0].parent}: {len(files)} figures", flush=True)
     if arguments.open and not browser.opened(out.resolve().as_uri()):
         tell("there is no browser to open it in: open the file yourself")
     return 0
+
+
+def written_figures(report, folder, arguments):
+    """The files of the charts as far as they are asked for: all, or with --x and --y that one alone."""
+    if not arguments.figures:
+        return []
+    charts = [chart for chart in report.charts if not arguments.x or chart["id"].endswith(ASKED)]
+    return sweep_figures.write(charts, folder, arguments.figures)
 
 
 def write_page(file, text):

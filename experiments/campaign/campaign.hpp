@@ -38,6 +38,7 @@ struct CampaignOptions {
   /// is told on stderr, and why one failed is kept in its folder.
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
+  bool tells_verdicts = true;  ///< each implausible run on stderr, when it is over
 };
 
 /// CPU time that a run is expected to take, s (forecast.hpp).

@@ -189,10 +189,18 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   add_campaign(reproduce, a);
   CLI::Option* full =
       reproduce->add_flag("--full", a.reproduce.full, "Add what takes longest, such as resolution 256");
-  reproduce->add_flag("--quick", a.reproduce.quick, "Leave out what is slow; the page says what is missing")
+  reproduce
+      ->add_flag("--quick", a.reproduce.quick,
+                 "Leave out configs whose names end in _slow, of which paper and plain have none; the page "
+                 "says what is missing")
       ->excludes(full);
-  reproduce->add_option("--out", a.reproduce.out,
-                        "Folder for the results (default: results in the checkout)");
+  CLI::Option* out = reproduce->add_option(
+      "--out", a.reproduce.out,
+      "Folder for runs and pages (default: runs in results of the checkout, pages in results/own there)");
+  reproduce
+      ->add_flag("--committed", a.reproduce.committed,
+                 "Replace the project's own page, which is committed, instead: for maintainers")
+      ->excludes(out);
 }
 
 void add_plan_file(CLI::App* command, std::filesystem::path& file) {
@@ -308,6 +316,18 @@ void add_page_commands(CLI::App& app, Arguments& a) {
   CLI::App* report = add_command(app, a, "report", "Make a page of any runs: how they move, charts, tables",
                                  [&a] { return report_command(a.page); });
   add_page(report, a, "RESULT", "The page's file (default: report.html in the folder of the results)");
+  report
+      ->add_option("--figures", a.page.figures,
+                   "Write each chart as a file, too, into a folder 'figures' beside the page")
+      ->check(CLI::IsMember({"svg", "pdf", "png"}));
+  const char* number =
+      "a number of the summary, such as ms_per_frame, vertices or error_physical_rms, or the "
+      "pointer of a setting";
+  CLI::Option* x =
+      report->add_option("--x", a.page.x, fmt::format("With --y: one more chart, against {}", number));
+  CLI::Option* y =
+      report->add_option("--y", a.page.y, fmt::format("With --x: one more chart, of {}", number));
+  x->needs(y), y->needs(x);
 
   CLI::App* view =
       add_command(app, a, "view", "Watch runs in the browser", [&a] { return view_command(a.page); });

@@ -31,15 +31,18 @@ int validate_command(const ConfigArguments& configs, bool strict);
 
 struct ReproduceArguments {
   std::string what = "everything";  ///< one of reproducible()
-  std::filesystem::path out;        ///< empty: the checkout's results (CampaignOptions::out is not used)
-  bool full = false;                ///< with the configs whose names end in _full
-  bool quick = false;               ///< without those whose names end in _slow
+  /// For runs and pages. Empty: runs go to the checkout's results, the page to results/own there.
+  std::filesystem::path out;
+  bool committed = false;  ///< the page is the committed one, below the checkout's results
+  bool full = false;       ///< with the configs whose names end in _full
+  bool quick = false;      ///< without those whose names end in _slow
 };
 
 /// What there is to reproduce, the default first.
 std::vector<std::string> reproducible();
 
-/// Its experiments, then the page of figures and checks, in a folder of its name.
+/// Its experiments, then the page of figures and checks, in a folder of its name; then what differs from the
+/// committed page.
 int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments);
 
 struct WorkArguments {
@@ -105,12 +108,15 @@ std::vector<std::pair<std::string, std::string>> export_formats();
 int export_command(const ExportArguments& arguments, bool json);
 
 struct PageArguments {
-  std::vector<std::string> results;  ///< folders with runs, run files, sweep files, beginnings of ids
-  std::string folder = "results";    ///< where ids are looked for
-  std::filesystem::path out;         ///< of the page; empty: beside the results, or for view in the cache
-  std::vector<std::string> play;     ///< runs to be played, by id or folder; empty: a choice
-  bool live = false;                 ///< serve a run that is going on
-  bool no_open = false;              ///< print where the page is, and leave the browser alone
+  std::vector<std::string>
+      results;                     ///< folders with runs, run files, sweep files, configs, beginnings of ids
+  std::string folder = "results";  ///< where ids are looked for
+  std::filesystem::path out;       ///< of the page; empty: beside the results, or for view in the cache
+  std::vector<std::string> play;   ///< runs to be played, by id or folder; empty: a choice
+  std::string figures;             ///< format of files of the charts (svg, pdf, png); empty: none
+  std::string x, y;                ///< numbers of a chart of its own, or pointers of settings; empty: none
+  bool live = false;               ///< serve a run that is going on
+  bool no_open = false;            ///< print where the page is, and leave the browser alone
 };
 
 /// Writes the page of any runs, and prints where it is.

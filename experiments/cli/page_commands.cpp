@@ -10,9 +10,11 @@
 
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
+#include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/config/config.hpp"
 #include "experiments/config/nearest_name.hpp"
 #include "experiments/terminal/printable.hpp"
 
@@ -58,9 +60,21 @@ std::string nearest_result(const fs::path& result, const fs::path& folder) {
   return "";
 }
 
-/// What an argument means: a folder with runs, a sweep's file or a run's file.
+/// The sweep of a config: what `run` wrote into the folder of results.
+fs::path sweep_of(const fs::path& config, const fs::path& folder) {
+  const Experiment experiment = load_experiment(config);
+  const fs::path sweep = sweep_file(folder, experiment), runs = folder / experiment.name;
+  if (fs::is_regular_file(sweep)) return sweep;
+  if (fs::is_directory(runs) && has_sweep_file(runs)) return runs;  // with other settings (--set)
+  throw UsageError(fmt::format("there are no runs of the config '{}' in '{}'; 'bendlab run {}' computes them",
+                               config.string(), runs.string(), config.string()));
+}
+
+/// What an argument means: a folder with runs, a sweep's file, a config or a run's file.
 fs::path found_result(const std::string& result, const fs::path& folder) {
   const fs::path path = result;
+  if (fs::is_regular_file(path) && path.extension() == ".json" && !is_sweep_file(path))
+    return sweep_of(path, folder);
   if (fs::is_regular_file(path)) return path;
   if (fs::is_directory(path)) {
     if (has_sweep_file(path) || !find_run_files(path).empty()) return path;
@@ -118,6 +132,8 @@ std::string told_command(const char* command, const PageArguments& arguments) {
   for (const std::string& result : arguments.results) told += " " + quoted(result);
   for (const std::string& run : arguments.play) told += " --play " + quoted(run);
   if (!arguments.out.empty()) told += " -o " + quoted(arguments.out.string());
+  if (!arguments.figures.empty()) told += " --figures " + arguments.figures;
+  if (!arguments.x.empty()) told += fmt::format(" --x {} --y {}", quoted(arguments.x), quoted(arguments.y));
   return told;
 }
 
@@ -133,6 +149,8 @@ std::vector<std::string> script_call(const char* script, const char* command, co
   std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--program",
                                    own_program(),  "--command",   told_command(command, arguments)};
   for (const std::string& run : arguments.play) call.push_back("--play=" + run);
+  if (!arguments.figures.empty()) call.push_back("--figures=" + arguments.figures);
+  if (!arguments.x.empty()) call.insert(call.end(), {"--x=" + arguments.x, "--y=" + arguments.y});
   call.emplace_back("--");
   for (const fs::path& result : results) call.push_back(result.string());
   return call;

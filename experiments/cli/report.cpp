@@ -3,31 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "experiments/campaign/run_labels.hpp"
+#include "experiments/cli/collected_texts.hpp"
+#include "experiments/cli/run_tables.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {
-
-/// The numbers of a summary that fit on a line.
-constexpr std::array<const char*, 7> main_columns = {
-    "vertices", "triangles", "springs", "mean_strain", "max_stretch", "pin_max_stretch", "drop"};
-
-std::string status_text(const CampaignRun& run) {
-  if (!run.outcome) return "failed";
-  return to_string(run.outcome->status) + (run.outcome->reused ? ", reused" : "");
-}
-
-std::string coloured_status(const CampaignRun& run) {
-  const std::string text = status_text(run);
-  const bool fine = run.exit_code == 0 && run.outcome && run.outcome->status == RunStatus::complete;
-  return fine ? text : coloured(text, Colour::red, stdout);
-}
 
 std::vector<ExpectationResult> check(const CampaignRun& run) {
   if (!run.outcome) return {};
@@ -76,21 +62,14 @@ std::string held_expectations(std::span<const CampaignRun> runs) {
   return text;
 }
 
-/// A line per run that broke a bound: what, when, where.
-std::string implausible_text(std::span<const CampaignRun> runs) {
+/// A line per bound that was broken, and per code of the warnings.
+std::string told_text(std::span<const CampaignRun> runs) {
   std::string text;
-  for (const CampaignRun& run : runs)
-    if (run.outcome && run.outcome->broken)
-      text += fmt::format("{} {}: {}\n", coloured("implausible", Colour::red, stdout), place_text(run),
-                          text_of(*run.outcome->broken));
-  return text;
-}
-
-/// A line per code.
-std::string warnings_text(std::span<const CampaignRun> runs) {
-  std::string text;
-  for (const CollectedWarning& warning : collected_warnings(runs))
-    text += fmt::format("{} {}\n", coloured("warning", Colour::yellow, stdout), text_of(warning));
+  for (const CollectedText& broken : collected_bounds(runs))
+    text += fmt::format("{} {}\n", coloured("implausible", Colour::red, stdout), text_of(broken));
+  for (const CollectedText& warning : collected_warnings(runs))
+    text += fmt::format("{} {}: {}\n", coloured("warning", Colour::yellow, stdout), warning.kind,
+                        text_of(warning));
   return text;
 }
 
@@ -106,24 +85,6 @@ std::string pass_shares(const std::vector<PassTime>& passes) {
     text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", pass.name, 100 * pass.seconds / all);
   }
   return text;
-}
-
-/// The main columns; the effective stiffnesses if a run has less than 90 % of what is stated; the errors if
-/// runs have them.
-std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
-  std::vector<std::string> columns(main_columns.begin(), main_columns.end());
-  constexpr double converged = 0.9;  // 1
-  for (const char* share : {"effective_bending_stiffness", "effective_membrane_stiffness"})
-    if (std::ranges::any_of(runs, [&](const auto& run) {
-          return run.outcome && run.outcome->summary.contains(share) &&
-                 run.outcome->summary.at(share) < converged;
-        }))
-      columns.emplace_back(share);
-  for (const char* error : {"error_solver_rms", "error_physical_rms"})
-    if (std::ranges::any_of(
-            runs, [&](const auto& run) { return run.outcome && run.outcome->summary.contains(error); }))
-      columns.emplace_back(error);
-  return columns;
 }
 
 /// Wall and CPU time of the runs (reused ones: when they were computed), and which passes took it.
@@ -148,27 +109,6 @@ std::string time_text(std::span<const CampaignRun> runs) {
 }
 
 }  // namespace
-
-std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> runs) {
-  std::vector<CollectedWarning> collected;
-  for (const CampaignRun& run : runs) {
-    if (!run.outcome) continue;
-    for (const Warning& warning : run.outcome->warnings) {
-      const auto same = std::ranges::find(collected, warning.code, &CollectedWarning::code);
-      if (same == collected.end())
-        collected.push_back({warning.code, place_text(run), warning.message, 1});
-      else
-        ++same->runs;
-    }
-  }
-  return collected;
-}
-
-std::string text_of(const CollectedWarning& warning) {
-  const std::string others =
-      warning.runs == 1 ? "" : fmt::format(" (and {})", counted(warning.runs - 1, "more run"));
-  return fmt::format("{}: {}: {}{}", warning.code, warning.place, warning.message, others);
-}
 
 bool expectations_hold(std::span<const CampaignRun> runs) {
   return std::ranges::all_of(
@@ -196,7 +136,7 @@ Json run_json(const CampaignRun& run) {
   return {{"id", id},
           {"experiment", run.experiment->name},
           {"point", point_json(*run.config)},
-          {"status", run.outcome ? to_string(outcome.status) : status_text(run)},
+          {"status", run.outcome ? to_string(outcome.status) : "failed"},
           {"reused", outcome.reused},
           {"file", outcome.file.string()},
           {"config", run.config->resolved()},
@@ -211,28 +151,12 @@ Json run_json(const CampaignRun& run) {
           {"message", run.outcome ? outcome.message : run.error}};
 }
 
-std::string experiment_text(std::span<const CampaignRun> runs, bool verdicts) {
+std::string experiment_text(std::span<const CampaignRun> runs) {
   const Experiment& experiment = *runs.front().experiment;
-  const std::vector<std::string> columns = columns_of(runs);
-  std::vector<std::string> headings = axis_headings(experiment);
-  headings.insert(headings.end(), columns.begin(), columns.end());
-  headings.insert(headings.end(), {"wall_s", "status"});
-  Table table(headings);
-  for (const CampaignRun& run : runs) {
-    std::vector<std::string> cells = axis_cells(experiment, *run.config);
-    for (const std::string& column : columns) {
-      const bool there = run.outcome && run.outcome->summary.contains(column);
-      cells.push_back(there ? format_number(run.outcome->summary.at(column)) : "");
-    }
-    cells.push_back(run.outcome ? fmt::format("{:.1f}", run.outcome->wall_s) : "");
-    cells.push_back(coloured_status(run));
-    table.add_row(std::move(cells));
-  }
   std::string text = experiment.name;
   if (!experiment.description.empty()) text += ": " + experiment.description;
-  text += "\n\n" + table.text() + "\n" + time_text(runs) + "\n";
-  return text + held_expectations(runs) + failed_expectations(runs) +
-         (verdicts ? implausible_text(runs) : "") + warnings_text(runs);
+  text += "\n\n" + run_table(runs) + "\n" + measure_tables(runs) + time_text(runs) + "\n";
+  return text + held_expectations(runs) + failed_expectations(runs) + told_text(runs);
 }
 
 std::string experiment_line(std::span<const CampaignRun> runs) {
@@ -249,8 +173,8 @@ std::string experiment_line(std::span<const CampaignRun> runs) {
   }
   if (const auto failed = count([](const CampaignRun& run) { return !run.error.empty(); }); failed > 0)
     text += fmt::format(", {} failed", failed);
-  for (const CollectedWarning& warning : collected_warnings(runs))
-    text += fmt::format(", {} with the warning {}", warning.runs, warning.code);
+  for (const CollectedText& warning : collected_warnings(runs))
+    text += fmt::format(", {} with the warning {}", warning.runs, warning.kind);
   return text + "; " + time_text(runs) + "\n" + failed_expectations(runs);
 }
 

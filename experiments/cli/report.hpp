@@ -13,25 +13,13 @@ namespace bendlab {
 /// expectations, implausible (null, or as to_json(BrokenBound)), warnings ([{code, message}]), message}.
 Json run_json(const CampaignRun& run);
 
-/// Swept values and the main numbers, a row per run; where the time went; which expectations hold.
-/// `runs` are those of one experiment. `verdicts`: with what made runs implausible, which stderr was told.
-std::string experiment_text(std::span<const CampaignRun> runs, bool verdicts = true);
+/// Swept values and the main numbers, a row per run; where the time went; which expectations hold; what made
+/// runs implausible, and their warnings. `runs` are those of one experiment.
+std::string experiment_text(std::span<const CampaignRun> runs);
 
 /// The same on a line, "fig5: 160 runs, 160 complete (3 reused), …", and a further line per expectation
 /// that does not hold.
 std::string experiment_line(std::span<const CampaignRun> runs);
-
-/// A warning of an experiment: place and text of the first run that has it, and how many runs do.
-struct CollectedWarning {
-  std::string code, place, message;
-  int runs = 0;
-};
-
-/// One per code. `runs` are those of one experiment.
-std::vector<CollectedWarning> collected_warnings(std::span<const CampaignRun> runs);
-
-/// "units: cells 64: the cloth is … (and 3 more runs)"
-std::string text_of(const CollectedWarning& warning);
 
 /// Whether every expectation holds in every run that has a summary.
 bool expectations_hold(std::span<const CampaignRun> runs);

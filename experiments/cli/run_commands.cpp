@@ -1,9 +1,7 @@
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <chrono>
 #include <set>
@@ -18,11 +16,12 @@
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/campaign/work.hpp"
-#include "experiments/cli/child_program.hpp"
+#include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/cli/run_and_report.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/config/json_text.hpp"
@@ -47,10 +46,11 @@ void check_writable(const fs::path& folder) {
                                    folder.string(), error.message()));
 }
 
-/// Prints each warning of an experiment once, with the first run that has it.
+/// Prints each warning of an experiment once, with the run where it is worst.
 void tell_warnings(std::span<const CampaignRun> runs) {
-  for (const CollectedWarning& warning : collected_warnings(runs))
-    print_text(stderr, "bendlab: warning: {}: {}\n", runs.front().experiment->name, text_of(warning));
+  for (const CollectedText& warning : collected_warnings(runs))
+    print_text(stderr, "bendlab: warning: {}: {}: {}\n", runs.front().experiment->name, warning.kind,
+               text_of(warning));
 }
 
 /// Whether a run's mesh is so large that building it takes seconds.
@@ -123,13 +123,10 @@ void tell_large_needs(const std::vector<CampaignRun>& runs) {
              needs_text(needs));
 }
 
-/// How the runs are reported on stdout.
-enum class Report { tables, lines, json, explanations };
+}  // namespace
 
-/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
-/// were not started because of a signal are left out.
-int run_and_report(const std::vector<Experiment>& experiments, const CampaignOptions& options, Report report,
-                   bool strict = false) {
+int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
+                   bool strict) {
   if (const KnownBefore known = strict ? look_before(experiments, true) : KnownBefore{};
       known.exit_code != exit_ok) {
     return known.exit_code;
@@ -144,9 +141,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   std::vector<CampaignRun> runs = plan_campaign(experiments);
   tell_large_needs(runs);
   std::vector<CampaignRun> of_experiment;
+  options.tells_verdicts = report != Report::tables;  // a table has them below it, each kind once
   bool first = true;
-  // Messages go to stderr while the runs go on. Who reads both on one terminal need not read them twice.
-  const bool one_terminal = isatty(STDOUT_FILENO) != 0 && isatty(STDERR_FILENO) != 0;
   run_campaign(runs, options, [&](std::size_t index) {
     if (runs[index].started()) of_experiment.push_back(runs[index]);
     if (report == Report::json && runs[index].started()) print_text("{}\n", json_text(run_json(runs[index])));
@@ -154,10 +150,8 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
       print_text("{}\n", explain_text(runs[index]));
     const bool last = index + 1 == runs.size() || runs[index + 1].experiment != runs[index].experiment;
     if (last && !of_experiment.empty()) {
-      if (report != Report::lines && !(report == Report::tables && one_terminal))
-        tell_warnings(of_experiment);
-      if (report == Report::tables)
-        print_text("{}{}", first ? "" : "\n", experiment_text(of_experiment, !one_terminal));
+      if (report == Report::json || report == Report::explanations) tell_warnings(of_experiment);
+      if (report == Report::tables) print_text("{}{}", first ? "" : "\n", experiment_text(of_experiment));
       if (report == Report::lines) print_text("{}", experiment_line(of_experiment));
       first = false;
     }
@@ -177,47 +171,7 @@ int run_and_report(const std::vector<Experiment>& experiments, const CampaignOpt
   return code == exit_ok && (warned || !expectations_hold(runs)) ? int{exit_failed} : code;
 }
 
-/// The JSON files of a folder, by name; those that end in `_full` only where asked for, those in `_slow`
-/// unless it has to be quick. Of a file, itself.
-std::vector<fs::path> configs_in(const fs::path& folder, const ReproduceArguments& arguments) {
-  std::vector<fs::path> files;
-  if (fs::is_regular_file(folder)) return {folder};
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const fs::path& file = entry.path();
-    const std::string name = file.stem().string();
-    if (file.extension() == ".json" && (arguments.full || !name.ends_with("_full")) &&
-        !(arguments.quick && name.ends_with("_slow")))
-      files.push_back(file);
-  }
-  std::ranges::sort(files);
-  return files;
-}
-
-/// Experiments, and the script that draws them when they are there.
-struct PageStage {
-  std::array<std::string_view, 3> configs;  ///< folders or files below configs/
-  std::string_view script;                  ///< below analysis/
-  std::string_view option{};                ///< of the script
-};
-
-/// Something to reproduce, in stages: a picture is there while the later stages still run.
-struct Reproducible {
-  std::string_view name, page;  ///< the folder of its page
-  std::array<PageStage, 3> stages;
-};
-
-constexpr PageStage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
-constexpr PageStage whole_paper = {{"paper", "recommended.json"}, "page.py", "--only=paper"};
-constexpr std::array reproducibles = {
-    Reproducible{
-        "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
-    Reproducible{"paper", "paper", {first_figure, whole_paper}},
-    Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}, "stiffness_page.py"}}},
-    Reproducible{
-        "stability", "stability", {PageStage{{"stability", "one_pin", "methods"}, "stability_page.py"}}},
-    Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
-    Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
-};
+namespace {
 
 /// What lies in the folders of an experiment's runs, by folder. (As text: comparing paths is slow.)
 using StatesByFolder = std::unordered_map<std::string, RunRecord>;
@@ -356,55 +310,6 @@ int validate_command(const ConfigArguments& configs, bool strict) {
     print_text("{}: {} ({})\n{}", coloured("ok", Colour::green, stdout), experiment.source.string(),
                counted(experiment.runs.size(), "run"), cover_text(experiment.cover));
   return exit_ok;
-}
-
-std::vector<std::string> reproducible() {
-  std::vector<std::string> names;
-  for (const Reproducible& each : reproducibles) names.emplace_back(each.name);
-  return names;
-}
-
-int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
-  const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
-  const fs::path source = BENDLAB_SOURCE_DIR;
-  if (!fs::is_directory(source / "configs"))
-    throw UsageError(
-        fmt::format("reproduce needs the configs and scripts of the checkout that this program was "
-                    "built from, and '{}' is not there: run ./bendlab reproduce in a checkout",
-                    source.string()));
-  options.out = arguments.out.empty() ? source / "results" : arguments.out;
-  const fs::path page = options.out / what.page;
-  std::vector<std::vector<Experiment>>
-      experiments;  // of each stage; every config is read before the first run
-  for (const PageStage& stage : what.stages) {
-    ConfigArguments configs;
-    for (const std::string_view place : stage.configs)
-      if (!place.empty())
-        std::ranges::copy(configs_in(source / "configs" / place, arguments),
-                          std::back_inserter(configs.files));
-    experiments.push_back(load_experiments(configs));
-  }
-
-  int code = exit_ok;
-  for (std::size_t i = 0; i < what.stages.size(); ++i) {
-    const PageStage& stage = what.stages[i];
-    if (stage.script.empty()) break;
-    const int runs_code = run_and_report(experiments[i], options, Report::lines);
-    if (stop_exit_code() != 0) return runs_code;
-    code = std::max(code, runs_code);
-    print_text(stderr, "bendlab: drawing the figures\n");
-    const fs::path script = source / "analysis" / stage.script;
-    std::vector<std::string> drawing = {BENDLAB_PYTHON,       script.string(), "--results",
-                                        options.out.string(), "--out",         page.string()};
-    if (!stage.option.empty()) drawing.emplace_back(stage.option);
-    const int page_code = run_program(drawing);  // says where what it drew is
-    if (stop_exit_code() != 0) return stop_exit_code();
-    if (page_code != 0) {
-      print_text(stderr, "bendlab: {} ended with exit code {}\n", fmt::join(drawing, " "), page_code);
-      return exit_failed;
-    }
-  }
-  return code;
 }
 
 }  // namespace bendlab

@@ -127,8 +127,18 @@ const std::array mesh = {
               .meaning = "tube: radius of its upper end; absent: as the lower end",
               .minimum = 0, .above = true},
     Parameter{.name = "seed", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "delaunay: seed of the random points",
+              .meaning = "delaunay: seed of the random points; with jitter: of the moves",
               .minimum = 0, .maximum = largest_seed},
+    Parameter{.name = "refine", .type = integer, .unit = "1", .default_value = {},
+              .meaning = "Each triangle is cut into four at the middles of its edges, so many times, also of "
+                         "a mesh from a file. Vertices keep their numbers, the border its shape and curved "
+                         "meshes their facets; texture coordinates are interpolated. Absent: not at all",
+              .minimum = 0, .maximum = 12},
+    Parameter{.name = "jitter", .type = number, .unit = "1", .default_value = {},
+              .meaning = "Each vertex inside is moved at random within the sheet, by at most this share of "
+                         "the smallest height of its triangles, also of a mesh from a file and after "
+                         "refine; seed chooses the moves. Absent: not at all",
+              .minimum = 0, .maximum = 0.4},
     Parameter{.name = "scale", .type = number, .unit = "1", .default_value = 1.0,
               .meaning = "Factor on all coordinates, also of a mesh from a file",
               .minimum = 0, .above = true},

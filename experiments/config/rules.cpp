@@ -55,15 +55,19 @@ void check_name(const Json& canonical, ConfigProblems& problems) {
 // result.
 void settle_mesh(const Json& given, Json& mesh, ConfigProblems& problems) {
   if (!mesh.contains("file")) return;
+  constexpr std::array<std::string_view, 6> beside_a_file = {"file",          "scale",  "offset",
+                                                             "bad_triangles", "refine", "jitter"};
+  const bool jittered = mesh.contains("jitter");  // by the seed
   for (const std::string_view name : names_of(find_section("/mesh")->parameters)) {
-    if (name == "file" || name == "scale" || name == "offset" || name == "bad_triangles") continue;
+    if (std::ranges::find(beside_a_file, name) != beside_a_file.end() || (name == "seed" && jittered))
+      continue;
     const std::string pointer = child_pointer("/mesh", name);
     mesh.erase(std::string(name));
     if (value_at(given, pointer) != nullptr)
       problems.push_back({pointer,
-                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset and "
-                          "bad_triangles go with it): remove one of the two; to vary meshes, sweep or set "
-                          "/mesh as a whole"});
+                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset, "
+                          "bad_triangles, refine, jitter and with that seed go with it): remove one of the "
+                          "two; to vary meshes, sweep or set /mesh as a whole"});
   }
 }
 

@@ -43,8 +43,34 @@ std::map<std::string, double> effective_stiffness_summary(const EffectiveStiffne
   return summary;
 }
 
-std::optional<std::string> soft_solver_warning(const std::map<std::string, double>& summary) {
+std::string share_text(double share) {
+  return share < least_known_share ? fmt::format("< {:.0f} %", 100 * least_known_share)
+                                   : fmt::format("{:.2g} %", 100 * share);
+}
+
+namespace {
+
+// What a run has of one stated stiffness, and what helps.
+std::string soft_text(const std::string& what, double share, double substeps) {
+  if (share < least_known_share)
+    return fmt::format(
+        "the cloth seems to have less than {:.0f} % of the {} stiffness that the config states: "
+        "the estimate, {:.2g} %, is below its range, and a cloth that shakes may have more. "
+        "About {:.0f} substeps or more would give it 90 %{}",
+        100 * least_known_share, what, 100 * share, substeps,
+        what == "bending" ? "; 'bendlab stiffness' measures a strip" : "");
+  return fmt::format(
+      "the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} substeps would give "
+      "it "
+      "90 %",
+      100 * share, what, substeps);
+}
+
+}  // namespace
+
+std::optional<SoftSolver> soft_solver_warning(const std::map<std::string, double>& summary) {
   std::vector<std::string> parts;
+  double least = 1;
   // A nearly rigid membrane never reaches its stiffness, but that matters only if it stretches.
   constexpr double stretched = 0.01;
   const auto strain = summary.find("mean_strain");
@@ -54,13 +80,11 @@ std::optional<std::string> soft_solver_warning(const std::map<std::string, doubl
     const auto share = summary.find(fmt::format("effective_{}_stiffness", what));
     const auto substeps = summary.find(fmt::format("substeps_for_90_percent_{}", what));
     if (share == summary.end() || substeps == summary.end()) continue;
-    parts.push_back(
-        fmt::format("the cloth has {:.2g} % of the {} stiffness that the config states; about {:.0f} "
-                    "substeps would give it 90 %",
-                    100 * share->second, what, substeps->second));
+    parts.push_back(soft_text(what, share->second, substeps->second));
+    least = std::min(least, share->second);
   }
   if (parts.empty()) return std::nullopt;
-  return fmt::format("the solver has not converged: {}", fmt::join(parts, "; "));
+  return SoftSolver{fmt::format("the solver has not converged: {}", fmt::join(parts, "; ")), least};
 }
 
 namespace {

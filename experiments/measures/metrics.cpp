@@ -12,7 +12,8 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 13> facts = {"size",
+constexpr std::array<std::string_view, 14> facts = {"size",
+                                                    "edge_length",
                                                     "vertices",
                                                     "triangles",
                                                     "springs",

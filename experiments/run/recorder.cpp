@@ -87,6 +87,7 @@ Findings Recorder::findings(const RunEnd& end, bool of_those_that_make_runs) {
 std::map<std::string, double> facts_of(const Scene& scene, const Simulation& simulation) {
   std::map<std::string, double> facts = {
       {"size", scene.rest.size()},
+      {"edge_length", scene.rest.mean_edge_length()},
       {"vertices", scene.rest.vertex_count()},
       {"triangles", scene.rest.triangle_count()},
       {"springs", static_cast<double>(scene.input.distance.size())},

@@ -100,11 +100,13 @@ Message coarse_wind(const WarningInput& input) {
   const double slowed_within = density / (drag * std::max(blowing, terminal));  // s
   if (!(substep > slowed_within)) return std::nullopt;
   constexpr double wanted = 0.5;  // substeps
-  return fmt::format(
-      "a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed within {:.2g} s: "
-      "its force is cut. Take about {} /solver/substeps",
-      substep, slowed_within,
-      static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within))));
+  return WarningText(
+      fmt::format(
+          "a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed within "
+          "{:.2g} s: its force is cut. Take about {} /solver/substeps",
+          substep, slowed_within,
+          static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within)))),
+      substep / slowed_within, fmt::format("{:.2g} times", substep / slowed_within));
 }
 
 // ---- starts_inside
@@ -113,11 +115,12 @@ Message starts_inside(const WarningInput& input) {
   for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
     const std::optional<Inside> inside = inside_at_start(input.scene, index);
     if (!inside || inside->count == 0) continue;
-    return fmt::format(
-        "{} of {} vertices start inside /effects/{} ({}), vertex {} by {:.3g} m: the first step throws them "
-        "out. Move the obstacle, or the cloth by /mesh/offset",
-        inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].type,
-        inside->deepest, inside->depth);
+    return WarningText(
+        fmt::format("{} of {} vertices start inside /effects/{} ({}), vertex {} by {:.3g} m: the first step "
+                    "throws them out. Move the obstacle, or the cloth by /mesh/offset",
+                    inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].type,
+                    inside->deepest, inside->depth),
+        inside->depth, fmt::format("{:.3g} m", inside->depth));
   }
   return std::nullopt;
 }
@@ -132,11 +135,13 @@ Message thick_cloth(const WarningInput& input) {
   constexpr double most = 2;  // edges
   const double thickness = collision->values.number("thickness"), edge = input.scene.rest.mean_edge_length();
   if (!(thickness > most * edge)) return std::nullopt;
-  return fmt::format(
-      "/effects/{} (self_collision): a thickness of {:.3g} m is {:.2g} times the mean edge, so that each "
-      "triangle is compared with many others in every step (with 2.3 edges a sheet took 4 times as long as "
-      "with 0.6). Set thickness to about {:.2g} m, half an edge, or take fewer cells",
-      collision - effects.begin(), thickness, thickness / edge, 0.5 * edge);
+  return WarningText(
+      fmt::format(
+          "/effects/{} (self_collision): a thickness of {:.3g} m is {:.2g} times the mean edge, so that each "
+          "triangle is compared with many others in every step (with 2.3 edges a sheet took 4 times as long "
+          "as with 0.6). Set thickness to about {:.2g} m, half an edge, or take fewer cells",
+          collision - effects.begin(), thickness, thickness / edge, 0.5 * edge),
+      thickness / edge, fmt::format("{:.2g} edges", thickness / edge));
 }
 
 // ---- far_vertex

@@ -46,14 +46,16 @@ Message inert_seed(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
   const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
   const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
-             mesh_used = input.config.mesh_file().empty() && mesh.text("generator") == "delaunay";
+             jittered = mesh.has("jitter") && mesh.number("jitter") > 0,
+             mesh_used =
+                 jittered || (input.config.mesh_file().empty() && mesh.text("generator") == "delaunay");
   std::string inert;
   if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
   if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
   if (inert.empty()) return std::nullopt;
   return fmt::format(
       "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
-      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay uses it"
+      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter use it"
                             : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
 }
 

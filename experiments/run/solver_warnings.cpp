@@ -72,11 +72,13 @@ Message unconverged(const WarningInput& input) {
   if (!rigid || !input.scene.input.method->projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
-  return fmt::format(
-      "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times as long as "
-      "at rest: {} × {} do not converge. {}",
-      mean, most, counted(input.scene.input.settings.substeps, "substep"),
-      counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input));
+  return WarningText(
+      fmt::format(
+          "the membrane should not stretch, but it has mean strain {:.2g} and a triangle {:.3g} times "
+          "as long as at rest: {} × {} do not converge. {}",
+          mean, most, counted(input.scene.input.settings.substeps, "substep"),
+          counted(input.scene.input.settings.iterations, "iteration"), remedy_of_unconverged(input)),
+      most, fmt::format("{:.3g} times", most));
 }
 
 // ---- membrane_courant
@@ -120,15 +122,17 @@ Message membrane_courant(const WarningInput& input) {
   const bool reach = levels_are_worthwhile(scene),
              levels = reach && own_settings(scene).integer("levels") > 0;
   constexpr double wanted = 0.1;
-  return fmt::format(
-      "with {} in a substep, in which a wave of stretch crosses {:.2g} cells (the membrane's Courant "
-      "number), the membrane stretches about {:.2g} times as far as stated. About {} /solver/substeps make "
-      "that 1.1 times{}",
-      counted(solver.projections_per_substep(), "projection"), courant, softening_by(excess, levels),
-      static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
-      reach && !levels && softening_by(excess, true) < 0.5 * softening_by(excess, false)
-          ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
-          : "");
+  const double softening = softening_by(excess, levels);
+  return WarningText(
+      fmt::format("with {} in a substep, in which a wave of stretch crosses {:.2g} cells (the membrane's "
+                  "Courant number), the membrane stretches about {:.2g} times as far as stated. About {} "
+                  "/solver/substeps make that 1.1 times{}",
+                  counted(solver.projections_per_substep(), "projection"), courant, softening,
+                  static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
+                  reach && !levels && softening_by(excess, true) < 0.5 * softening
+                      ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
+                      : ""),
+      softening, fmt::format("{:.2g} times", softening));
 }
 
 // ---- tethers_for_membrane
@@ -170,11 +174,13 @@ Message vbd_reach(const WarningInput& input) {
   if (scene.method->name != "vbd" || scene.strain.size() == 0) return std::nullopt;
   const double courant = courant_number(input.scene), needed = std::ceil(enough_reach * courant * courant);
   if (!(scene.settings.iterations < needed)) return std::nullopt;
-  return fmt::format(
-      "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd then needs "
-      "about C²/10 = {:.2g} iterations to follow the motion, and has {}. With fewer cloth was behind by 1 to "
-      "50 % of its size in tests. quasi_newton and newton need few",
-      courant, needed, scene.settings.iterations);
+  return WarningText(
+      fmt::format(
+          "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd "
+          "then needs about C²/10 = {:.2g} iterations to follow the motion, and has {}. With fewer "
+          "cloth was behind by 1 to 50 % of its size in tests. quasi_newton and newton need few",
+          courant, needed, scene.settings.iterations),
+      needed / scene.settings.iterations, fmt::format("{:.2g} iterations needed", needed));
 }
 
 // ---- k_overshoot
@@ -199,11 +205,13 @@ Message k_overshoot(const WarningInput& input) {
   constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;  // of the excess: the columns of the table
   const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
   if (!(strain > unconverged_strain)) return std::nullopt;
-  return fmt::format(
-      "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a mean "
-      "strain of about {:.2g}, which its membrane cannot undo. A smaller /bending/prestressed/excess helps: "
-      "in tests 0.02 left a mean strain of 0.03",
-      excess, k, strain);
+  return WarningText(
+      fmt::format(
+          "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a "
+          "mean strain of about {:.2g}, which its membrane cannot undo. A smaller "
+          "/bending/prestressed/excess helps: in tests 0.02 left a mean strain of 0.03",
+          excess, k, strain),
+      strain, fmt::format("a strain of {:.2g}", strain));
 }
 
 // ---- single_precision
@@ -235,7 +243,9 @@ Message weaker_push(const WarningInput& input) {
 // ---- soft_solver
 
 Message soft_solver(const WarningInput& input) {
-  return soft_solver_warning(*input.summary);
+  const std::optional<SoftSolver> soft = soft_solver_warning(*input.summary);
+  if (!soft) return std::nullopt;
+  return WarningText(soft->message, -soft->share, share_text(soft->share));
 }
 
 // ---- softened_membrane
@@ -243,11 +253,13 @@ Message soft_solver(const WarningInput& input) {
 Message softened_membrane(const WarningInput& input) {
   const auto found = input.summary->find("membrane_softness");
   if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
-  return fmt::format(
-      "/solver/membrane is auto: the membrane is {:.3g} times as soft as stated, {:.3g} N/m, which moves the "
-      "cloth at rest by at most {:.2g} of its size. \"stated\" keeps the stiffness",
-      found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
-      input.config.section("/solver").number("membrane_error"));
+  return WarningText(
+      fmt::format(
+          "/solver/membrane is auto: the membrane is {:.3g} times as soft as stated, {:.3g} N/m, which "
+          "moves the cloth at rest by at most {:.2g} of its size. \"stated\" keeps the stiffness",
+          found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
+          input.config.section("/solver").number("membrane_error")),
+      found->second, fmt::format("{:.3g} times as soft", found->second));
 }
 
 // ---- lagging
@@ -303,16 +315,19 @@ Message lagging(const WarningInput& input) {
   const auto found = input.summary->find("step_residual");
   if (found == input.summary->end() || !(found->second > most_residual(input))) return std::nullopt;
   const SimulationInput& scene = input.scene.input;
-  return fmt::format(
-      "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects or, "
-      "without such, of inertia: {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
-      found->second, counted(scene.settings.substeps, "substep"),
-      counted(scene.settings.iterations, "iteration"),
-      found->second > residual_of_lag
-          ? "it was behind by 1 to 12 % of its size at 2 to 5 times, by 3 to 50 % at 5 to 20"
-          : "cloth that friction moves went 4 to 74 % of its way with vbd at 0.2 to 0.4 times, or slid up to "
-            "four times as far with quasi_newton at 0.3 to 1.1",
-      remedy_of_lagging(input));
+  return WarningText(
+      fmt::format(
+          "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects or, "
+          "without such, of inertia: {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
+          found->second, counted(scene.settings.substeps, "substep"),
+          counted(scene.settings.iterations, "iteration"),
+          found->second > residual_of_lag
+              ? "it was behind by 1 to 12 % of its size at 2 to 5 times, by 3 to 50 % at 5 to 20"
+              : "cloth that friction moves went 4 to 74 % of its way with vbd at 0.2 to 0.4 times, or slid "
+                "up "
+                "to four times as far with quasi_newton at 0.3 to 1.1",
+          remedy_of_lagging(input)),
+      found->second, fmt::format("{:.2g} times", found->second));
 }
 
 // ---- no_equilibrium
@@ -323,15 +338,18 @@ Message no_equilibrium(const WarningInput& input) {
   if (!ended || found == input.summary->end() || input.summary->contains("settled_at")) return std::nullopt;
   const bool blows =
       std::ranges::find(input.scene.effects, "wind", &EffectSettings::type) != input.scene.effects.end();
-  return fmt::format(
-      "no equilibrium was found: the unbalanced forces are {:.2g} times the loads in the end. The numbers of "
-      "this run are those of its last steps. {}",
-      found->second,
+  const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
       : blows               ? "The wind's force follows the pose, which Newton's method does not know: let "
                               "the cloth come to rest with the method newton and viscous_drag. In tests it "
                               "did at 2 and 3 m/s, where equilibrium left 100 times the loads"
-                            : "A longer /duration allows more steps");
+                            : "A longer /duration allows more steps";
+  return WarningText(
+      fmt::format(
+          "no equilibrium was found: the unbalanced forces are {:.2g} times the loads in the end. The "
+          "numbers of this run are those of its last steps. {}",
+          found->second, remedy),
+      found->second, fmt::format("{:.2g} times", found->second));
 }
 
 }  // namespace bendlab

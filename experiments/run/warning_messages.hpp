@@ -10,7 +10,7 @@
 
 namespace bendlab {
 
-using Message = std::optional<std::string>;
+using Message = std::optional<WarningText>;
 
 // Of the config: setting_warnings.cpp.
 Message inert_seed(const WarningInput& input);

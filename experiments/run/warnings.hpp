@@ -16,8 +16,21 @@
 namespace bendlab {
 
 struct Warning {
-  std::string code;     ///< stable: "unconverged", …
-  std::string message;  ///< with the number, what it means and what helps
+  std::string code;        ///< stable: "unconverged", …
+  std::string message;     ///< with the number, what it means and what helps
+  double severity = 0;     ///< orders the warnings of a code: a larger one is worse
+  std::string measured{};  ///< the number that is as bad as that, "48 %"; empty if the message has none
+};
+
+/// What a warning says of one run; a text alone has no number to be ordered by.
+struct WarningText {
+  WarningText(std::string text) : message(std::move(text)) {}
+  WarningText(std::string text, double how_bad, std::string number)
+      : message(std::move(text)), severity(how_bad), measured(std::move(number)) {}
+
+  std::string message;  ///< severity and measured as in Warning
+  double severity = 0;
+  std::string measured;
 };
 
 /// What a warning may know.
@@ -33,7 +46,7 @@ struct WarningKind {
   std::string_view code;
   std::string_view meaning;  ///< when it is given
   bool before;               ///< known before the run: looks at neither the summary nor bending constraints
-  std::optional<std::string> (*message)(const WarningInput&);
+  std::optional<WarningText> (*message)(const WarningInput&);
 };
 
 /// Every kind, in the order in which they are printed.
@@ -49,7 +62,8 @@ std::vector<Warning> warnings_before(const Experiment& experiment, const RunConf
 /// The settings that warnings_before() depends on, as text: runs with the same text have the same warnings.
 std::string text_of_what_warns_before(const RunConfig& config);
 
-/// [{code, message}, …], and back; other entries are left out.
+/// [{code, message}, …] and back, with severity and measured where there is a number; other entries are left
+/// out.
 Json to_json(const std::vector<Warning>& warnings);
 std::vector<Warning> warnings_of(const Json& json);
 

@@ -109,6 +109,17 @@ ExpectedMesh expected_generated(const ParameterValues& mesh) {
   return {};
 }
 
+// The mesh with each triangle cut into four, so many times.
+ExpectedMesh refined(ExpectedMesh mesh, std::int64_t times) {
+  for (std::int64_t i = 0; i < times; ++i) {
+    const double vertices = mesh.vertices + mesh.edges;
+    mesh.edges = 2 * mesh.edges + 3 * mesh.triangles;
+    mesh.vertices = vertices, mesh.triangles *= 4;
+    mesh.along *= 2, mesh.across *= 2, mesh.mean_edge /= 2;
+  }
+  return mesh;
+}
+
 // How fast rings grow, from some vertices' rings. A vertex near the border has fewer in a ring than one
 // inside, so the median stands for those inside.
 double ring_growth(const RestMesh& rest) {
@@ -172,7 +183,7 @@ std::optional<ExpectedMesh> expected_mesh(const RunConfig& config) {
     const auto found = known.find(key);
     mesh = found != known.end() ? found->second : known.emplace(key, measured(config)).first->second;
   } else {
-    mesh = expected_generated(settings);
+    mesh = refined(expected_generated(settings), settings.has("refine") ? settings.integer("refine") : 0);
     const double scale = settings.number("scale");
     mesh->size *= scale, mesh->mean_edge *= scale;
   }

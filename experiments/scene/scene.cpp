@@ -16,6 +16,7 @@
 #include "bendlab/mesh/flaws.hpp"
 #include "bendlab/mesh/generators.hpp"
 #include "bendlab/mesh/numbering.hpp"
+#include "bendlab/mesh/refined.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/method.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
@@ -112,6 +113,20 @@ void require_up(const RestMesh& rest, const std::vector<std::string>& names, con
                     "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
                     "is up, or pin by /pins/indices, with \"vertices\": []",
                     names.front())}});
+}
+
+// The mesh refined and jittered, as far as the config asks for it.
+TriangleMesh altered(TriangleMesh mesh, const ParameterValues& values) {
+  const char* setting = "/mesh/refine";
+  try {
+    if (values.has("refine")) mesh = refined(mesh, static_cast<int>(values.integer("refine")));
+    setting = "/mesh/jitter";
+    if (values.has("jitter"))
+      mesh = jittered(mesh, values.number("jitter"), static_cast<std::uint64_t>(values.integer("seed")));
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(setting, {{setting, error.what()}});
+  }
+  return mesh;
 }
 
 Pins pins_of(const RunConfig& config, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
@@ -316,6 +331,7 @@ AcceptedMesh rest_mesh_of(const RunConfig& config) {
   const BadTriangles policy = policy_for_bad_triangles(values);
   AcceptedMesh accepted = config.mesh_file().empty() ? generated_mesh(values, policy)
                                                      : mesh_from_file(config.mesh_file(), policy);
+  accepted.mesh = altered(std::move(accepted.mesh), values);
   const Eigen::RowVector3d offset(values.numbers("offset").data());
   accepted.mesh.positions *= values.number("scale");
   accepted.mesh.positions.rowwise() += offset;

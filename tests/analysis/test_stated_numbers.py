@@ -110,6 +110,14 @@ class StatedNumbers(unittest.TestCase):
     def test_that_links_lead_somewhere(self):
         self.none_in_any(broken_links)
 
+    def test_that_files_that_configs_name_are_there(self):
+        named = re.compile(r"\b(?:lib|configs|analysis|experiments|tests)/[\w./-]+\.\w+")
+        configs = sorted((ROOT / "configs").rglob("*.json"))
+        absent = [f"{config.relative_to(ROOT)}: {file}" for config in configs
+                  for file in named.findall(config.read_text(encoding="utf-8"))
+                  if not (ROOT / file).exists()]
+        self.assertFalse(absent, "\n" + "\n".join(absent))
+
     def test_that_lines_are_short(self):
         self.none_in_any(lambda path, text: long_lines(text))
         self.assertLessEqual(len((ROOT / "README.md").read_text(encoding="utf-8").splitlines()), MAIN_LINES)

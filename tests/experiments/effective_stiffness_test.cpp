@@ -49,7 +49,7 @@ TEST_CASE("a membrane that is soft is warned of only if it stretches", "[effecti
   CHECK_FALSE(soft_solver_warning(summary));
   summary["mean_strain"] = 0.02;
   REQUIRE(soft_solver_warning(summary));
-  CHECK_THAT(*soft_solver_warning(summary), ContainsSubstring("20 % of the membrane stiffness"));
+  CHECK_THAT(soft_solver_warning(summary)->message, ContainsSubstring("20 % of the membrane stiffness"));
   summary.erase("mean_strain");  // unknown
   CHECK(soft_solver_warning(summary));
 }
@@ -58,9 +58,22 @@ TEST_CASE("a run that is less than half as stiff as stated gets a warning with t
           "[effective stiffness]") {
   CHECK(!soft_solver_warning({}));
   CHECK(!soft_solver_warning(effective_stiffness_summary(of_share(0.51), 10)));
-  const auto text = soft_solver_warning(effective_stiffness_summary(of_share(0.04), 16));
-  REQUIRE(text);
-  CHECK_THAT(*text, ContainsSubstring("4 % of the bending stiffness") && ContainsSubstring("600 substeps"));
+  const auto soft = soft_solver_warning(effective_stiffness_summary(of_share(0.04), 16));
+  REQUIRE(soft);
+  CHECK_THAT(soft->message,
+             ContainsSubstring("4 % of the bending stiffness") && ContainsSubstring("600 substeps"));
+  CHECK_THAT(soft->share, WithinRel(0.04, 1e-12));
+  CHECK(share_text(soft->share) == "4 %");
+}
+
+TEST_CASE("an estimate below its range says so", "[effective stiffness]") {
+  const auto soft = soft_solver_warning(effective_stiffness_summary(of_share(0), 16));
+  REQUIRE(soft);
+  CHECK_THAT(soft->message, ContainsSubstring("less than 1 % of the bending stiffness") &&
+                                ContainsSubstring("below its range"));
+  CHECK(share_text(0) == "< 1 %");
+  CHECK(share_text(0.0099) == "< 1 %");
+  CHECK(share_text(0.01) == "1 %");
 }
 
 }  // namespace bendlab

@@ -41,6 +41,11 @@ TEST_CASE("readme: its first experiment tears with the paper's settings and hold
   CHECK(runs.at({"paper", 64}).at("summary").at("max_stretch") > 1.3);
 }
 
+TEST_CASE("readme: its first experiment is a file, too", "[readme]") {
+  CHECK(json::parse(first_experiment()) ==
+        json::parse(bendlab::test::read(source / "configs" / "first.json")));
+}
+
 TEST_CASE("readme: the recommended settings keep what their config expects", "[readme]") {
   Workplace place;
   const std::string config = "'" + (source / "configs" / "recommended.json").string() + "'";

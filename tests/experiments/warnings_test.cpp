@@ -519,9 +519,13 @@ TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[wa
     CHECK(std::ranges::all_of(kind.code, [](char c) { return (c >= 'a' && c <= 'z') || c == '_'; }));
     CHECK_FALSE(kind.meaning.empty());
   }
-  const std::vector<Warning> some = {{"units", "1000 m"}, {"inert_seed", "\"quoted\""}};
+  const std::vector<Warning> some = {
+      {"units", "1000 m"}, {"inert_seed", "\"quoted\""}, {"lagging", "is behind", 3, "3 times"}};
   const std::vector<Warning> back = warnings_of(Json::parse(to_json(some).dump()));
-  REQUIRE(back.size() == 2);
+  REQUIRE(back.size() == 3);
+  CHECK(back[0].measured.empty());
+  CHECK(back[2].severity == 3);
+  CHECK(back[2].measured == "3 times");
   CHECK(back[1].code == "inert_seed");
   CHECK(back[1].message == "\"quoted\"");
   CHECK(warnings_of(Json()).empty());

@@ -74,6 +74,39 @@ class Report(Place):
         self.assertEqual(self.run_program("report", run, Path(self.told[1]["file"]).parent).stdout,
                          "results/some/report.html\n")
 
+    def test_a_config_is_its_sweep_and_its_folder_stays_as_it_is(self):
+        done = self.run_program("report", "some.json")
+        self.assertEqual((done.stdout, done.stderr), ("results/some/report.html\n", ""))
+        self.assertFalse((self.folder / "report.html").exists())
+        (self.folder / "new.json").write_text('{"name": "new"}')
+        self.assertIn("'bendlab run new.json' computes them", self.wrong("report", "new.json"))
+        (self.folder / "new.json").unlink()
+
+    def test_charts_as_files(self):
+        done = self.run_program("report", "results/some", "--figures", "svg")
+        self.assertRegex(done.stdout, "results/some/report.html\nresults/some/figures: [0-9]+ figures\n")
+        drawn = {file.name for file in (self.folder / "results/some/figures").iterdir()}
+        self.assertIn("drop-against-cells-along-the-width.svg", drawn)
+        shutil.rmtree(self.folder / "results/some/figures")
+
+    def test_any_number_against_any_other(self):
+        asked = ("--x", "ms_per_frame", "--y", "drop")
+        data, _ = self.page("results/some", *asked)
+        chart = data["charts"][0]
+        self.assertEqual((chart["id"], chart["x"]["name"], [y["name"] for y in chart["ys"]]),
+                         ("s1-asked", "ms_per_frame", ["drop"]))
+        drops = {entry["id"]: entry["summary"]["drop"] for entry in self.told}
+        for series in chart["series"]:
+            for run, drop in zip(series["runs"], series["y"]["drop"]):
+                self.assertAlmostEqual(drop, drops[run[0]], 4)
+        done = self.run_program("report", "results/some", *asked, "--figures", "pdf")
+        self.assertEqual(done.stdout.splitlines()[1],
+                         "results/some/figures/drop-against-CPU-time-per-frame.pdf")
+        told = self.wrong("report", "results/some", "--x", "dropp", "--y", "drop")
+        self.assertIn("did you mean drop", told)
+        self.assertIn("--y", self.wrong("report", "results/some", "--x", "drop"))
+        shutil.rmtree(self.folder / "results/some/figures")
+
     def test_every_run_of_a_sweep_is_there(self):
         data, text = self.page("results/some")
         self.assertEqual({run["id"] for run in data["runs"]}, {run["id"] for run in self.told})

@@ -1,0 +1,105 @@
+"""Any number of a sweep's runs against any other: error against time, for example."""
+import difflib
+import math
+
+import numpy as np
+
+import looks
+from load import group
+from sweep_axes import is_number, label_of
+from sweep_charts import CPU, about_number, number_of, shortened
+
+OF_A_RUN = {"cpu_s": ("CPU time of the run", "s"), "step_cpu_s": ("CPU time of the steps", "s"),
+            "wall_s": ("time of the run on the clock", "s"), "vertices": ("vertices", ""),
+            "triangles": ("triangles", ""), "edge_length": ("mean edge length", "m"),
+            "springs": ("springs", ""), "memory_bytes": ("memory of the solver", "B")}  # → label, unit
+DECADE = 10  # largest over smallest, from which on an axis is logarithmic
+
+
+def value_of(run, name):
+    """A number of a run, or a setting by its pointer; NaN without it, infinite if the run diverged."""
+    if name.startswith("/"):
+        value = run.get(name)
+        return float(value) if is_number(value) else math.nan
+    if name in ("cpu_s", "step_cpu_s", "wall_s"):
+        return getattr(run, name) or math.nan
+    return number_of(run, name)
+
+
+def about(name, meanings):
+    """{name, label, unit, meaning} of a number or a setting."""
+    if name.startswith("/"):
+        unit, meaning = meanings.setting(name)
+        return {"name": name, "label": name.rsplit("/", 1)[1].replace("_", " "), "unit": unit,
+                "meaning": meaning}
+    found = about_number(name, meanings)
+    if name in OF_A_RUN:
+        found["label"], found["unit"] = OF_A_RUN[name]
+    return found
+
+
+def scale_of(values):
+    """log if the numbers span decades, else linear."""
+    known = [value for value in values if math.isfinite(value)]
+    return "log" if known and min(known) > 0 and max(known) >= DECADE * min(known) else "linear"
+
+
+def number_chart(sweep, axes, x, y, meanings, command, name):
+    """The chart of y against x: a point per place on the sweep, its median over seeds; a curve joins points
+    that differ only along the axis of most numbers. None if no run has both; ValueError for unknown ones."""
+    runs = [run for run in sweep.runs if run.summary]
+    for wanted in (x, y):
+        if runs and not any(math.isfinite(value_of(run, wanted)) for run in runs):
+            raise ValueError(_unknown(wanted, runs))
+    axes = [axis for axis in axes if not axis.is_seed]
+    along = max((axis for axis in axes if axis.numeric), key=lambda axis: len(axis.values), default=None)
+    others = [axis for axis in axes if axis is not along]
+    series = []
+    for places, some in group(runs, lambda run: tuple(axis.place(run) for axis in others)).items():
+        points = _points(some, along, x, y)
+        if points:
+            label = label_of(some[0], others) if others else sweep.name
+            series.append(_series(label, _look(others, places, some, len(series)), points, y))
+    if not series:
+        return None
+    about_x = about(x, meanings)
+    every_x = [value for each in series for value in each["x"]]
+    return {"id": name, "kind": "lines", "title": f"{about(y, meanings)['label']} against {about_x['label']}",
+            "note": f"A curve joins runs that differ in {along.label}." if along else "",
+            "texts": along.label if along else "",
+            "x": about_x | {"scale": scale_of(every_x)}, "ys": [about(y, meanings)], "choice": 0,
+            "series": series, "command": command, "held": [], "limits": [], "dodge": False}
+
+
+def _points(runs, along, x, y):
+    """[(x, y, ids, text)] of the places on an axis, medians over what else differs, by x."""
+    points = []
+    for some in group(runs, lambda run: along.place(run) if along else run.id).values():
+        at = [(value_of(run, x), value_of(run, y), run.id) for run in some]
+        known = [(a, b) for a, b, _ in at if math.isfinite(a) and math.isfinite(b)]
+        if known:
+            points.append((*map(float, np.median(known, axis=0)), [id for *_, id in at],
+                           along.text(some[0]) if along else ""))
+    return sorted(points, key=lambda point: point[:2])
+
+
+def _series(label, look, points, y):
+    return {"label": label, "look": look, "x": [shortened(point[0]) for point in points],
+            "y": {y: [shortened(point[1]) for point in points]}, "runs": [point[2] for point in points],
+            "texts": [point[3] for point in points]}
+
+
+def _look(others, places, runs, number):
+    """The model's own look if the models alone tell the curves, else that of its place in the legend."""
+    if len(others) == 1 and others[0].models and len(set(others[0].models)) == len(others[0].models):
+        return looks.of_model(runs[0].model)
+    return looks.of_place(number)
+
+
+def _unknown(name, runs):
+    if name.startswith("/"):
+        return f"no run has a number as its setting {name}"
+    known = sorted({*OF_A_RUN, CPU, *(key for run in runs for key in run.summary)})
+    near = difflib.get_close_matches(name, known, 3, 0.5)
+    return f"no run has the number '{name}'" + (f"; did you mean {' or '.join(near)}?" if near else
+                                                f"; these are known: {', '.join(known)}")

@@ -1,0 +1,137 @@
+// `bendlab reproduce`: experiments of the checkout, then the page of their figures and checks.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+
+#include "experiments/campaign/errors.hpp"
+#include "experiments/cli/child_program.hpp"
+#include "experiments/cli/commands.hpp"
+#include "experiments/cli/load_experiments.hpp"
+#include "experiments/cli/run_and_report.hpp"
+#include "experiments/terminal/printable.hpp"
+#include "experiments/terminal/signals.hpp"
+
+namespace bendlab {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Experiments, and the script that draws them when they are there.
+struct PageStage {
+  std::array<std::string_view, 3> configs;  ///< folders or files below configs/
+  std::string_view script;                  ///< below analysis/
+  std::string_view option{};                ///< of the script
+};
+
+/// Something to reproduce, in stages: a picture is there while the later stages still run.
+struct Reproducible {
+  std::string_view name, page;  ///< the folder of its page
+  std::array<PageStage, 3> stages;
+};
+
+constexpr PageStage first_figure = {{"paper/fig1.json"}, "page.py", "--only=first"};
+constexpr PageStage whole_paper = {{"paper", "recommended.json"}, "page.py", "--only=paper"};
+constexpr std::array reproducibles = {
+    Reproducible{
+        "everything", "paper", {first_figure, whole_paper, {{"ablations", "models", "scenes"}, "page.py"}}},
+    Reproducible{"paper", "paper", {first_figure, whole_paper}},
+    Reproducible{"stiffness", "stiffness", {PageStage{{"stiffness"}, "stiffness_page.py"}}},
+    Reproducible{
+        "stability", "stability", {PageStage{{"stability", "one_pin", "methods"}, "stability_page.py"}}},
+    Reproducible{"accuracy", "accuracy", {PageStage{{"accuracy"}, "accuracy_page.py"}}},
+    Reproducible{"plain", "plain", {PageStage{{"plain"}, "plain_page.py"}}},
+};
+
+/// Whether a config is left out of what is asked for, by the end of its name.
+bool is_left_out(const fs::path& config, const ReproduceArguments& arguments) {
+  const std::string name = config.stem().string();
+  return (name.ends_with("_full") && !arguments.full) || (name.ends_with("_slow") && arguments.quick);
+}
+
+/// The JSON files of a folder, by name. Of a file, itself.
+std::vector<fs::path> configs_in(const fs::path& folder) {
+  if (fs::is_regular_file(folder)) return {folder};
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".json") files.push_back(entry.path());
+  std::ranges::sort(files);
+  return files;
+}
+
+/// The configs of a stage. `leaves_out` becomes true if --quick leaves one of them out.
+std::vector<Experiment> experiments_of(const PageStage& stage, const fs::path& folder,
+                                       const ReproduceArguments& arguments, bool& leaves_out) {
+  ConfigArguments configs;
+  for (const std::string_view place : stage.configs) {
+    if (place.empty()) continue;
+    for (const fs::path& file : configs_in(folder / place))
+      if (is_left_out(file, arguments))
+        leaves_out = leaves_out || file.stem().string().ends_with("_slow");
+      else
+        configs.files.push_back(file);
+  }
+  return load_experiments(configs);
+}
+
+/// Runs a script of analysis/ with Python. Returns exit_ok, or why it did not.
+int run_script(const fs::path& script, const std::vector<std::string>& arguments) {
+  std::vector<std::string> call = {BENDLAB_PYTHON, script.string()};
+  call.insert(call.end(), arguments.begin(), arguments.end());
+  const int code = run_program(call);
+  if (stop_exit_code() != 0) return stop_exit_code();
+  if (code == 0) return exit_ok;
+  print_text(stderr, "bendlab: {} ended with exit code {}\n", fmt::join(call, " "), code);
+  return exit_failed;
+}
+
+}  // namespace
+
+std::vector<std::string> reproducible() {
+  std::vector<std::string> names;
+  for (const Reproducible& each : reproducibles) names.emplace_back(each.name);
+  return names;
+}
+
+int reproduce_command(CampaignOptions options, const ReproduceArguments& arguments) {
+  const Reproducible& what = *std::ranges::find(reproducibles, arguments.what, &Reproducible::name);
+  const fs::path source = BENDLAB_SOURCE_DIR;
+  if (!fs::is_directory(source / "configs"))
+    throw UsageError(
+        fmt::format("reproduce needs the configs and scripts of the checkout that this program was "
+                    "built from, and '{}' is not there: run ./bendlab reproduce in a checkout",
+                    source.string()));
+  options.out = arguments.out.empty() ? source / "results" : arguments.out;
+  const fs::path pages = arguments.out.empty() && !arguments.committed ? options.out / "own" : options.out,
+                 page = pages / what.page;
+  std::vector<std::vector<Experiment>>
+      experiments;  // of each stage; every config is read before the first run
+  bool leaves_out = false;
+  for (const PageStage& stage : what.stages)
+    experiments.push_back(experiments_of(stage, source / "configs", arguments, leaves_out));
+  if (arguments.quick && !leaves_out)
+    print_text(stderr, "bendlab: --quick changes nothing here: no config of {} is slow\n", what.name);
+
+  int code = exit_ok;
+  for (std::size_t i = 0; i < what.stages.size(); ++i) {
+    const PageStage& stage = what.stages[i];
+    if (stage.script.empty()) break;
+    const int runs_code = run_and_report(experiments[i], options, Report::lines);
+    if (stop_exit_code() != 0) return runs_code;
+    code = std::max(code, runs_code);
+    print_text(stderr, "bendlab: drawing the figures\n");
+    std::vector<std::string> drawing = {"--results", options.out.string(), "--out", page.string()};
+    if (!stage.option.empty()) drawing.emplace_back(stage.option);
+    // It says where what it drew is.
+    if (const int drawn = run_script(source / "analysis" / stage.script, drawing); drawn != exit_ok)
+      return drawn;
+  }
+  if (!arguments.committed)
+    if (const int told = run_script(source / "analysis/committed.py", {page.string()}); told != exit_ok)
+      return told;
+  return code;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,156 @@
+#include "experiments/cli/run_tables.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <vector>
+
+#include "experiments/campaign/run_labels.hpp"
+#include "experiments/config/expectations.hpp"
+#include "experiments/measures/effective_stiffness.hpp"
+#include "experiments/measures/measure.hpp"
+#include "experiments/terminal/table.hpp"
+
+namespace bendlab {
+namespace {
+
+/// The numbers of a summary that every table has.
+constexpr std::array<const char*, 7> main_columns = {
+    "vertices", "triangles", "springs", "mean_strain", "max_stretch", "pin_max_stretch", "drop"};
+
+bool has_number(const CampaignRun& run, const std::string& name) {
+  return run.outcome && run.outcome->summary.contains(name);
+}
+
+/// A number of a run's summary, empty if it has none; an estimate below its range as such.
+std::string number_cell(const CampaignRun& run, const std::string& name) {
+  if (!has_number(run, name)) return "";
+  const double value = run.outcome->summary.at(name);
+  const bool unknown =
+      name.starts_with("effective_") && name.ends_with("_stiffness") && value < least_known_share;
+  return unknown ? fmt::format("< {:.2g}", least_known_share) : format_number(value);
+}
+
+std::string status_cell(const CampaignRun& run) {
+  if (!run.outcome) return coloured("failed", Colour::red, stdout);
+  const std::string text = to_string(run.outcome->status) + (run.outcome->reused ? ", reused" : "");
+  const bool fine = run.exit_code == 0 && run.outcome->status == RunStatus::complete;
+  return fine ? text : coloured(text, Colour::red, stdout);
+}
+
+/// The names of columns, each once, those first that came first.
+class ColumnNames {
+ public:
+  void add(const std::string& name) {
+    if (std::ranges::find(names_, name) == names_.end()) names_.push_back(name);
+  }
+  const std::vector<std::string>& all() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// The main columns; what is expected; the effective stiffnesses if a run has less than 90 % of what is
+/// stated; the errors if runs have them.
+std::vector<std::string> columns_of(std::span<const CampaignRun> runs) {
+  ColumnNames columns;
+  for (const char* name : main_columns) columns.add(name);
+  const auto some_run_has = [&](const std::string& name) {
+    return std::ranges::any_of(runs, [&](const CampaignRun& run) { return has_number(run, name); });
+  };
+  for (const Expectation& expected : runs.front().experiment->expectations)
+    if (some_run_has(expected.metric)) columns.add(expected.metric);
+  constexpr double converged = 0.9;  // 1
+  for (const char* share : {"effective_bending_stiffness", "effective_membrane_stiffness"})
+    if (std::ranges::any_of(runs, [&](const CampaignRun& run) {
+          return has_number(run, share) && run.outcome->summary.at(share) < converged;
+        }))
+      columns.add(share);
+  for (const char* error : {"error_solver_rms", "error_physical_rms"})
+    if (some_run_has(error)) columns.add(error);
+  return columns.all();
+}
+
+/// The numbers of the summary of a measure that has to be asked for, as far as runs have them.
+std::vector<std::string> numbers_of(const Measure& measure, std::span<const CampaignRun> runs) {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : measure.gives())
+    if (std::ranges::any_of(runs, [&](const CampaignRun& run) { return has_number(run, quantity.name); }))
+      names.push_back(quantity.name);
+  return names;
+}
+
+/// A number's name below the name of its measure: "fit_B" of "stiffness_fit_B".
+std::string short_name(const std::string& name, std::string_view measure) {
+  const std::string beginning = fmt::format("{}_", measure);
+  return name.starts_with(beginning) ? name.substr(beginning.size()) : name;
+}
+
+/// Swept values and these numbers, a row per run.
+std::string numbers_table(std::span<const CampaignRun> runs, std::span<const std::string> names,
+                          std::string_view measure) {
+  const Experiment& experiment = *runs.front().experiment;
+  std::vector<std::string> headings = axis_headings(experiment);
+  for (const std::string& name : names) headings.push_back(short_name(name, measure));
+  Table table(headings);
+  for (const CampaignRun& run : runs) {
+    std::vector<std::string> cells = axis_cells(experiment, *run.config);
+    for (const std::string& name : names) cells.push_back(number_cell(run, name));
+    table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
+/// How many of the names fit beside the swept values into a table of ordinary width; at least one.
+std::size_t how_many_fit(const Experiment& experiment, std::span<const std::string> names,
+                         std::string_view measure) {
+  constexpr std::size_t ordinary = 110, gap = 2, number = 9;  // columns of a terminal
+  std::size_t used = 0, count = 0;
+  for (const std::string& heading : axis_headings(experiment)) used += std::max(heading.size(), number) + gap;
+  for (const std::string& name : names) {
+    used += std::max(short_name(name, measure).size(), number) + gap;
+    if (used > ordinary) break;
+    ++count;
+  }
+  return std::max<std::size_t>(count, 1);
+}
+
+}  // namespace
+
+std::string run_table(std::span<const CampaignRun> runs) {
+  const Experiment& experiment = *runs.front().experiment;
+  const std::vector<std::string> columns = columns_of(runs);
+  std::vector<std::string> headings = axis_headings(experiment);
+  headings.insert(headings.end(), columns.begin(), columns.end());
+  headings.insert(headings.end(), {"wall_s", "status"});
+  Table table(headings);
+  for (const CampaignRun& run : runs) {
+    std::vector<std::string> cells = axis_cells(experiment, *run.config);
+    for (const std::string& column : columns) cells.push_back(number_cell(run, column));
+    cells.push_back(run.outcome ? fmt::format("{:.1f}", run.outcome->wall_s) : "");
+    cells.push_back(status_cell(run));
+    table.add_row(std::move(cells));
+  }
+  return table.text();
+}
+
+std::string measure_tables(std::span<const CampaignRun> runs) {
+  std::string text;
+  for (const Measure* measure : measures()) {
+    if (measure->applies || !measure->gives) continue;
+    const std::vector<std::string> all = numbers_of(*measure, runs);
+    std::span<const std::string> left = all;
+    if (!left.empty()) text += fmt::format("{}: {}\n\n", measure->name, measure->summary);
+    while (!left.empty()) {
+      const std::size_t count = how_many_fit(*runs.front().experiment, left, measure->name);
+      text += numbers_table(runs, left.first(count), measure->name) + "\n";
+      left = left.subspan(count);
+    }
+  }
+  return text;
+}
+
+}  // namespace bendlab
