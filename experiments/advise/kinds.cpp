@@ -44,10 +44,6 @@ std::string refusal(const ConfigError& error, const Setting& kind) {
   return text;
 }
 
-bool is_made_of_hinges(const BendingModel& model) {
-  return model.expect == nullptr && !model.springs_only;
-}
-
 bool begins_with(const BendingModel& model, std::string_view method, const Question& question) {
   return method == advised_methods.front() || model.name == question.reference_model() ||
          model.name == question.scene().bending_model();

@@ -182,7 +182,7 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
                values.has("deflection") ? named<Deflection>(values.text("deflection"), deflection_names)
                                         : Deflection::large});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
-    throw ConfigError("physical stiffness", {{"/bending", error.what()}});
+    throw ConfigError("physical stiffness", {{"/bending/stiffness", error.what()}});
   }
   return constraints;
 }
@@ -227,7 +227,7 @@ std::vector<InverseRest> material_coordinates(const ParameterValues& material, c
   try {
     return inverse_rest_from_texture(mesh);
   } catch (const std::invalid_argument& error) {
-    throw MeshError(error.what());
+    throw MeshError(fmt::format("/material/coordinates: {}", error.what()));
   }
 }
 
@@ -283,7 +283,11 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
     for (std::size_t index = 0; index < scene.effects.size(); ++index)
       if (find_effect(scene.effects[index].type)->acts_first == first)
         for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
-  return make_simulation<Real>(scene.input, std::move(passes));
+  try {
+    return make_simulation<Real>(scene.input, std::move(passes));
+  } catch (const std::invalid_argument& error) {  // a method that does not suit this scene
+    throw ConfigError("solver method", {{"/solver/method", error.what()}});
+  }
 }
 
 }  // namespace

@@ -42,6 +42,13 @@ const BendingModel* find_bending_model(std::string_view name) {
   return found == all.end() ? nullptr : *found;
 }
 
+std::vector<std::string_view> models_of_hinges() {
+  std::vector<std::string_view> names;
+  for (const BendingModel* model : bending_models())
+    if (is_made_of_hinges(*model)) names.push_back(model->name);
+  return names;
+}
+
 void register_bending_model(const BendingModel& model) {
   if (model.build == nullptr)
     throw std::invalid_argument(

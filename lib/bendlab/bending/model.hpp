@@ -57,6 +57,14 @@ std::span<const BendingModel* const> bending_models();
 /// The model of that name, or nullptr.
 const BendingModel* find_bending_model(std::string_view name);
 
+/// Whether its elements are hinges: its rigidity is known for rest shapes of any form.
+inline bool is_made_of_hinges(const BendingModel& model) {
+  return model.expect == nullptr && !model.springs_only;
+}
+
+/// Names of the registered models that are made of hinges.
+std::vector<std::string_view> models_of_hinges();
+
 /// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
 /// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it
 /// is too late.
