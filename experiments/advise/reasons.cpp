@@ -12,12 +12,6 @@
 namespace bendlab {
 namespace {
 
-std::vector<Rated> measured_ones(const Advice& advice) {
-  std::vector<Rated> kept;
-  std::ranges::copy_if(advice.points, std::back_inserter(kept), [](const Rated& p) { return !p.predicted; });
-  return kept;
-}
-
 template <class Value>
 double least(const std::vector<Rated>& points, Value value) {
   return value(*std::ranges::min_element(points, {}, value));
@@ -99,7 +93,7 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
   if (advice.best) return {};
   if (!reference_tells(advice)) return {reference_text(advice)};
   std::vector<std::string> sentences;
-  const std::vector<Rated> measured = measured_ones(advice);
+  const std::vector<Rated>& measured = advice.points;
   if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
     sentences.push_back(
         fmt::format("The reference itself is known to {} only: cloth that falls and folds moves chaotically.",
@@ -115,11 +109,11 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
     sentences.emplace_back(
         "They all agree with each other, but not with the reference: the cloth has not come to rest by the "
         "end of /duration, or it rests in another pose than the reference.");
-  if (advice.out_of_time)
+  if (!advice.not_tried.empty())
     sentences.push_back(
-        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command "
-                    "continues, and gets further with a longer --time-limit.",
-                    time_limit_s));
+        fmt::format("{} not tried within the time limit ({:.4g} s): the same command goes on with them, and "
+                    "gets further with a longer --time-limit.",
+                    advice.not_tried.size() == 1 ? "A setting was" : fmt::format("{} settings were", advice.not_tried.size()), time_limit_s));
   return sentences;
 }
 

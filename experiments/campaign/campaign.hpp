@@ -1,6 +1,7 @@
 // Many runs side by side: the points of one or more experiments, over the cores.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -38,6 +39,7 @@ struct CampaignOptions {
   /// is told on stderr, and why one failed is kept in its folder.
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
+  const std::atomic<bool>* stop = nullptr;  ///< set: as after a stop signal; null: that is stop_flag()
 };
 
 /// CPU time that a run is expected to take, s (forecast.hpp).

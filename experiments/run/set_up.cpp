@@ -22,10 +22,10 @@ void start_after_unknown(const RunConfig& config, Scene& scene) {
 std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& config) {
   require_memory(config);
   Scene scene = build_scene(config);
-  std::vector<Warning> warnings = warnings_of(WarningInput{experiment, config, scene});
-  start_after_unknown(config, scene);
   const Recorder recorder(config, scene);
   simulation_of(scene);
+  std::vector<Warning> warnings = warnings_of(WarningInput{experiment, config, scene});
+  start_after_unknown(config, scene);
   return warnings;
 }
 

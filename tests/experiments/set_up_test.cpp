@@ -30,7 +30,7 @@ const std::string small = R"("mesh": {"cells": 4}, )";
 const std::vector<Refusal> refusals = {
     {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "adaptive"})",
      "/bending/stiffness",
-     "choose a model made of hinges (dihedral, discrete_shells, bridson, isometric), or state the stiffness by k "
+     "choose a model made of hinges (dihedral, bridson, discrete_shells, isometric), or state the stiffness by k "
      "or compliance",
      {"--set /bending/model=dihedral", "--set /bending/model=isometric",
       R"(--set '/bending={"model":"adaptive","k":0.5}')",
@@ -97,7 +97,7 @@ const std::vector<Refusal> refusals = {
      "/initial/after",
      "give both runs one mesh, or two of one flat sheet",
      {R"(--set '/initial/after=["/mesh/cells=8"]')"}},
-    {small + R"("initial": {"after": ["/mesh/width=3"]})",
+    {small + R"("initial": {"after": ["/mesh/width=3", "/mesh/cells=48"]})",
      "/initial/after",
      "give both the same extent",
      {R"(--set '/initial/after=["/duration=0.1"]')"}},
