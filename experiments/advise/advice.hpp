@@ -8,8 +8,7 @@
 #include <vector>
 
 #include "experiments/advise/front.hpp"
-#include "experiments/advise/question.hpp"
-#include "experiments/campaign/campaign.hpp"
+#include "experiments/advise/reference.hpp"
 #include "experiments/run/warnings.hpp"
 
 namespace bendlab {
@@ -31,13 +30,7 @@ struct LeftOut {
 void leave_out(std::vector<LeftOut>& left_out, const std::string& what, const std::string& why);
 
 struct Advice {
-  Reference reference;
-  Json accuracy;  ///< the section /accuracy that the errors come from
-  /// The reference's own error, in sizes of the mesh.
-  std::optional<double> reference_gap = std::nullopt;
-  double reference_strain = 0;   ///< rms of its Green strain: the stated membrane may stretch
-  double reference_stretch = 1;  ///< largest stretch of a triangle of the reference
-  double still_moving = 0;       ///< for errors at rest: the cloth's rms speed at the end, sizes per second
+  KnownReference reference;
   /// Of measured points: rms of the Green strain, of which the stated cloth has none.
   std::map<Setting, double> strain;
   std::map<Setting, std::vector<Warning>> warnings;  ///< of measured points: those of their runs

@@ -124,7 +124,6 @@ class MovedFiles {
   std::filesystem::path from_, to_;
 };
 
-
 }  // namespace
 
 Question::Question(std::filesystem::path file, std::vector<std::string> overrides)
@@ -165,8 +164,8 @@ int Question::cells_that_may_vary() const {
   const bool is_flat = mesh.contains("generator") && mesh.value("flaw", "none") == "none" &&
                        std::ranges::find(flat, mesh["generator"].get<std::string>()) != flat.end();
   const auto names_indices = [](const Json& each) { return !each.value("indices", Json::array()).empty(); };
-  if (!is_flat || names_indices(settings["pins"]) || std::ranges::any_of(settings["effects"], names_indices) ||
-      settings["initial"].contains("after"))
+  if (!is_flat || names_indices(settings["pins"]) ||
+      std::ranges::any_of(settings["effects"], names_indices) || settings["initial"].contains("after"))
     return 0;
   return mesh["cells"].get<int>();
 }
@@ -230,9 +229,12 @@ std::vector<std::string> Question::rest_changes() const {
   const Json& strain = settings["material"]["strain"];
   Json bending = settings["bending"];
   bending["model"] = reference_model_;
-  std::vector<std::string> changes = {
-      set("/mesh", settings["mesh"]), R"(/solver={"method":"equilibrium"})", "/duration=20",
-      "/settled_speed=0",             "/output/frames_per_second=1",         set("/bending", bending)};
+  std::vector<std::string> changes = {set("/mesh", settings["mesh"]),
+                                      R"(/solver={"method":"equilibrium"})",
+                                      "/duration=20",
+                                      "/settled_speed=0",
+                                      "/output/frames_per_second=1",
+                                      set("/bending", bending)};
   if (strain["stiffness"] == "k" || strain["stiffness"] == "k_per_step" ||
       (strain["stiffness"] == "compliance" && strain["compliance"].get<double>() == 0)) {
     changes.emplace_back("/material/strain/stiffness=compliance");
@@ -246,19 +248,18 @@ std::vector<std::string> Question::rest_changes() const {
 
 std::vector<std::string> Question::motion_changes(int substeps) const {
   const Json& settings = scene_.resolved();
-  Json bending = settings["bending"], solver = {{"method", "pbd"},
-                                                {"dt", settings["solver"]["dt"]},
-                                                {"substeps", substeps},
-                                                {"iterations", 1},
-                                                {"sweep", "symmetric"},
-                                                {"precision", "double"}};
+  Json bending = settings["bending"],
+       solver = {{"method", "pbd"}, {"dt", settings["solver"]["dt"]}, {"substeps", substeps},
+                 {"iterations", 1}, {"sweep", "symmetric"},           {"precision", "double"}};
   bending["model"] = reference_model_;
-  return {set("/mesh", settings["mesh"]), "/settled_speed=0", set("/solver", solver), set("/bending", bending)};
+  return {set("/mesh", settings["mesh"]), "/settled_speed=0", set("/solver", solver),
+          set("/bending", bending)};
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
   Json solver = Json::parse(setting.solver);
-  solver.update({{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
+  solver.update(
+      {{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
   for (const char* own : {"dt", "threads", "precision"})
     if (own_solver_.contains(own) && find_method(setting.method)->reads(own)) solver[own] = own_solver_[own];
   std::vector<std::string> changes = {"/bending/model=" + setting.model, set("/solver", solver)};
@@ -296,7 +297,8 @@ Json Question::written(const Setting& setting, const std::filesystem::path& fold
   if (!problems.empty()) throw ConfigError(file_.string(), std::move(problems));
   document.erase("accuracy");
   if (document.contains("expect"))
-    document["expect"] = without(document["expect"], [](const Json& entry) { return entry.contains("where"); });
+    document["expect"] =
+        without(document["expect"], [](const Json& entry) { return entry.contains("where"); });
   MovedFiles(file_.parent_path(), folder).move(document);
   return document;
 }

@@ -23,7 +23,8 @@ bool Search::consider(const std::vector<Setting>& settings) {
   bool any = false;
   for (const Setting& setting : settings) {
     const auto known = [&](const Setting& other) { return same_kind(other, setting); };
-    if (std::ranges::any_of(kinds_, known, &Kind::start) || std::ranges::any_of(left_behind_, known)) continue;
+    if (std::ranges::any_of(kinds_, known, &Kind::start) || std::ranges::any_of(left_behind_, known))
+      continue;
     std::vector<Setting> alike;
     std::ranges::copy_if(settings, std::back_inserter(alike), known);
     constexpr int further = 2;  // than what was the best of measured scenes
@@ -86,7 +87,8 @@ std::optional<Setting> Search::step(const Kind& kind) const {
   const Rated *below = nullptr, *above = nullptr;  // those nearest to the demand, of less work and of more
   for (const Rated& point : kind.tried) {
     const Rated*& side = falls_short(point) ? below : above;
-    const bool nearer = side == nullptr || (work_of(point.setting) > work_of(side->setting)) == (side == below);
+    const bool nearer =
+        side == nullptr || (work_of(point.setting) > work_of(side->setting)) == (side == below);
     if (nearer) side = &point;
   }
   const Rated& from = below ? *below : *above;
@@ -96,8 +98,8 @@ std::optional<Setting> Search::step(const Kind& kind) const {
   else if (below)
     factor = factor_above(kind, *below);
   else
-    factor = std::clamp(
-        demand_.error ? above->error / *demand_.error : *demand_.cpu_s / above->cpu_s, 1 / largest_step, 0.9);
+    factor = std::clamp(demand_.error ? above->error / *demand_.error : *demand_.cpu_s / above->cpu_s,
+                        1 / largest_step, 0.9);
   constexpr double much_the_same = 1.07;
   if (!factor || (below && *factor < much_the_same)) return std::nullopt;
   const Setting setting = with_work(from.setting, *factor);

@@ -47,8 +47,7 @@ std::string solver_text(const Setting& setting) {
   std::vector<std::string> parts;
   const Json settings = Json::parse(setting.solver);
   for (const auto& [name, value] : settings.items())
-    parts.push_back(
-        fmt::format("{} {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+    parts.push_back(fmt::format("{} {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 

@@ -12,7 +12,8 @@ namespace bendlab {
 class TimeLimit {
  public:
   explicit TimeLimit(double seconds)
-      : end_(Clock::now() + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
+      : end_(Clock::now() +
+             std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds))),
         watch_([this](const std::stop_token& done) {
           while (!done.stop_requested() && !over_) {
             over_ = stop_flag() || left_s() <= 0;

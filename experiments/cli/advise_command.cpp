@@ -74,7 +74,7 @@ void check_methods(const std::vector<std::string>& methods) {
 
 std::string what_text(const Advice& advice, const Question& question) {
   const std::string gap =
-      advice.reference_gap ? fmt::format(", which is known to {}", percent_text(*advice.reference_gap)) : "";
+      advice.reference.gap ? fmt::format(", which is known to {}", percent_text(*advice.reference.gap)) : "";
   const char* cloth =
       question.reference_model() == "dihedral" ? "calibrated hinges" : "the config's own springs";
   const std::string cells =
@@ -90,8 +90,9 @@ std::string what_text(const Advice& advice, const Question& question) {
           "of the pose at the end, against the static equilibrium of {}{} after the best turn about the "
           "vertical{}",
           cloth, cells,
-          advice.reference.start_from_end ? "; there are many, and a run is compared with the one near its end"
-                                          : "");
+          advice.reference.start_from_end
+              ? "; there are many, and a run is compared with the one near its end"
+              : "");
   }
   throw std::logic_error("what_text: unknown kind of error");
 }
@@ -187,13 +188,11 @@ void print_none(const Advice& advice, const Question& question, const AdviceOpti
     print_text("{}\n", sentence);
 }
 
-// The choice's warnings and changes.
+// How to have the choice.
 void print_choice(const Rated& point, const Advice& advice, const Question& question) {
   constexpr double close = 10;
-  if (advice.reference_gap && point.error < close * *advice.reference_gap)
+  if (advice.reference.gap && point.error < close * *advice.reference.gap)
     print_text("\nThe reference's own error is more than a tenth of this error.\n");
-  for (const Warning& warning : warnings_of(point, advice))
-    print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
   print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
   for (const std::string& change : question.changes(point.setting))
     print_text("  --set {}\n", quoted_change(change));
@@ -221,13 +220,16 @@ void print_advice(const Advice& advice, const Question& question, const AdviceOp
   if (!advice.points.empty() && advice.front.empty()) print_text("{}\n", limits_text());
   print_text("\n{}", front_text(advice, question));
   constexpr double at_rest = 0.02;  // sizes per second
-  if (advice.reference.of == ErrorOf::rest && advice.still_moving > at_rest)
+  if (advice.reference.of == ErrorOf::rest && advice.reference.still_moving > at_rest)
     print_text(
         "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
         "lets it come to rest, and --what motion compares its motion instead.\n",
-        percent_text(advice.still_moving));
-  if (const auto& point = advice.best ? advice.best : advice.nearest; point && anything_fit(advice))
-    print_choice(*point, advice, question);
+        percent_text(advice.reference.still_moving));
+  if (const auto& point = advice.best ? advice.best : advice.nearest) {
+    for (const Warning& warning : warnings_of(*point, advice))
+      print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
+    if (anything_fit(advice)) print_choice(*point, advice, question);
+  }
   print_not_tried(advice, options);
   if (!advice.left_out.empty()) print_text("\nnot in this table:\n");
   for (const LeftOut& left_out : advice.left_out) print_text("  {}: {}\n", left_out.what, left_out.why);
@@ -279,14 +281,14 @@ Json advice_json(const Advice& advice, const Question& question, const AdviceOpt
       {"demand", demand.error ? Json{{"error", *demand.error}} : Json{{"cpu_s_per_frame", *demand.cpu_s}}},
       {"error_of", kinds[static_cast<int>(advice.reference.of)]},
       {"many_equilibria", advice.reference.start_from_end},
-      {"still_moving", advice.still_moving},
-      {"reference_gap", advice.reference_gap ? Json(*advice.reference_gap) : Json(nullptr)},
-      {"reference_strain", number_or_null(advice.reference_strain)},
+      {"still_moving", advice.reference.still_moving},
+      {"reference_gap", advice.reference.gap ? Json(*advice.reference.gap) : Json(nullptr)},
+      {"reference_strain", number_or_null(advice.reference.strain)},
       {"limits",
        {{"error", largest_error},
         {"strain_over_reference", largest_strain},
         {"stretch_over_reference", largest_stretch}}},
-      {"accuracy", advice.accuracy},
+      {"accuracy", advice.reference.accuracy},
       {"anything_fit", anything_fit(advice)},
       {"why_none", why_none(advice, demand, options.time_limit_s)},
       {"advice", point_json(advice.best, advice)},

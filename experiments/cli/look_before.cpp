@@ -88,9 +88,10 @@ KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
     if (known.exit_code == exit_ok && !refused.empty()) known.exit_code = refused.front().failure.exit_code;
     known.warnings += collected_warnings(built).size();
     if (tried < distinct.size())
-      print_text(stderr,
-                 "bendlab: {}: {} of {} built, the others would take longer than {:.0f} s; --strict builds all\n",
-                 experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
+      print_text(
+          stderr,
+          "bendlab: {}: {} of {} built, the others would take longer than {:.0f} s; --strict builds all\n",
+          experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
   }
   return known;
 }

@@ -246,14 +246,14 @@ TEST_CASE("advise: the reasons why nothing is advised", "[advise]") {
   CHECK_THAT(told(budget, {.cpu_s = 0.5}), ContainsSubstring("the fastest setting takes 1e+03 ms"));
 
   Advice chaotic = of({rated("a", 0.1, 1)});
-  chaotic.reference_gap = 685;
+  chaotic.reference.gap = 685;
   CHECK_FALSE(anything_fit(chaotic));
   CHECK_THAT(told(chaotic, {.cpu_s = 2}), ContainsSubstring("The reference itself is known to 68500 % only"));
-  chaotic.reference_gap = 0.1;
+  chaotic.reference.gap = 0.1;
   CHECK(anything_fit(chaotic));
   CHECK_THAT(told(chaotic, {.error = 0.05}), ContainsSubstring("The reference itself is known to 10 % only"));
   Advice ruined = of({rated("a", 0.1, 1)});
-  ruined.reference_strain = 30;
+  ruined.reference.strain = 30;
   CHECK_FALSE(anything_fit(ruined));
   CHECK_THAT(told(ruined, {.error = 0.05}), ContainsSubstring("The reference itself is stretched by 3000 %"));
 
@@ -301,7 +301,8 @@ TEST_CASE("advise: half of the kinds go on each time, until three are left", "[a
   std::vector<std::size_t> rounds;
   for (auto settings = search.next(); !settings.empty(); settings = search.next()) {
     rounds.push_back(settings.size());
-    for (const Setting& setting : settings) search.add({setting, machine.error(setting), machine.cpu_s(setting)});
+    for (const Setting& setting : settings)
+      search.add({setting, machine.error(setting), machine.cpu_s(setting)});
   }
   REQUIRE(rounds.size() > 3);
   CHECK(rounds[0] == 8);
@@ -309,7 +310,8 @@ TEST_CASE("advise: half of the kinds go on each time, until three are left", "[a
   CHECK(rounds[2] <= 3);
 }
 
-TEST_CASE("advise: a kind starts with what is expected to be within the time, and is considered once", "[advise]") {
+TEST_CASE("advise: a kind starts with what is expected to be within the time, and is considered once",
+          "[advise]") {
   const auto cost = [](const Setting& s) { return 1e-3 * s.substeps; };
   const std::vector<Setting> settings = {
       {"a", "pbd", "{}", 1}, {"a", "pbd", "{}", 4}, {"a", "pbd", "{}", 64}, {"b", "pbd", "{}", 64}};
@@ -323,7 +325,8 @@ TEST_CASE("advise: a kind starts with what is expected to be within the time, an
   CHECK(search.consider({{"a", "pbd", "{}", 4, 1, 12}}));  // on another mesh
 }
 
-TEST_CASE("advise: nothing with more work than the limits is run, and nothing that no longer helps", "[advise]") {
+TEST_CASE("advise: nothing with more work than the limits is run, and nothing that no longer helps",
+          "[advise]") {
   Imaginary machine;
   machine.bias = {{"a", 0.1}}, machine.price = {{"a", 1e-4}};
   Search search({.error = 0.01}, 512, [&](const Setting& s) { return machine.cpu_s(s); });
@@ -339,10 +342,11 @@ TEST_CASE("advise: every setting of the measured fronts is known to the program"
   place.write("strip.json", cantilever);
   for (const Setting& setting : measured_fronts()) {
     json solver = json::parse(setting.solver);
-    solver.update({{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
+    solver.update(
+        {{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
     INFO(setting_text(setting));
-    CHECK(place.run("validate strip.json --set /bending/model=" + setting.model + " --set '/solver=" +
-                    solver.dump() + "'") == 0);
+    CHECK(place.run("validate strip.json --set /bending/model=" + setting.model +
+                    " --set '/solver=" + solver.dump() + "'") == 0);
     INFO(place.err());
   }
 }
@@ -374,7 +378,8 @@ TEST_CASE("advise: every method's advice is what a run of it gives", "[advise]")
   place.write("strip.json", cantilever);
   const json implicit = check_promise(place, "strip.json", "--error 5% --methods quasi_newton");
   CHECK(implicit.at("method") == "quasi_newton");
-  CHECK(json::parse(bendlab::test::read(place.folder / "best.json")).at("solver").at("method") == "quasi_newton");
+  CHECK(json::parse(bendlab::test::read(place.folder / "best.json")).at("solver").at("method") ==
+        "quasi_newton");
   const json exact = check_promise(place, "strip.json", "--error 1% --methods newton --models dihedral");
   CHECK(exact.at("method") == "newton");
   // A config that has another method goes on from its own, and may be advised to leave it.
@@ -393,8 +398,9 @@ TEST_CASE("advise: fewer cells are offered, compared with the config's own mesh"
   check_promise(place, fine, "--error 15%");
   CHECK(json::parse(bendlab::test::read(place.folder / "best.json")).at("mesh").at("cells").get<int>() <= 16);
   // A vertex that is named by its index is another one on another mesh.
-  CHECK(advice(place, fine + R"(--error 15% --set '/pins={"indices":[1056,1088]}')").at("advice").at("cells") ==
-        nullptr);
+  CHECK(
+      advice(place, fine + R"(--error 15% --set '/pins={"indices":[1056,1088]}')").at("advice").at("cells") ==
+      nullptr);
 }
 
 TEST_CASE("advise: the time limit holds, with the reference in it", "[advise]") {
@@ -414,7 +420,8 @@ TEST_CASE("advise: the time limit holds, with the reference in it", "[advise]") 
   CHECK_THAT(place.out() + place.err(), ContainsSubstring("not tried, because --time-limit (8 s) was over"));
   // A reference that cannot be had in that time is not begun.
   CHECK(seconds_of("--what motion --set /mesh/generator=tube --set /mesh/cells=100 --set /duration=60 "
-                   "--error 5% --time-limit 2s", 1) < 2 + to_end);
+                   "--error 5% --time-limit 2s",
+                   1) < 2 + to_end);
   CHECK_THAT(place.err(), ContainsSubstring("the reference alone is expected to take") &&
                               ContainsSubstring("Give --time-limit"));
 }
@@ -437,7 +444,8 @@ TEST_CASE("advise: a method that the scene does not allow is named with the reas
   place.write("strip.json", cantilever);
   CHECK(place.run(R"(advise strip.json --error 20% --models dihedral --set '/effects=[{"type":"gravity"},)"
                   R"({"type":"viscous_drag","coefficient":4},{"type":"strain_limiting"}]')") == 0);
-  CHECK_THAT(place.out(), ContainsSubstring("dihedral with newton: /effects/2 strain_limiting works with the"));
+  CHECK_THAT(place.out(),
+             ContainsSubstring("dihedral with newton: /effects/2 strain_limiting works with the"));
   CHECK(place.run("advise strip.json --error 5% --methods vbd") == 2);
   CHECK_THAT(place.err(), ContainsSubstring("newton, pbd, quasi_newton"));
   CHECK(place.run("advise strip.json --error 5% --methods quasi_newtn") == 2);

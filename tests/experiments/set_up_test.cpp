@@ -19,9 +19,9 @@ const char* roof =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 1\nv 1 1 1\nf 1 2 4\nf 1 4 3\nf 3 4 6\nf 3 6 5\n";
 
 struct Refusal {
-  std::string settings;                ///< of the config
-  std::string pointer, text;           ///< of the message
-  std::vector<std::string> remedies;   ///< a remedy is a list of changes, each with --set
+  std::string settings;               ///< of the config
+  std::string pointer, text;          ///< of the message
+  std::vector<std::string> remedies;  ///< a remedy is a list of changes, each with --set
 };
 
 const std::string times = R"("type": "moving_pins", "times": [0, 1])";
@@ -30,7 +30,8 @@ const std::string small = R"("mesh": {"cells": 4}, )";
 const std::vector<Refusal> refusals = {
     {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "adaptive"})",
      "/bending/stiffness",
-     "choose a model made of hinges (dihedral, bridson, discrete_shells, isometric), or state the stiffness by k "
+     "choose a model made of hinges (dihedral, bridson, discrete_shells, isometric), or state the stiffness "
+     "by k "
      "or compliance",
      {"--set /bending/model=dihedral", "--set /bending/model=isometric",
       R"(--set '/bending={"model":"adaptive","k":0.5}')",
@@ -52,7 +53,10 @@ const std::vector<Refusal> refusals = {
      "/bending/stiffness",
      R"(set the model's "rest_length" to "euclidean")",
      {"--set /bending/k_ring/rest_length=euclidean", R"(--set '/bending={"model":"k_ring","k":0.5}')"}},
-    {small + R"("pins": {"indices": [25]})", "/pins/indices", "vertices 0 to 24", {"--set '/pins/indices=[24]'"}},
+    {small + R"("pins": {"indices": [25]})",
+     "/pins/indices",
+     "vertices 0 to 24",
+     {"--set '/pins/indices=[24]'"}},
     {small + R"("pins": {"vertices": ["top_rim"]})",
      "/pins/vertices",
      "Name corners or sides",
@@ -139,13 +143,15 @@ TEST_CASE("set-up: of a sweep each reason is told once, with the number of runs"
   CHECK_FALSE(std::filesystem::exists(place.folder / "results"));
 }
 
-TEST_CASE("set-up: what takes too long to build is not built unless asked for, and that is told", "[set_up]") {
+TEST_CASE("set-up: what takes too long to build is not built unless asked for, and that is told",
+          "[set_up]") {
   Workplace place;
   // Springs fitted on a million vertices: minutes.
   place.write("sweep.json", R"({"name": "sweep", "duration": 0.02, "bending": {"model": "adaptive"},
       "sweep": {"/mesh/cells": [4, 6, 1000]}})");
   CHECK(place.run("validate sweep.json") == 0);
-  CHECK_THAT(place.err(), ContainsSubstring("2 of 3 different scenes built") && ContainsSubstring("--strict"));
+  CHECK_THAT(place.err(),
+             ContainsSubstring("2 of 3 different scenes built") && ContainsSubstring("--strict"));
 }
 
 }  // namespace bendlab

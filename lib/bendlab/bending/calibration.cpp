@@ -311,11 +311,11 @@ class Calibration {
         add_pair(quartic_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return 0.5 * square(shorter) / list.softness[c]; });
       else
-        throw std::invalid_argument(
-            fmt::format("the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
-                        "apart, rest length {:.6g} m): set the model's \"rest_length\" to \"euclidean\", or state the "
-                        "stiffness by k or compliance",
-                        a, b, length, list.rest(c)));
+        throw std::invalid_argument(fmt::format(
+            "the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
+            "apart, rest length {:.6g} m): set the model's \"rest_length\" to \"euclidean\", or state the "
+            "stiffness by k or compliance",
+            a, b, length, list.rest(c)));
     }
   }
 

@@ -1,0 +1,200 @@
+#include "experiments/advise/reference.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "experiments/run/forecast.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr double share_of_reference = 0.5;  // of the time that is left
+
+class ReferenceChooser {
+ public:
+  ReferenceChooser(const Question& question, Runs& runs, std::optional<ErrorOf> error_of,
+                   const std::function<void(const std::string&)>& tell)
+      : question_(question), runs_(runs), error_of_(error_of), tell_(tell), limit_s_(runs.left_s()) {}
+
+  KnownReference choose() {
+    Reference& reference = known_;
+    reference.of = error_of_.value_or(question_.natural_error());
+    if (reference.of == ErrorOf::rest && !choose_equilibrium()) {
+      if (runs_.exit_code() != 0) return known_;
+      tell_("the scene has no equilibrium; its motion is compared instead");
+      reference = Reference{.of = ErrorOf::motion};
+    }
+    if (reference.of == ErrorOf::rest) return known_;
+    Measured found;
+    do {
+      make_it_fit();
+      found = runs_.within(share_of_reference * runs_.left_s(), [&] { return probe(reference); });
+    } while (found.unfinished && runs_.exit_code() == 0 && coarser_or_throw());
+    if (runs_.exit_code() != 0) return known_;
+    if (!found.error) throw std::runtime_error("there is nothing to measure errors against: " + found.why);
+    keep_probe(found);
+    return known_;
+  }
+
+ private:
+  // Is the equilibrium found from a run's end the one found from its start? If not, the scene has many, and
+  // each run needs one of its own: that has to be quick. The search from the start may take much longer, and
+  // then finds another one.
+  bool choose_equilibrium() {
+    constexpr double same = 0.002;          // of the size
+    constexpr double most_of_a_run = 0.05;  // of the time that is left
+    Reference& reference = known_;
+    tell_("the reference is the equilibrium of the stated cloth");
+    while (true) {
+      make_it_fit();
+      Reference beside = reference;
+      beside.start_from_end = true;
+      const double left_s = runs_.left_s();
+      const Measured near = runs_.within(share_of_reference * left_s, [&] { return probe(beside); });
+      const double took_s = left_s - runs_.left_s();
+      if (runs_.exit_code() != 0) return false;
+      if (near.unfinished && coarser_or_throw()) continue;
+      constexpr double much_longer = 3, noise_s = 2;
+      const RunConfig from_start = question_.run_with(known_.probe, question_.accuracy(reference));
+      const Measured first = runs_.within(std::max(noise_s, much_longer * took_s),
+                                          [&] { return runs_.execute_one(from_start); });
+      if (runs_.exit_code() != 0) return false;
+      if (!first.error && !near.error) {
+        if (error_of_ || near.diverged)
+          throw std::runtime_error("there is no equilibrium to measure errors against: " + near.why +
+                                   "; --what motion compares the motion instead");
+        return false;
+      }
+      const bool many = near.error && (!first.error || std::abs(*first.error - *near.error) > same);
+      if (many && took_s > most_of_a_run * left_s && may_be_coarser()) {
+        reference.cells = coarser_cells();
+        continue;
+      }
+      if (many) reference = beside;
+      known_.still_moving = question_.speed(near.kinetic_energy);
+      keep_probe(many ? near : first);
+      return true;
+    }
+  }
+
+  int coarser_cells() const {
+    return (known_.cells > 0 ? known_.cells : question_.cells_that_may_vary()) / 2;
+  }
+  bool may_be_coarser() const { return coarser_cells() >= fewest_cells; }
+
+  // For a reference that took longer than expected.
+  bool coarser_or_throw() {
+    if (!may_be_coarser() || runs_.over())
+      throw std::runtime_error(
+          fmt::format("the reference was not complete when half of --time-limit ({:.3g} s) was over: the "
+                      "same command goes "
+                      "on with it; give it more time",
+                      limit_s_));
+    known_.cells = coarser_cells();
+    return true;
+  }
+
+  // Makes the reference coarser until it is expected to fit into its share of the time: a motion with fewer
+  // substeps, then either on fewer cells.
+  void make_it_fit() {
+    Reference& reference = known_;
+    if (reference.of == ErrorOf::own) return;
+    constexpr int most = 1024, fewest = 64;
+    double expected_s = 0;
+    while (true) {
+      for (int substeps = most; substeps >= fewest; substeps /= 2) {
+        reference.substeps = reference.of == ErrorOf::motion ? substeps : 0;
+        expected_s = reference_s();
+        if (expected_s <= share_of_reference * runs_.left_s()) return tell_reference();
+        if (reference.of == ErrorOf::rest) break;
+      }
+      if (!may_be_coarser()) break;
+      reference.cells = coarser_cells();
+    }
+    throw std::runtime_error(
+        fmt::format("nothing can be advised within --time-limit ({:.3g} s): the reference alone is expected "
+                    "to take {}, even "
+                    "{}. Give --time-limit {:.0f}s",
+                    limit_s_, duration_text(expected_s),
+                    reference.cells > 0 ? fmt::format("on {} cells", reference.cells) : "at its coarsest",
+                    std::ceil(1.5 * expected_s / share_of_reference)));
+  }
+
+  void tell_reference() const {
+    const Reference& reference = known_;
+    if (reference.of == ErrorOf::motion)
+      tell_(fmt::format("the reference is the same motion with {} substeps; one with {} shows its own error",
+                        reference.substeps, reference.substeps / 2));
+    if (reference.cells > 0)
+      tell_(fmt::format("the reference has {} cells, because more would not fit into --time-limit",
+                        reference.cells));
+  }
+
+  // Expected, s; with the coarser one that shows its error.
+  double reference_s() const {
+    const RunConfig config = question_.run_with(question_.own_setting(), question_.accuracy(known_));
+    double seconds = 0;
+    for (const bool coarser : {false, true})
+      if (const auto reference = reference_of(config, Against::physical, coarser))
+        if (const auto needs = forecast(*reference)) seconds += needs->cpu_s;
+    return seconds;
+  }
+
+  // The run that is compared with the reference first: the config's own; if that flies apart, because from
+  // its pose the search for an equilibrium would take long and find none, the reference's model with ever
+  // more substeps.
+  Measured probe(const Reference& reference) {
+    std::vector<Setting> settings = {question_.own_setting()};
+    for (const int substeps : {16, 64, 256})
+      settings.push_back({.model = question_.reference_model(), .method = "pbd", .substeps = substeps});
+    Measured found;
+    for (const Setting& setting : settings) {
+      known_.probe = setting;
+      if (reference.of == ErrorOf::rest && setting != settings.back()) {
+        found = runs_.execute_one(question_.run_with(setting, Json::object()));
+        if (unusable(found)) continue;
+      }
+      found = runs_.execute_one(question_.run_with(setting, question_.accuracy(reference)));
+      if (runs_.exit_code() != 0 || !unusable(found)) break;
+    }
+    return found;
+  }
+
+  static bool unusable(const Measured& found) {
+    return found.failed || found.diverged ||
+           (!found.unfinished && found.strain.value_or(0) > largest_reference_strain);
+  }
+
+  // Finds how the reference itself is stretched: a membrane with a compliance stretches rightly.
+  void keep_probe(const Measured& found) {
+    known_.accuracy = question_.accuracy(known_), known_.probed = found;
+    const RunConfig config = question_.run_with(known_.probe, known_.accuracy);
+    const std::filesystem::path file = runs_.reference_file(config);
+    if (!std::filesystem::exists(file)) return;
+    const bool over_time = config.section("/accuracy").boolean("over_time");
+    known_.strain = strain_in(file, over_time), known_.stretch = stretch_in(file, over_time);
+  }
+
+  const Question& question_;
+  Runs& runs_;
+  std::optional<ErrorOf> error_of_;
+  const std::function<void(const std::string&)>& tell_;
+  double limit_s_;
+  KnownReference known_;
+};
+
+}  // namespace
+
+KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of,
+                                const std::function<void(const std::string&)>& tell) {
+  return ReferenceChooser(question, runs, error_of, tell).choose();
+}
+
+bool reference_tells(const KnownReference& reference) {
+  return reference.strain <= largest_reference_strain && reference.gap.value_or(0) <= largest_error;
+}
+
+}  // namespace bendlab
