@@ -11,7 +11,8 @@
 namespace bendlab {
 namespace {
 
-constexpr double share_of_reference = 0.5;  // of the time that is left
+constexpr double share_of_reference = 0.25;  // of the time that is left, as forecast
+constexpr double share_of_a_try = 0.4;       // the same, until a coarser one is tried
 
 class ReferenceChooser {
  public:
@@ -31,7 +32,7 @@ class ReferenceChooser {
     Measured found;
     do {
       make_it_fit();
-      found = runs_.within(share_of_reference * runs_.left_s(), [&] { return probe(reference); });
+      found = runs_.within(share_of_a_try * runs_.left_s(), [&] { return probe(reference); });
     } while (found.unfinished && runs_.exit_code() == 0 && coarser_or_throw());
     if (runs_.exit_code() != 0) return known_;
     if (!found.error) throw std::runtime_error("there is nothing to measure errors against: " + found.why);
@@ -53,7 +54,7 @@ class ReferenceChooser {
       Reference beside = reference;
       beside.start_from_end = true;
       const double left_s = runs_.left_s();
-      const Measured near = runs_.within(share_of_reference * left_s, [&] { return probe(beside); });
+      const Measured near = runs_.within(share_of_a_try * left_s, [&] { return probe(beside); });
       const double took_s = left_s - runs_.left_s();
       if (runs_.exit_code() != 0) return false;
       if (near.unfinished && coarser_or_throw()) continue;
@@ -87,14 +88,15 @@ class ReferenceChooser {
 
   // For a reference that took longer than expected.
   bool coarser_or_throw() {
-    if (!may_be_coarser() || runs_.over())
-      throw std::runtime_error(
-          fmt::format("the reference was not complete when half of --time-limit ({:.3g} s) was over: the "
-                      "same command goes "
-                      "on with it; give it more time",
-                      limit_s_));
+    if (!may_be_coarser() || runs_.over()) throw_too_slow();
     known_.cells = coarser_cells();
     return true;
+  }
+  [[noreturn]] void throw_too_slow() const {
+    throw std::runtime_error(
+        fmt::format("no reference was complete within --time-limit ({:.3g} s): the same command goes on with "
+                    "it, and --time-limit {:.0f}s gives it more time",
+                    limit_s_, std::ceil(4 * limit_s_)));
   }
 
   // Makes the reference coarser until it is expected to fit into its share of the time: a motion with fewer
@@ -114,6 +116,7 @@ class ReferenceChooser {
       if (!may_be_coarser()) break;
       reference.cells = coarser_cells();
     }
+    if (expected_s <= share_of_reference * limit_s_) throw_too_slow();
     throw std::runtime_error(
         fmt::format("nothing can be advised within --time-limit ({:.3g} s): the reference alone is expected "
                     "to take {}, even "
@@ -150,6 +153,7 @@ class ReferenceChooser {
     std::vector<Setting> settings = {question_.own_setting()};
     for (const int substeps : {16, 64, 256})
       settings.push_back({.model = question_.reference_model(), .method = "pbd", .substeps = substeps});
+    for (Setting& setting : settings) setting.cells = reference.cells;
     Measured found;
     for (const Setting& setting : settings) {
       known_.probe = setting;
