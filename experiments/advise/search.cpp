@@ -23,7 +23,8 @@ bool Search::consider(const std::vector<Setting>& settings) {
   bool any = false;
   for (const Setting& setting : settings) {
     const auto known = [&](const Setting& other) { return same_kind(other, setting); };
-    if (std::ranges::any_of(kinds_, known, &Kind::start) || std::ranges::any_of(left_behind_, known))
+    if (std::ranges::any_of(kinds_, known, &Kind::start) ||
+        std::ranges::any_of(resting_, known, &Kind::start) || std::ranges::any_of(ended_, known))
       continue;
     std::vector<Setting> alike;
     std::ranges::copy_if(settings, std::back_inserter(alike), known);
@@ -49,6 +50,18 @@ Setting Search::start_of(const std::vector<Setting>& settings) const {
 
 std::vector<Setting> Search::next() {
   halve();
+  std::vector<Setting> found = steps();
+  while (found.empty() && !resting_.empty() && !chosen(measured_, demand_)) {
+    const std::size_t back = std::min(fewest_kinds, resting_.size());
+    std::ranges::stable_sort(resting_, std::ranges::greater(),
+                             [this](const Kind& kind) { return best_score(kind); });
+    for (std::size_t i = 0; i < back; ++i, resting_.pop_back()) kinds_.push_back(resting_.back());
+    found = steps();
+  }
+  return found;
+}
+
+std::vector<Setting> Search::steps() {
   std::vector<Setting> found;
   for (Kind& kind : kinds_) {
     if (kind.over) continue;
@@ -66,7 +79,12 @@ void Search::halve() {
   const auto untried = static_cast<std::size_t>(
       std::ranges::count_if(kinds_, [](const Kind& kind) { return kind.tried.empty(); }));
   const std::size_t kept = untried + std::max(fewest_kinds, (kinds_.size() - untried + 1) / 2);
-  for (; kinds_.size() > kept; kinds_.pop_back()) left_behind_.push_back(kinds_.back().start);
+  for (; kinds_.size() > kept; kinds_.pop_back()) {
+    if (kinds_.back().over)
+      ended_.push_back(kinds_.back().start);
+    else
+      resting_.push_back(kinds_.back());
+  }
 }
 
 // The least of its runs; 0 if it has none.
@@ -132,7 +150,7 @@ void Search::add(const Rated& point) {
 
 void Search::drop(const Setting& setting) {
   std::erase_if(kinds_, [&](const Kind& kind) { return same_kind(kind.start, setting); });
-  left_behind_.push_back(setting);
+  ended_.push_back(setting);
 }
 
 void Search::reject(const Setting& setting) {

@@ -1,6 +1,7 @@
 // Which settings to run, by successive halving: kinds of settings that were the best of measured scenes are
 // run, the better half of them goes on with more work or less, by what the demand asks for, and so on, until
-// at most three are left and the work of each is found.
+// at most three are left and the work of each is found. If none of them meets the demand, those that were
+// left behind go on.
 //
 // A kind is what differs in more than substeps and iterations. Its error falls, and its time grows, about
 // with its work: from two runs of it, of which one falls short of the demand and one does more, the next is
@@ -54,13 +55,15 @@ class Search {
   bool falls_short(const Rated& point) const;
   std::optional<Setting> step(const Kind& kind) const;
   std::optional<double> factor_above(const Kind& kind, const Rated& short_of) const;
+  std::vector<Setting> steps();
   void halve();
 
   Demand demand_;
   int most_substeps_;
   Forecast forecast_;
   std::vector<Kind> kinds_;
-  std::vector<Setting> left_behind_;  // of each kind that goes on no more
+  std::vector<Kind> resting_;   // halving left them behind
+  std::vector<Setting> ended_;  // of each kind that goes on no more
   std::vector<Rated> measured_;
 };
 
