@@ -12,6 +12,7 @@
 #include "experiments/advise/reasons.hpp"
 #include "experiments/advise/runs.hpp"
 #include "experiments/advise/search.hpp"
+#include "experiments/config/counted.hpp"
 
 namespace bendlab {
 namespace {
@@ -63,13 +64,15 @@ class Advisor {
   // ---- what is tried
 
   // The config's own; what was the best of measured scenes, on the config's mesh and on half as many cells.
+  // Models that are asked for are tried with every solver.
   std::vector<Setting> settings_to_begin_with() const {
     std::vector<Setting> settings = {question_.own_setting()};
     const int cells = question_.cells_that_may_vary();
-    for (const Setting& setting : measured_fronts()) {
-      settings.push_back(setting);
-      if (cells >= 2 * fewest_cells) settings.push_back(setting), settings.back().cells = cells / 2;
-    }
+    for (const Setting& front : measured_fronts())
+      for (const std::string& model : options_.models.empty() ? std::vector{front.model} : options_.models) {
+        settings.push_back(front), settings.back().model = model;
+        if (cells >= 2 * fewest_cells) settings.push_back(settings.back()), settings.back().cells = cells / 2;
+      }
     return settings;
   }
 
@@ -194,7 +197,7 @@ class Advisor {
     if (runs_.over() || advice_.reference.of != ErrorOf::rest) return false;
     choose(search);
     const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
-    if (!choice || !std::isfinite(choice->error) || find_method(choice->setting.method)->projects ||
+    if (!choice || unfit(*choice) != Unfit::no || find_method(choice->setting.method)->projects ||
         !stays_.insert(choice->setting).second)
       return false;
     constexpr double longer = 4, much_the_same = 1.1, small = 1e-3;  // sizes
@@ -204,9 +207,9 @@ class Advisor {
     if (runs_.over()) return false;
     if (later && *later <= much_the_same * choice->error + small) return true;
     search.reject(choice->setting);
-    leave_out(advice_.left_out, setting_text(choice->setting),
-              fmt::format("its pose does not stay: error {}, and {} after {:.0f} times as long",
-                          percent_text(choice->error), later ? percent_text(*later) : "unknown", longer));
+    ++creeping_;
+    creeps_ = fmt::format("{}: error {}, and {} after {:.0f} times as long", setting_text(choice->setting),
+                          percent_text(choice->error), later ? percent_text(*later) : "unknown", longer);
     return true;
   }
 
@@ -236,6 +239,9 @@ class Advisor {
     };
     say(&Setting::method);
     say(&Setting::model);
+    if (creeping_ > 0)
+      advice_.left_out.push_back(
+          {counted(creeping_, "setting") + ", whose pose does not stay", "the last is " + creeps_});
   }
 
   std::string best_text(const std::vector<Rated>& points) const {
@@ -254,6 +260,8 @@ class Advisor {
   Runs runs_;
   std::optional<ConfigError> refused_;  // the first reason why a setting cannot be
   std::set<Setting> stays_;             // whose pose was looked at later
+  std::size_t creeping_ = 0;            // settings whose pose did not stay
+  std::string creeps_;                  // the last of them
   Advice advice_;
 };
 

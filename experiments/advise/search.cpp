@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "bendlab/solver/method.hpp"
 
@@ -87,11 +86,12 @@ void Search::halve() {
   }
 }
 
-// The least of its runs; 0 if it has none.
+// What its best run promises, less is better; 0 if it has none. A time that is not used up can buy more work.
 double Search::best_score(const Kind& kind) const {
-  double best = kind.tried.empty() ? 0 : std::numeric_limits<double>::infinity();
-  for (const Rated& point : kind.tried) best = std::min(best, score(point, demand_));
-  return best;
+  if (kind.tried.empty()) return 0;
+  const Rated& best =
+      *std::ranges::min_element(kind.tried, {}, [this](const Rated& point) { return score(point, demand_); });
+  return demand_.error ? score(best, demand_) : judged_error(best.error, best.strained) * best.cpu_s;
 }
 
 // Whether more work is wanted: its error is above the demanded one, or its time is within.

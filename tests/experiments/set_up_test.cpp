@@ -77,7 +77,7 @@ const std::vector<Refusal> refusals = {
      "/effects/0",
      "axis has no length: give it a direction",
      {"--set '/effects/0/axis=[0,0,1]'"}},
-    {small + R"("effects": [{"type": "plane", "normal": [0, 0, 0]}])",
+    {small + R"("effects": [{"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 0]}])",
      "/effects/0",
      "normal is the zero vector, which has no direction; give it a length",
      {"--set '/effects/0/normal=[0,0,1]'"}},
