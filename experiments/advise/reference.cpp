@@ -25,16 +25,18 @@ class ReferenceChooser {
     reference.of = error_of_.value_or(question_.natural_error());
     if (reference.of == ErrorOf::rest && !choose_equilibrium()) {
       if (runs_.exit_code() != 0) return known_;
-      tell_("the scene has no equilibrium; its motion is compared instead");
+      tell_("no equilibrium of the scene was found; its motion is compared instead");
       reference = Reference{.of = ErrorOf::motion};
     }
     if (reference.of == ErrorOf::rest) return known_;
-    Measured found;
-    do {
-      make_it_fit();
+    make_it_fit();
+    Measured found = runs_.within(share_of_a_try * runs_.left_s(), [&] { return probe(reference); });
+    if (found.unfinished && runs_.exit_code() == 0 && may_be_coarser()) {
+      make_coarser(), make_it_fit();
       found = runs_.within(share_of_a_try * runs_.left_s(), [&] { return probe(reference); });
-    } while (found.unfinished && runs_.exit_code() == 0 && coarser_or_throw());
+    }
     if (runs_.exit_code() != 0) return known_;
+    if (found.unfinished) throw_too_slow();
     if (!found.error) throw std::runtime_error("there is nothing to measure errors against: " + found.why);
     keep_probe(found);
     return known_;
@@ -43,12 +45,13 @@ class ReferenceChooser {
  private:
   // Is the equilibrium found from a run's end the one found from its start? If not, the scene has many, and
   // each run needs one of its own: that has to be quick. The search from the start may take much longer, and
-  // then finds another one.
+  // then finds another one. False if there is none, or none in time.
   bool choose_equilibrium() {
     constexpr double same = 0.002;          // of the size
-    constexpr double most_of_a_run = 0.05;  // of the time that is left
+    constexpr double longest_trial = 0.15;  // of the time that is left
     Reference& reference = known_;
     tell_("the reference is the equilibrium of the stated cloth");
+    bool many = false;
     while (true) {
       make_it_fit();
       Reference beside = reference;
@@ -57,21 +60,19 @@ class ReferenceChooser {
       const Measured near = runs_.within(share_of_a_try * left_s, [&] { return probe(beside); });
       const double took_s = left_s - runs_.left_s();
       if (runs_.exit_code() != 0) return false;
-      if (near.unfinished && coarser_or_throw()) continue;
-      constexpr double much_longer = 3, noise_s = 2;
-      const RunConfig from_start = question_.run_with(known_.probe, question_.accuracy(reference));
-      const Measured first = runs_.within(std::max(noise_s, much_longer * took_s),
-                                          [&] { return runs_.execute_one(from_start); });
+      if (near.unfinished && may_be_coarser()) {
+        make_coarser();
+        continue;
+      }
+      const Measured first = many ? near : from_start(took_s);
       if (runs_.exit_code() != 0) return false;
       if (!first.error && !near.error) {
-        if (error_of_ || near.diverged)
-          throw std::runtime_error("there is no equilibrium to measure errors against: " + near.why +
-                                   "; --what motion compares the motion instead");
+        if (error_of_ || near.diverged) throw_no_equilibrium(near);
         return false;
       }
-      const bool many = near.error && (!first.error || std::abs(*first.error - *near.error) > same);
-      if (many && took_s > most_of_a_run * left_s && may_be_coarser()) {
-        reference.cells = coarser_cells();
+      many = many || (near.error && (!first.error || std::abs(*first.error - *near.error) > same));
+      if (many && took_s > longest_trial * runs_.left_s() && may_be_coarser()) {
+        make_coarser();
         continue;
       }
       if (many) reference = beside;
@@ -81,17 +82,26 @@ class ReferenceChooser {
     }
   }
 
-  int coarser_cells() const {
-    return (known_.cells > 0 ? known_.cells : question_.cells_that_may_vary()) / 2;
+  // Compared with the equilibrium that is found from the start; stopped if it takes much longer than the one
+  // found from the end did.
+  Measured from_start(double took_s) {
+    constexpr double longer = 1.5, noise_s = 2;
+    const RunConfig config = question_.run_with(known_.probe, question_.accuracy(known_));
+    return runs_.within(noise_s + longer * took_s, [&] { return runs_.execute_one(config); });
   }
-  bool may_be_coarser() const { return coarser_cells() >= fewest_cells; }
 
-  // For a reference that took longer than expected.
-  bool coarser_or_throw() {
-    if (!may_be_coarser() || runs_.over()) throw_too_slow();
-    known_.cells = coarser_cells();
-    return true;
+  // On half as many cells errors are nearly the same; a reference on fewer says little about a fine mesh.
+  bool may_be_coarser() const {
+    return known_.cells == 0 && question_.cells_that_may_vary() / 2 >= fewest_cells;
   }
+  void make_coarser() { known_.cells = question_.cells_that_may_vary() / 2; }
+
+  [[noreturn]] static void throw_no_equilibrium(const Measured& near) {
+    throw std::runtime_error("there is no equilibrium to measure errors against: " +
+                             (near.unfinished ? "none was found in time" : near.why) +
+                             "; --what motion compares the motion instead");
+  }
+
   [[noreturn]] void throw_too_slow() const {
     throw std::runtime_error(
         fmt::format("no reference was complete within --time-limit ({:.3g} s): the same command goes on with "
@@ -114,7 +124,7 @@ class ReferenceChooser {
         if (reference.of == ErrorOf::rest) break;
       }
       if (!may_be_coarser()) break;
-      reference.cells = coarser_cells();
+      make_coarser();
     }
     if (expected_s <= share_of_reference * limit_s_) throw_too_slow();
     throw std::runtime_error(

@@ -214,6 +214,12 @@ void print_advice(const Advice& advice, const Question& question, const AdviceOp
   else
     print_none(advice, question, options);
   print_text("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+  if (advice.reference.cells > 0)
+    print_text(
+        "the reference has fewer cells than the config, because more would not fit into --time-limit ({:.4g} "
+        "s): "
+        "what fewer cells cost is not all in these errors\n",
+        options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
                default_flexural_rigidity);
