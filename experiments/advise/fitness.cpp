@@ -20,4 +20,9 @@ double beyond_limits(double error, const Strained& strained) {
   return worst;
 }
 
+double judged_error(double error, const Strained& strained) {
+  if (unfit(error, strained) == Unfit::no) return error;
+  return largest_error * std::max(1.0, beyond_limits(error, strained));
+}
+
 }  // namespace bendlab

@@ -46,4 +46,8 @@ Unfit unfit(double error, const Strained& strained);
 /// By which factor the worst of error, strain and stretch is beyond its limit; at most 1 where it is fit.
 double beyond_limits(double error, const Strained& strained);
 
+/// Its error; of what is unfit at least the largest that is fit, times what it is beyond its limits: so that
+/// more work is worth it until it is fit.
+double judged_error(double error, const Strained& strained);
+
 }  // namespace bendlab

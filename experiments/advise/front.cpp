@@ -1,12 +1,8 @@
 #include "experiments/advise/front.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
+#include <cmath>
 #include <tuple>
-
-#include "experiments/config/counted.hpp"
 
 namespace bendlab {
 namespace {
@@ -19,23 +15,14 @@ bool more_accurate(const Rated& a, const Rated& b) {
   return std::tie(a.error, a.cpu_s) < std::tie(b.error, b.cpu_s);
 }
 
-double beyond(const Rated& point) {
-  return beyond_limits(point.error, point.strained);
-}
-
 bool less_beyond(const Rated& a, const Rated& b) {
-  return std::tuple(beyond(a), a.cpu_s) < std::tuple(beyond(b), b.cpu_s);
+  return std::tuple(beyond_limits(a.error, a.strained), a.cpu_s) <
+         std::tuple(beyond_limits(b.error, b.strained), b.cpu_s);
 }
 
 std::optional<Rated> first_by(std::span<const Rated> points, bool (*before)(const Rated&, const Rated&)) {
   const auto first = std::ranges::min_element(points, before);
   return first == points.end() ? std::nullopt : std::optional(*first);
-}
-
-}  // namespace
-
-Unfit unfit(const Rated& point) {
-  return unfit(point.error, point.strained);
 }
 
 std::vector<Rated> fit_ones(std::span<const Rated> points) {
@@ -45,21 +32,23 @@ std::vector<Rated> fit_ones(std::span<const Rated> points) {
   return kept;
 }
 
+}  // namespace
+
+Unfit unfit(const Rated& point) {
+  return unfit(point.error, point.strained);
+}
+
+double score(const Rated& point, const Demand& demand) {
+  const double error = judged_error(point.error, point.strained);
+  return demand.error ? point.cpu_s * std::max(1.0, error / *demand.error)
+                      : error * std::max(1.0, point.cpu_s / *demand.cpu_s);
+}
+
 std::vector<Rated> front_of(std::span<const Rated> points) {
   std::vector<Rated> sorted = fit_ones(points), front;
   std::ranges::stable_sort(sorted, faster);
   for (Rated& point : sorted)
     if (front.empty() || point.error < front.back().error) front.push_back(std::move(point));
-  return front;
-}
-
-std::vector<Rated> unfit_front_of(std::span<const Rated> points) {
-  std::vector<Rated> sorted(points.begin(), points.end()), front;
-  std::ranges::stable_sort(sorted, faster);
-  for (Rated& point : sorted) {
-    if (unfit(point) == Unfit::no) break;
-    if (front.empty() || beyond(point) < beyond(front.back())) front.push_back(std::move(point));
-  }
   return front;
 }
 
@@ -86,16 +75,6 @@ std::optional<Rated> nearest(std::span<const Rated> points, const Demand& demand
   std::vector<Rated> in_time(points.begin(), points.end());
   if (demand.cpu_s) std::erase_if(in_time, [&](const Rated& point) { return point.cpu_s > *demand.cpu_s; });
   return in_time.empty() ? first_by(points, less_beyond) : first_by(in_time, less_beyond);
-}
-
-std::string setting_text(const Setting& setting) {
-  return fmt::format("{}, {}, {}, {}, {}, {}", setting.model, setting.variant.method,
-                     counted(setting.substeps, "substep"), counted(setting.iterations, "iteration"),
-                     setting.double_precision ? "double" : "single", variant_text(setting.variant));
-}
-
-std::string kind_text(const Setting& setting) {
-  return fmt::format("{} ({}, {})", setting.model, setting.variant.method, variant_text(setting.variant));
 }
 
 }  // namespace bendlab

@@ -82,13 +82,14 @@ double stretch_in(const std::filesystem::path& file, bool over_time) {
 }
 
 Measured measured_by(const CampaignRun& run) {
+  if (!run.started() || (run.outcome && run.outcome->status == RunStatus::interrupted))
+    return {.unfinished = true};
   if (!run.outcome) return {.why = on_a_line(run.error), .failed = true};
   const RunOutcome& outcome = *run.outcome;
   Measured measured{.error = number_in(outcome, "rms"),
                     .gap = number_in(outcome, "reference_gap"),
                     .strain = number_in(outcome, "strain"),
                     .cpu_s = cpu_per_frame(*run.config, outcome),
-                    .wall_s = outcome.reused ? 0 : outcome.wall_s,
                     .why = outcome.message,
                     .kinetic_energy = read_metric(outcome.file, "kinetic_energy").back(),
                     .implausible = outcome.status == RunStatus::implausible,

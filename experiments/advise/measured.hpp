@@ -15,10 +15,10 @@ inline constexpr double frames_per_second = 60;  ///< costs are told per frame o
 /// What a run says about its setting.
 struct Measured {
   std::optional<double> error, gap, strain;
-  double cpu_s = 0;   ///< per frame
-  double wall_s = 0;  ///< of the run itself; 0 if it was complete before
-  std::string why;    ///< why there is no error
+  double cpu_s = 0;  ///< per frame
+  std::string why;   ///< why there is no error
   bool failed = false, diverged = false;
+  bool unfinished = false;    ///< it was stopped, and nothing else is known
   double kinetic_energy = 0;  ///< at the end, J
   double stretch = 1;         ///< largest of a triangle, in the motion or at the end
   bool implausible = false;

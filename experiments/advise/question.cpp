@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -43,6 +42,17 @@ std::string open_axes(const Experiment& experiment) {
   return text;
 }
 
+void check_is_one_scene(const Experiment& experiment, const std::string& source) {
+  if (experiment.runs.size() != 1)
+    throw ConfigError(source,
+                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with {}",
+                                              experiment.runs.size(), open_axes(experiment))}});
+  for (const auto& [pointer, values] : experiment.axes)
+    if (lies_within(pointer, "/solver") && pointer != "/solver")
+      throw ConfigError(source, {{child_pointer("/sweep", pointer),
+                                  "sweeps a part of what is to be advised: write the value in /solver"}});
+}
+
 void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
   const ParameterValues bending = scene.section("/bending");
   const std::string& stiffness = bending.text("stiffness");
@@ -63,32 +73,15 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
                   "spring model that quartic_coefficient is for"}});
 }
 
-bool is_tethers(const Json& effect) {
-  return effect["type"] == "tethers";
-}
-
-Variant variant_of(const RunConfig& scene) {
-  return {.tethers = std::ranges::any_of(scene.resolved()["effects"], is_tethers),
-          .shear = scene.section("/material/strain").text("form"),
-          .flight_limit = scene.section("/solver").has("flight_limit")
-                              ? scene.section("/solver").number("flight_limit")
-                              : 0,
-          .method = scene.section("/solver").text("method"),
-          .softened = scene.section("/solver").has("membrane") &&
-                      scene.section("/solver").text("membrane") == "auto",
-          .second_order = scene.section("/solver").has("membrane") &&
-                          scene.section("/solver").text("integrator") == "bdf2"};
-}
-
 bool is_held(const RunConfig& scene) {
   const ParameterValues pins = scene.section("/pins");
   return !pins.texts("vertices").empty() || !pins.numbers("indices").empty();
 }
 
-Json without_effects(const Json& effects, auto left_out) {
+Json without(const Json& list, auto left_out) {
   Json kept = Json::array();
-  for (const Json& effect : effects)
-    if (!left_out(effect)) kept.push_back(effect);
+  for (const Json& entry : list)
+    if (!left_out(entry)) kept.push_back(entry);
   return kept;
 }
 
@@ -136,16 +129,10 @@ class MovedFiles {
 Question::Question(std::filesystem::path file, std::vector<std::string> overrides)
     : file_(std::move(file)), overrides_(std::move(overrides)) {
   const Experiment experiment = load_experiment(file_, overrides_);
-  if (experiment.runs.size() != 1)
-    throw ConfigError(file_.string(),
-                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with {}",
-                                              experiment.runs.size(), open_axes(experiment))}});
+  check_is_one_scene(experiment, file_.string());
   scene_ = experiment.runs.front();
   name_ = experiment.name;
-  written_effects_ = experiment.settings.value("effects", scene_.resolved()["effects"]);
-  effects_swept_ = std::ranges::any_of(experiment.axes,
-                                       [](const Axis& axis) { return lies_within(axis.first, "/effects"); });
-  own_ = variant_of(scene_);
+  own_solver_ = experiment.settings.value("solver", Json::object());
   const Json& bending = experiment.settings.value("bending", Json::object());
   rigidity_is_default_ = !bending.contains("flexural_rigidity") && !bending.contains("quartic_coefficient");
   check_states_a_cloth(scene_, file_.string());
@@ -156,6 +143,31 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
                       {{"/accuracy/physical",
                         "is missing: models are compared with one stated cloth, but /accuracy/solver "
                         "compares each with itself. Name the reference here, or remove /accuracy"}});
+}
+
+Setting Question::own_setting() const {
+  const ParameterValues solver = scene_.section("/solver");
+  Setting own{.model = scene_.bending_model(), .method = solver.text("method")};
+  if (solver.has("substeps")) own.substeps = static_cast<int>(solver.integer("substeps"));
+  if (solver.has("iterations")) own.iterations = static_cast<int>(solver.integer("iterations"));
+  Json further = own_solver_;
+  for (const char* apart : {"method", "substeps", "iterations", "dt", "threads", "precision"})
+    further.erase(apart);
+  own.solver = further.dump();
+  return own;
+}
+
+int Question::cells_that_may_vary() const {
+  const Json& settings = scene_.resolved();
+  const Json& mesh = settings["mesh"];
+  constexpr std::array flat = {"grid", "equilateral", "delaunay", "disc"};
+  const bool is_flat = mesh.contains("generator") && mesh.value("flaw", "none") == "none" &&
+                       std::ranges::find(flat, mesh["generator"].get<std::string>()) != flat.end();
+  const auto names_indices = [](const Json& each) { return !each.value("indices", Json::array()).empty(); };
+  if (!is_flat || names_indices(settings["pins"]) ||
+      std::ranges::any_of(settings["effects"], names_indices) || settings["initial"].contains("after"))
+    return 0;
+  return mesh["cells"].get<int>();
 }
 
 ErrorOf Question::natural_error() const {
@@ -174,35 +186,24 @@ ErrorOf Question::natural_error() const {
   return is_held(scene_) && damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
 }
 
-Json Question::accuracy(ErrorOf what, bool start_from_end) const {
-  if (what == ErrorOf::own) {
-    Json accuracy = scene_.resolved()["accuracy"];
-    std::vector<std::string> changes = own_changes();
+Json Question::accuracy(const Reference& reference) const {
+  Json accuracy = reference.of == ErrorOf::own ? scene_.resolved()["accuracy"] : Json::object();
+  std::vector<std::string> changes = own_changes();
+  if (reference.of == ErrorOf::own)
     for (const Json& change : accuracy["physical"]) changes.push_back(change);
-    accuracy["physical"] = changes;
-    return accuracy;
-  }
-  Json accuracy = Json::object();
-  if (what == ErrorOf::motion) {
-    accuracy["physical"] = motion_changes();
-    accuracy["physical_coarser"] = {fmt::format("/solver/substeps={}", reference_substeps() / 2)};
+  if (reference.of == ErrorOf::motion) {
+    changes = motion_changes(reference.substeps);
+    accuracy["physical_coarser"] = {fmt::format("/solver/substeps={}", reference.substeps / 2)};
     accuracy["over_time"] = true;
-  } else {
-    accuracy["physical"] = rest_changes();
-    accuracy["align"] = "vertical";
-    accuracy["start_from_end"] = start_from_end;
   }
+  if (reference.of == ErrorOf::rest) {
+    changes = rest_changes();
+    accuracy["align"] = "vertical";
+    accuracy["start_from_end"] = reference.start_from_end;
+  }
+  if (reference.cells > 0) changes.push_back(set("/mesh/cells", reference.cells));
+  accuracy["physical"] = changes;
   return accuracy;
-}
-
-int Question::reference_substeps() const {
-  constexpr double allowed_s = 60, projection_s = 6e-9;
-  constexpr double per_triangle = 2 * (3 + 1.5);  // strain and hinges, there and back
-  const double triangles = static_cast<double>(rest_mesh_of(scene_).mesh.triangles.rows());
-  const double steps = scene_.section("").number("duration") / scene_.section("/solver").number("dt");
-  const double substeps = allowed_s / (steps * triangles * per_triangle * projection_s);
-  return std::clamp(
-      static_cast<int>(std::bit_floor(static_cast<unsigned>(std::clamp(substeps, 1.0, 1024.0)))), 64, 1024);
 }
 
 double Question::speed(double kinetic_energy) const {
@@ -214,145 +215,75 @@ double Question::speed(double kinetic_energy) const {
   return mass > 0 ? std::sqrt(2 * kinetic_energy / mass) / rest.size() : 0;
 }
 
+// A reference is the same whatever the setting of the run.
+std::vector<std::string> Question::own_changes() const {
+  const Json& settings = scene_.resolved();
+  std::vector<std::string> changes = {set("/mesh", settings["mesh"]), set("/solver", settings["solver"])};
+  if (const auto own = settings["bending"].find(scene_.bending_model()); own != settings["bending"].end())
+    changes.push_back(set("/bending/" + scene_.bending_model(), *own));
+  return changes;
+}
+
 std::vector<std::string> Question::rest_changes() const {
-  const Json& strain = scene_.resolved()["material"]["strain"];
-  Json bending = scene_.resolved()["bending"];
+  const Json& settings = scene_.resolved();
+  const Json& strain = settings["material"]["strain"];
+  Json bending = settings["bending"];
   bending["model"] = reference_model_;
-  std::vector<std::string> changes = {R"(/solver={"method":"equilibrium"})",
+  std::vector<std::string> changes = {set("/mesh", settings["mesh"]),
+                                      R"(/solver={"method":"equilibrium"})",
                                       "/duration=20",
                                       "/settled_speed=0",
                                       "/output/frames_per_second=1",
-                                      set("/material/strain/form", own_.shear),
                                       set("/bending", bending)};
-  if (strain["stiffness"] != "compliance" || strain["compliance"].get<double>() == 0) {
+  if (strain["stiffness"] == "k" || strain["stiffness"] == "k_per_step" ||
+      (strain["stiffness"] == "compliance" && strain["compliance"].get<double>() == 0)) {
     changes.emplace_back("/material/strain/stiffness=compliance");
     changes.push_back(set("/material/strain/compliance", stiff_membrane));
   }
-  changes.push_back(set("/effects", without_effects(scene_.resolved()["effects"], [](const Json& effect) {
+  changes.push_back(set("/effects", without(settings["effects"], [](const Json& effect) {
                           return among(effect, damping) || among(effect, bounds);
                         })));
   return changes;
 }
 
-std::vector<std::string> Question::motion_changes() const {
-  Json bending = scene_.resolved()["bending"];
+std::vector<std::string> Question::motion_changes(int substeps) const {
+  const Json& settings = scene_.resolved();
+  Json bending = settings["bending"],
+       solver = {{"method", "pbd"}, {"dt", settings["solver"]["dt"]}, {"substeps", substeps},
+                 {"iterations", 1}, {"sweep", "symmetric"},           {"precision", "double"}};
   bending["model"] = reference_model_;
-  std::vector<std::string> changes = own_changes();
-  changes.insert(changes.end(),
-                 {"/settled_speed=0", "/solver/method=pbd",
-                  fmt::format("/solver/substeps={}", reference_substeps()), "/solver/iterations=1",
-                  "/solver/sweep=symmetric", "/solver/precision=double", set("/bending", bending)});
-  return changes;
-}
-
-std::vector<std::string> Question::own_changes() const {
-  std::vector<std::string> changes = {set("/effects", scene_.resolved()["effects"]),
-                                      set("/material/strain/form", own_.shear),
-                                      set("/solver", scene_.resolved()["solver"])};
-  const Json& bending = scene_.resolved()["bending"];
-  if (const auto own = bending.find(scene_.bending_model()); own != bending.end())
-    changes.push_back(set("/bending/" + scene_.bending_model(), *own));
-  return changes;
-}
-
-Variant Question::recommended_variant(std::string_view method, bool softened) const {
-  Variant variant = own_;
-  variant.tethers |= may_tether();
-  variant.shear = "angle";
-  return in_method(variant, method, softened);
-}
-
-// An entry of a swept list has the place that its axis names.
-bool Question::may_tether() const {
-  return is_held(scene_) && !effects_swept_;
-}
-
-// Springs of 2, 4 and 8 edges, as long as they are short beside the sheet.
-VariantChoices Question::choices(const std::string& model, const std::vector<std::string>& methods) const {
-  VariantChoices choices{.tethers = may_tether(), .methods = methods};
-  const auto& parameters = find_bending_model(model)->parameters;
-  if (std::ranges::find(parameters, "radius", &Parameter::name) == parameters.end()) return choices;
-  constexpr double longest = 0.15;  // sizes
-  const AcceptedMesh accepted = rest_mesh_of(scene_);
-  const RestMesh rest(accepted.mesh);
-  for (const int edges : {2, 4, 8})
-    if (const double radius = edges * rest.mean_edge_length(); radius <= longest * rest.size())
-      choices.radii.push_back(std::stod(fmt::format("{:.3g}", radius)));
-  return choices;
-}
-
-std::vector<Setting> Question::neighbours(const Setting& setting,
-                                          const std::vector<std::string>& methods) const {
-  std::vector<Setting> found;
-  for (const Variant& variant : bendlab::neighbours(setting.variant, choices(setting.model, methods)))
-    found.push_back({.model = setting.model, .substeps = setting.substeps, .variant = variant});
-  return found;
-}
-
-Json Question::effects_with(bool tethers) const {
-  if (!tethers) return without_effects(written_effects_, is_tethers);
-  Json effects = written_effects_;
-  effects.push_back({{"type", "tethers"}});
-  return effects;
+  return {set("/mesh", settings["mesh"]), "/settled_speed=0", set("/solver", solver),
+          set("/bending", bending)};
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
-  const Variant& variant = setting.variant;
-  const Method& method = *find_method(variant.method);
-  std::vector<std::string> changes = {"/bending/model=" + setting.model,
-                                      fmt::format("/solver/substeps={}", setting.substeps),
-                                      fmt::format("/solver/iterations={}", setting.iterations)};
-  if (variant.method != own_.method) changes.insert(changes.begin(), "/solver/method=" + variant.method);
-  if (method.reads("precision"))
-    changes.push_back(fmt::format("/solver/precision={}", setting.double_precision ? "double" : "single"));
-  if (softens(variant.method)) {
-    changes.push_back(fmt::format("/solver/membrane={}", variant.softened ? "auto" : "stated"));
-    changes.push_back(fmt::format("/solver/integrator={}", variant.second_order ? "bdf2" : "euler"));
-  }
-  if (method.projects && variant.tethers != own_.tethers)
-    changes.push_back(set("/effects", effects_with(variant.tethers)));
-  if (variant.shear != own_.shear) changes.push_back("/material/strain/form=" + variant.shear);
-  if (method.projects && variant.flight_limit != own_.flight_limit)
-    changes.push_back(fmt::format("/solver/flight_limit={}", variant.flight_limit));
-  if (variant.radius > 0)
-    changes.push_back(fmt::format("/bending/{}/radius={}", setting.model, variant.radius));
+  Json solver = Json::parse(setting.solver);
+  solver.update(
+      {{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
+  for (const char* own : {"dt", "threads", "precision"})
+    if (own_solver_.contains(own) && find_method(setting.method)->reads(own)) solver[own] = own_solver_[own];
+  std::vector<std::string> changes = {"/bending/model=" + setting.model, set("/solver", solver)};
+  if (setting.cells > 0) changes.push_back(set("/mesh/cells", setting.cells));
   return changes;
 }
 
-RunConfig Question::run_with(const Setting& setting, const Json& accuracy) const {
-  return run_with(setting, accuracy, {});
-}
-
-RunConfig Question::longer_run_with(const Setting& setting, const Json& accuracy, double times) const {
-  return run_with(
-      setting, accuracy,
-      {fmt::format("/duration={}", times * scene_.section("").number("duration")), "/settled_speed=0"});
-}
-
-RunConfig Question::run_with(const Setting& setting, const Json& accuracy,
-                             const std::vector<std::string>& further) const {
+RunConfig Question::run_with(const Setting& setting, const Json& accuracy, double times) const {
   std::vector<std::string> overrides = overrides_;
   std::ranges::copy(changes(setting), std::back_inserter(overrides));
   overrides.push_back(set("/accuracy", accuracy));
   const bool of_the_end = !accuracy.value("over_time", false);
-  overrides.emplace_back(of_the_end ? "/output/frames_per_second=1" : "/settled_speed=0");
-  std::ranges::copy(further, std::back_inserter(overrides));
+  if (of_the_end) overrides.emplace_back("/output/frames_per_second=1");
+  if (!of_the_end || times != 1) overrides.emplace_back("/settled_speed=0");
+  if (times != 1)
+    overrides.push_back(fmt::format("/duration={}", times * scene_.section("").number("duration")));
   RunConfig run = load_experiment(file_, overrides).runs.front();
-  const Variant& variant = setting.variant;
   run.point = {{"/bending/model", setting.model},
-               {"/solver/method", variant.method},
+               {"/solver/method", setting.method},
                {"/solver/substeps", setting.substeps},
-               {"/solver/iterations", setting.iterations},
-               {"/solver/precision", setting.double_precision ? "double" : "single"}};
-  // By these a message tells runs apart; no setting says alone whether there are tethers.
-  run.point.emplace_back("/effects/tethers", variant.tethers);
-  run.point.emplace_back("/material/strain/form", variant.shear);
-  if (variant.softened) run.point.emplace_back("/solver/membrane", "auto");
-  if (variant.second_order) run.point.emplace_back("/solver/integrator", "bdf2");
-  if (variant.flight_limit != own_.flight_limit)
-    run.point.emplace_back("/solver/flight_limit", variant.flight_limit);
-  if (variant.radius > 0)
-    run.point.emplace_back(fmt::format("/bending/{}/radius", setting.model), variant.radius);
+               {"/solver/iterations", setting.iterations}};
+  const Json further = Json::parse(setting.solver);
+  for (const auto& [name, value] : further.items()) run.point.emplace_back("/solver/" + name, value);
+  if (setting.cells > 0) run.point.emplace_back("/mesh/cells", setting.cells);
   return run;
 }
 
@@ -367,7 +298,7 @@ Json Question::written(const Setting& setting, const std::filesystem::path& fold
   document.erase("accuracy");
   if (document.contains("expect"))
     document["expect"] =
-        without_effects(document["expect"], [](const Json& entry) { return entry.contains("where"); });
+        without(document["expect"], [](const Json& entry) { return entry.contains("where"); });
   MovedFiles(file_.parent_path(), folder).move(document);
   return document;
 }

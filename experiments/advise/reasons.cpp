@@ -12,12 +12,6 @@
 namespace bendlab {
 namespace {
 
-std::vector<Rated> measured_ones(const Advice& advice) {
-  std::vector<Rated> kept;
-  std::ranges::copy_if(advice.points, std::back_inserter(kept), [](const Rated& p) { return !p.predicted; });
-  return kept;
-}
-
 template <class Value>
 double least(const std::vector<Rated>& points, Value value) {
   return value(*std::ranges::min_element(points, {}, value));
@@ -29,8 +23,8 @@ std::string unfit_text(const std::vector<Rated>& points, const Advice& advice) {
   for (const Rated& point : points) because[unfit(point)].push_back(point);
   std::vector<std::string> parts;
   const std::string beyond =
-      advice.reference_strain > 0.01 * largest_strain
-          ? fmt::format(" beyond the {} of the reference", percent_text(advice.reference_strain))
+      advice.reference.strain > 0.01 * largest_strain
+          ? fmt::format(" beyond the {} of the reference", percent_text(advice.reference.strain))
           : "";
   for (const auto& [why, those] : because) {
     const std::string count = std::to_string(those.size());
@@ -61,16 +55,16 @@ bool all_alike(const std::vector<Rated>& points) {
 }
 
 std::string reference_text(const Advice& advice) {
-  if (!(advice.reference_strain <= largest_reference_strain))
+  if (!(advice.reference.strain <= largest_reference_strain))
     return fmt::format(
         "The reference itself is stretched by {} (rms), as no cloth is, so that errors against it mean "
         "nothing: it flew apart, or lengths are not in metres, the density not in kg/m² or the membrane's "
         "compliance not in m/N.",
-        percent_text(advice.reference_strain));
+        percent_text(advice.reference.strain));
   return fmt::format(
       "The reference itself is known to {} only, so that errors against it mean nothing: cloth that falls "
       "and folds moves chaotically. A shorter /duration is known better.",
-      percent_text(*advice.reference_gap));
+      percent_text(*advice.reference.gap));
 }
 
 std::string budget_text(const std::vector<Rated>& measured, double budget, const Advice& advice) {
@@ -86,24 +80,19 @@ std::string budget_text(const std::vector<Rated>& measured, double budget, const
 
 }  // namespace
 
-bool reference_tells(const Advice& advice) {
-  return advice.reference_strain <= largest_reference_strain &&
-         advice.reference_gap.value_or(0) <= largest_error;
-}
-
 bool anything_fit(const Advice& advice) {
-  return reference_tells(advice) && !advice.front.empty();
+  return reference_tells(advice.reference) && !advice.front.empty();
 }
 
 std::vector<std::string> why_none(const Advice& advice, const Demand& demand, double time_limit_s) {
   if (advice.best) return {};
-  if (!reference_tells(advice)) return {reference_text(advice)};
+  if (!reference_tells(advice.reference)) return {reference_text(advice)};
   std::vector<std::string> sentences;
-  const std::vector<Rated> measured = measured_ones(advice);
-  if (demand.error && advice.reference_gap.value_or(0) >= *demand.error)
+  const std::vector<Rated>& measured = advice.points;
+  if (demand.error && advice.reference.gap.value_or(0) >= *demand.error)
     sentences.push_back(
         fmt::format("The reference itself is known to {} only: cloth that falls and folds moves chaotically.",
-                    percent_text(*advice.reference_gap)));
+                    percent_text(*advice.reference.gap)));
   if (measured.empty())
     sentences.emplace_back("No setting gave an error.");
   else if (advice.front.empty())
@@ -115,10 +104,12 @@ std::vector<std::string> why_none(const Advice& advice, const Demand& demand, do
     sentences.emplace_back(
         "They all agree with each other, but not with the reference: the cloth has not come to rest by the "
         "end of /duration, or it rests in another pose than the reference.");
-  if (advice.out_of_time)
+  if (!advice.not_tried.empty())
     sentences.push_back(
-        fmt::format("The time limit ({:.4g} s) ended before finer settings were run: the same command "
-                    "continues, and gets further with a longer --time-limit.",
+        fmt::format("{} not tried within the time limit ({:.4g} s): the same command goes on with them, and "
+                    "gets further with a longer --time-limit.",
+                    advice.not_tried.size() == 1 ? "A setting was"
+                                                 : fmt::format("{} settings were", advice.not_tried.size()),
                     time_limit_s));
   return sentences;
 }

@@ -8,10 +8,7 @@
 
 namespace bendlab {
 
-/// Whether errors mean anything: the reference is not torn apart, and is known to within largest_error.
-bool reference_tells(const Advice& advice);
-
-/// Whether some setting that was run or predicted may be advised for a larger error, or for more time.
+/// Whether some setting that was run may be advised for a larger error, or for more time.
 bool anything_fit(const Advice& advice);
 
 /// The gravest first; empty if there is a best setting. `time_limit_s` as in AdviceOptions.

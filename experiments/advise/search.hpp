@@ -1,110 +1,70 @@
-// Which settings to measure, cheapest first, so that the front becomes known up to what is demanded and
-// little else is run.
+// Which settings to run, by successive halving: kinds of settings that were the best of measured scenes are
+// run, the better half of them goes on with more work or less, by what the demand asks for, and so on, until
+// at most three are left and the work of each is found. If none of them meets the demand, those that were
+// left behind go on.
 //
-// Each method has its ladder (ladder.hpp): its rungs are climbed one after another; those between are tried
-// only if they may meet the demand, more of what it does not climb if the next fewer is on the front, and
-// double precision if rounding seems to hold single back.
-//
-// A kind is a model with a variant (variant.hpp). The search starts with every model in one variant; others
-// are considered when asked for.
-//
-// A setting is worth a run if it could be on the front: an error falls at best with the square of the work
-// (substeps × iterations), but for iterations that converge, and what is known to cost more than a setting
-// that already meets the demand need not be run. Since the cheapest come first, a tighter demand measures
-// what a looser one did, and more. Unfit settings (fitness.hpp) are on no front and rule no other out; until
-// one is fit, climbing goes before the rest.
+// A kind is what differs in more than substeps and iterations. Its error falls, and its time grows, about
+// with its work: from two runs of it, of which one falls short of the demand and one does more, the next is
+// between them.
 #pragma once
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
-#include "experiments/advise/fit.hpp"
 #include "experiments/advise/front.hpp"
 
 namespace bendlab {
 
 class Search {
  public:
-  struct Limits {
-    int most_substeps = 256;
-    double least_error = 0;  ///< no smaller error is predicted: the reference is known to that only
-    /// CPU seconds per frame of a kind without a run yet; it may know none.
-    std::function<std::optional<double>(const Setting&)> forecast = nullptr;
-  };
-  struct Next {
-    Setting setting;
-    /// Expected per frame; nothing before the kind's first run, unless that is forecast.
-    std::optional<double> cpu_s = std::nullopt;
-  };
+  /// CPU seconds per frame that a setting is expected to take; it may know none.
+  using Forecast = std::function<std::optional<double>(const Setting&)>;
 
-  /// The coarsest setting of each kind to begin with.
-  Search(std::vector<Setting> kinds, const Demand& demand, Limits limits);
+  /// No setting has more than `most_substeps`.
+  Search(const Demand& demand, int most_substeps, Forecast forecast);
 
-  /// One more kind, that of this setting: from a quarter of its substeps on if its method climbs those, else
-  /// from the lowest rung. False if it is among the kinds already, or was dropped.
-  bool consider(const Setting& setting);
+  /// Adds a kind for each setting that is of none yet. Of several settings of a kind it starts with the one
+  /// that is expected to come nearest to the demand. False if there was no new kind.
+  bool consider(const std::vector<Setting>& settings);
 
-  /// What is worth a run now, the cheapest first; empty when the search is over.
-  std::vector<Next> next() const;
+  /// The settings of the next round; empty when the search is over.
+  std::vector<Setting> next();
 
-  /// Adds what a run gave. It has no error if it diverged, had no reference, or was not compared because its
-  /// strain is unfit.
-  void add(const Setting& setting, std::optional<double> error, double cpu_s, const Strained& strained = {});
-
-  /// Its error means nothing after all.
-  void reject(const Setting& setting);
+  /// Adds what a run gave.
+  void add(const Rated& point);
 
   /// No further run of this setting's kind.
   void drop(const Setting& setting);
 
+  /// Its error means nothing after all.
+  void reject(const Setting& setting);
+
   const std::vector<Rated>& measured() const { return measured_; }
 
-  /// Whether a run with it may be stretched beyond what is fit: no coarser run of its kind was less
-  /// stretched.
-  bool may_be_stretched(const Setting& setting) const;
-
-  /// Finer settings of kinds with at least three measured ones that follow a law, up to 4 times as much
-  /// work. Their strain is that of the finest measured one, or less where it follows a law, too.
-  std::vector<Rated> predicted() const;
-
  private:
-  struct Result {
-    std::optional<double> error{};
-    double cpu_s = 0;
-    Strained strained{};
-    bool timed = false;  ///< it ran to its end
+  struct Kind {
+    Setting start;
+    int most_iterations;
+    std::vector<Rated> tried{};
+    bool over = false;
   };
 
-  void find_front();
-  const Result* find(const Setting& setting) const;
-  static bool stretched(const Result& result);
-  /// Nothing for a stretched run: its error means nothing.
-  std::optional<double> error_of(const Setting& setting) const;
-  std::optional<double> cost(const Setting& setting) const;
-  double optimistic(const Setting& setting) const;
-  bool on_front(const Setting& setting) const;
-  bool is_next(const Setting& setting) const;
-  bool continues(const Setting& setting) const;
-  bool more_of_the_other(const Setting& setting) const;
-  std::optional<double> error_below(const Setting& setting, int rungs) const;
-  bool rounding_suspected(const Setting& setting) const;
-  bool between(const Setting& setting) const;
-  double longest() const;
-  bool worth(const Setting& setting) const;
-  std::vector<Setting> all_settings(const Setting& kind) const;
-  Strained predicted_strain(const std::vector<Setting>& measured, const Setting& setting) const;
+  Setting start_of(const std::vector<Setting>& settings) const;
+  double best_score(const Kind& kind) const;
+  bool falls_short(const Rated& point) const;
+  std::optional<Setting> step(const Kind& kind) const;
+  std::optional<double> factor_above(const Kind& kind, const Rated& short_of) const;
+  std::vector<Setting> steps();
+  void halve();
 
-  std::vector<Setting> kinds_;  ///< of each its coarsest setting
-  std::vector<Setting> dropped_;
   Demand demand_;
-  Limits limits_;
-  std::map<Setting, Result> results_;
+  int most_substeps_;
+  Forecast forecast_;
+  std::vector<Kind> kinds_;
+  std::vector<Kind> resting_;   // halving left them behind
+  std::vector<Setting> ended_;  // of each kind that goes on no more
   std::vector<Rated> measured_;
-  std::vector<Rated> front_;  ///< of the fit ones
-  std::vector<Rated> ahead_;  ///< the front; if nothing is fit, the points least beyond the limits
 };
 
 }  // namespace bendlab

@@ -182,6 +182,7 @@ std::vector<CampaignRun> plan_campaign(const std::vector<Experiment>& experiment
 void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options,
                   const std::function<void(std::size_t index)>& on_ready) {
   keep_changes(options.out);
+  const std::atomic<bool>& stop = options.stop ? *options.stop : stop_flag();
   const std::vector<std::size_t> executed_as = first_of_equals(runs);
   std::vector<double> costs;
   for (std::size_t i = 0; i < runs.size(); ++i)
@@ -228,7 +229,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
       const std::size_t index = order[place];
       if (executed_as[index] != index) continue;
       const RunControl control{
-          .stop = &stop_flag(),
+          .stop = &stop,
           .progress = [&, index](double done_s, double total_s) { progress.update(index, done_s, total_s); },
           .minimal = options.minimal,
           .force = options.force || options.minimal,
@@ -241,7 +242,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
               }};
       const std::optional<Forecast> needs = forecast(*runs[index].config);
       const MemoryBudget::Taken taken(memory, needs ? std::round(needs->memory_bytes) : 0.0);
-      if (!stop_flag()) execute(runs[index], options, control);
+      if (!stop) execute(runs[index], options, control);
       try {
         finish(index);
       } catch (...) {  // nobody reads stdout any more: the runs go on, they are kept in their files

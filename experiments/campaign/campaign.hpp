@@ -1,6 +1,7 @@
 // Many runs side by side: the points of one or more experiments, over the cores.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -39,6 +40,7 @@ struct CampaignOptions {
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
   bool tells_verdicts = true;  ///< each implausible run on stderr, when it is over
+  const std::atomic<bool>* stop = nullptr;  ///< set: as after a stop signal; null: that is stop_flag()
 };
 
 /// CPU time that a run is expected to take, s (forecast.hpp).

@@ -11,7 +11,6 @@
 #include "bendlab/io/disk.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/advise/advice.hpp"
-#include "experiments/advise/ladder.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
@@ -64,31 +63,36 @@ void check_models(const std::vector<std::string>& models) {
 }
 
 void check_methods(const std::vector<std::string>& methods) {
+  const std::vector<std::string> advised = advised_methods();
   for (const std::string& name : methods)
-    if (find_method(name) != nullptr && std::ranges::find(advised_methods, name) == advised_methods.end())
+    if (find_method(name) != nullptr && std::ranges::find(advised, name) == advised.end())
       throw UsageError(
           fmt::format("--methods: {} is there to be compared with, and is not advised. Choose from: {}", name,
-                      fmt::join(advised_methods, ", ")));
-  check_names("--methods", "solver method", methods, {advised_methods.begin(), advised_methods.end()});
+                      fmt::join(advised, ", ")));
+  check_names("--methods", "solver method", methods, {advised.begin(), advised.end()});
 }
 
 std::string what_text(const Advice& advice, const Question& question) {
   const std::string gap =
-      advice.reference_gap ? fmt::format(", which is known to {}", percent_text(*advice.reference_gap)) : "";
+      advice.reference.gap ? fmt::format(", which is known to {}", percent_text(*advice.reference.gap)) : "";
   const char* cloth =
       question.reference_model() == "dihedral" ? "calibrated hinges" : "the config's own springs";
-  switch (advice.error_of) {
+  const std::string cells =
+      advice.reference.cells > 0 ? fmt::format(" on {} cells", advice.reference.cells) : "";
+  switch (advice.reference.of) {
     case ErrorOf::own:
       return fmt::format("against the reference of the config's own /accuracy{}", gap);
     case ErrorOf::motion:
-      return fmt::format("of the motion, mean over the frames, against {} with {} substeps{}", cloth,
-                         question.reference_substeps(), gap);
+      return fmt::format("of the motion, mean over the frames, against {} with {} substeps{}{}", cloth,
+                         advice.reference.substeps, cells, gap);
     case ErrorOf::rest:
       return fmt::format(
-          "of the pose at the end, against the static equilibrium of {} after the best turn about the "
+          "of the pose at the end, against the static equilibrium of {}{} after the best turn about the "
           "vertical{}",
-          cloth,
-          advice.many_equilibria ? "; there are many, and a run is compared with the one near its end" : "");
+          cloth, cells,
+          advice.reference.start_from_end
+              ? "; there are many, and a run is compared with the one near its end"
+              : "");
   }
   throw std::logic_error("what_text: unknown kind of error");
 }
@@ -104,8 +108,9 @@ bool is_unconverged(const Rated& point, const Advice& advice) {
 }
 
 std::string how(const Rated& point, const Advice& advice) {
-  if (point.predicted) return "predicted";
-  return is_unconverged(point, advice) ? "measured, unconverged" : "measured";
+  const Unfit why = unfit(point);
+  if (why != Unfit::no) return fmt::format("unfit: {}", name_of(why));
+  return is_unconverged(point, advice) ? "unconverged" : "";
 }
 
 std::optional<double> strain_of(const Rated& point, const Advice& advice) {
@@ -113,16 +118,14 @@ std::optional<double> strain_of(const Rated& point, const Advice& advice) {
   return found == advice.strain.end() ? std::nullopt : std::optional(found->second);
 }
 
-// A setting that was not compared has no error; its strain is why.
 std::string point_text(const Rated& point, const Advice& advice) {
-  const Unfit why = unfit(point);
   std::string text =
       fmt::format("{}: {}", setting_text(point.setting),
                   std::isfinite(point.error) ? "error " + percent_text(point.error) : "error not measured");
-  if (const auto strain = strain_of(point, advice); why != Unfit::no && strain)
-    text += fmt::format(", strain {} (rms)", percent_text(*strain));
-  if (why == Unfit::stretch) text += fmt::format(", a triangle {:.3g} times as long", point.strained.largest);
-  return text + fmt::format(", {:.3g} ms of CPU per frame ({})", 1e3 * point.cpu_s, how(point, advice));
+  if (const auto strain = strain_of(point, advice); unfit(point) != Unfit::no && strain)
+    text += fmt::format(", strain {} (rms), a triangle {:.3g} times as long as in the reference",
+                        percent_text(*strain), point.strained.largest);
+  return text + fmt::format(", {:.3g} ms of CPU per frame", 1e3 * point.cpu_s);
 }
 
 // For a shell.
@@ -130,28 +133,30 @@ std::string quoted_change(const std::string& change) {
   return change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'";
 }
 
-// Unfit settings stand above the fit ones, and are marked. The advised one is always there.
+// The front; if nothing is fit, what comes nearest. The advised setting is always there.
 std::vector<Rated> rows_of(const Advice& advice) {
-  std::vector<Rated> rows = unfit_front_of(advice.points), fit = thinned(advice.front);
-  if (advice.best && std::ranges::find(fit, advice.best->setting, &Rated::setting) == fit.end())
-    fit.push_back(*advice.best);
-  std::ranges::stable_sort(fit, {}, &Rated::cpu_s);
-  rows.insert(rows.end(), fit.begin(), fit.end());
+  std::vector<Rated> rows = thinned(advice.front);
+  for (const auto& also : {advice.best, advice.nearest})
+    if (also && std::ranges::find(rows, also->setting, &Rated::setting) == rows.end()) rows.push_back(*also);
+  std::ranges::stable_sort(rows, {}, &Rated::cpu_s);
   return rows;
 }
 
-std::string front_text(const Advice& advice) {
-  Table table({"model", "method", "with", "substeps", "iterations", "precision", "error (%)", "strain (%)",
+std::string front_text(const Advice& advice, const Question& question) {
+  const int cells = question.cells_that_may_vary();
+  Table table({"model", "method", "with", "substeps", "iterations", "cells", "error (%)", "strain (%)",
                "ms per frame", ""});
   for (const Rated& point : rows_of(advice)) {
+    const Setting& setting = point.setting;
     const auto strain = strain_of(point, advice);
-    const Unfit why = unfit(point);
-    table.add_row({point.setting.model, point.setting.variant.method, variant_text(point.setting.variant),
-                   std::to_string(point.setting.substeps), std::to_string(point.setting.iterations),
-                   point.setting.double_precision ? "double" : "single",
+    table.add_row({setting.model, setting.method, solver_text(setting), std::to_string(setting.substeps),
+                   std::to_string(setting.iterations),
+                   setting.cells > 0 ? std::to_string(setting.cells)
+                   : cells > 0       ? std::to_string(cells)
+                                     : "",
                    std::isfinite(point.error) ? percent_number(point.error) : "-",
                    strain ? percent_number(*strain) : "", fmt::format("{:.3g}", 1e3 * point.cpu_s),
-                   how(point, advice) + (why == Unfit::no ? "" : fmt::format(", unfit: {}", name_of(why)))});
+                   how(point, advice)});
   }
   return table.text();
 }
@@ -170,12 +175,11 @@ std::string demand_text(const Demand& demand) {
 
 // Says that nothing is advised, what came nearest, and why.
 void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
+  const std::string of = advice.not_tried.empty() ? "no setting" : "no setting run so far";
   if (anything_fit(advice))
-    print_text("{}: no setting {}meets {}", question.name(), advice.out_of_time ? "run so far " : "",
-               demand_text(options.demand));
+    print_text("{}: {} meets {}", question.name(), of, demand_text(options.demand));
   else
-    print_text("{}: nothing to advise, no setting {}is fit", question.name(),
-               advice.out_of_time ? "run so far " : "");
+    print_text("{}: nothing to advise, {} is fit", question.name(), of);
   if (advice.nearest)
     print_text("; nearest is {}{}", point_text(*advice.nearest, advice),
                anything_fit(advice) ? "" : ", which is not to be used");
@@ -184,67 +188,85 @@ void print_none(const Advice& advice, const Question& question, const AdviceOpti
     print_text("{}\n", sentence);
 }
 
+// How to have the choice.
+void print_choice(const Rated& point, const Advice& advice, const Question& question) {
+  constexpr double close = 10;
+  if (advice.reference.gap && point.error < close * *advice.reference.gap)
+    print_text("\nThe reference's own error is more than a tenth of this error.\n");
+  print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
+  for (const std::string& change : question.changes(point.setting))
+    print_text("  --set {}\n", quoted_change(change));
+}
+
+void print_not_tried(const Advice& advice, const AdviceOptions& options) {
+  if (advice.not_tried.empty()) return;
+  constexpr std::size_t shown = 5;
+  print_text("\nnot tried, because --time-limit ({:.4g} s) was over; the same command goes on with them:\n",
+             options.time_limit_s);
+  for (std::size_t i = 0; i < std::min(shown, advice.not_tried.size()); ++i)
+    print_text("  {}\n", setting_text(advice.not_tried[i]));
+  if (advice.not_tried.size() > shown) print_text("  and {} more\n", advice.not_tried.size() - shown);
+}
+
 void print_advice(const Advice& advice, const Question& question, const AdviceOptions& options) {
   if (advice.best)
     print_text("{}: take {}\n", question.name(), point_text(*advice.best, advice));
   else
     print_none(advice, question, options);
   print_text("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+  if (advice.reference.cells > 0)
+    print_text(
+        "the reference has fewer cells than the config, because more would not fit into --time-limit ({:.4g} "
+        "s): "
+        "what fewer cells cost is not all in these errors\n",
+        options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
                default_flexural_rigidity);
-  if (!unfit_front_of(advice.points).empty()) print_text("{}\n", limits_text());
-  print_text("\n{}", front_text(advice));
+  if (!advice.points.empty() && advice.front.empty()) print_text("{}\n", limits_text());
+  print_text("\n{}", front_text(advice, question));
   constexpr double at_rest = 0.02;  // sizes per second
-  if (advice.error_of == ErrorOf::rest && advice.still_moving > at_rest)
+  if (advice.reference.of == ErrorOf::rest && advice.reference.still_moving > at_rest)
     print_text(
         "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
         "lets it come to rest, and --what motion compares its motion instead.\n",
-        percent_text(advice.still_moving));
-  const auto& point = advice.best ? advice.best : advice.nearest;
-  if (point && anything_fit(advice)) {
-    constexpr double close = 10;
-    if (advice.reference_gap && point->error < close * *advice.reference_gap)
-      print_text("\nThe reference's own error is more than a tenth of this error.\n");
+        percent_text(advice.reference.still_moving));
+  if (const auto& point = advice.best ? advice.best : advice.nearest) {
     for (const Warning& warning : warnings_of(*point, advice))
       print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
-    print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
-    for (const std::string& change : question.changes(point->setting))
-      print_text("  --set {}\n", quoted_change(change));
+    if (anything_fit(advice)) print_choice(*point, advice, question);
   }
+  print_not_tried(advice, options);
   if (!advice.left_out.empty()) print_text("\nnot in this table:\n");
-  for (const LeftOut& each : advice.left_out) print_text("  {}: {}\n", each.what, each.why);
+  for (const LeftOut& left_out : advice.left_out) print_text("  {}: {}\n", left_out.what, left_out.why);
 }
 
 Json number_or_null(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
+Json setting_json(const Setting& setting) {
+  return {{"model", setting.model},
+          {"method", setting.method},
+          {"solver", Json::parse(setting.solver)},
+          {"substeps", setting.substeps},
+          {"iterations", setting.iterations},
+          {"cells", setting.cells > 0 ? Json(setting.cells) : Json(nullptr)}};
+}
+
 Json point_json(const std::optional<Rated>& point, const Advice& advice) {
   if (!point) return nullptr;
   const auto strain = strain_of(*point, advice);
   const Unfit why = unfit(*point);
-  const Variant& variant = point->setting.variant;
-  return {
-      {"model", point->setting.model},
-      {"tethers", variant.tethers},
-      {"shear", variant.shear},
-      {"flight_limit", variant.flight_limit},
-      {"method", variant.method},
-      {"membrane", variant.softened ? "auto" : "stated"},
-      {"integrator", softens(variant.method) ? Json(variant.second_order ? "bdf2" : "euler") : Json(nullptr)},
-      {"radius", variant.radius > 0 ? Json(variant.radius) : Json(nullptr)},
-      {"substeps", point->setting.substeps},
-      {"iterations", point->setting.iterations},
-      {"precision", point->setting.double_precision ? "double" : "single"},
-      {"error", number_or_null(point->error)},
-      {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
-      {"stretch_over_reference", number_or_null(point->strained.largest)},
-      {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
-      {"unconverged", is_unconverged(*point, advice)},
-      {"warnings", to_json(warnings_of(*point, advice))},
-      {"cpu_s_per_frame", point->cpu_s},
-      {"predicted", point->predicted}};
+  Json json = setting_json(point->setting);
+  json.update({{"error", number_or_null(point->error)},
+               {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
+               {"stretch_over_reference", number_or_null(point->strained.largest)},
+               {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
+               {"unconverged", is_unconverged(*point, advice)},
+               {"warnings", to_json(warnings_of(*point, advice))},
+               {"cpu_s_per_frame", point->cpu_s}});
+  return json;
 }
 
 Json points_json(const std::vector<Rated>& points, const Advice& advice) {
@@ -258,19 +280,21 @@ Json advice_json(const Advice& advice, const Question& question, const AdviceOpt
   constexpr const char* kinds[] = {"rest", "motion", "own"};
   Json left_out = Json::array();
   for (const LeftOut& each : advice.left_out) left_out.push_back({{"what", each.what}, {"why", each.why}});
+  Json not_tried = Json::array();
+  for (const Setting& setting : advice.not_tried) not_tried.push_back(setting_json(setting));
   Json json = {
       {"name", question.name()},
       {"demand", demand.error ? Json{{"error", *demand.error}} : Json{{"cpu_s_per_frame", *demand.cpu_s}}},
-      {"error_of", kinds[static_cast<int>(advice.error_of)]},
-      {"many_equilibria", advice.many_equilibria},
-      {"still_moving", advice.still_moving},
-      {"reference_gap", advice.reference_gap ? Json(*advice.reference_gap) : Json(nullptr)},
-      {"reference_strain", number_or_null(advice.reference_strain)},
+      {"error_of", kinds[static_cast<int>(advice.reference.of)]},
+      {"many_equilibria", advice.reference.start_from_end},
+      {"still_moving", advice.reference.still_moving},
+      {"reference_gap", advice.reference.gap ? Json(*advice.reference.gap) : Json(nullptr)},
+      {"reference_strain", number_or_null(advice.reference.strain)},
       {"limits",
        {{"error", largest_error},
         {"strain_over_reference", largest_strain},
         {"stretch_over_reference", largest_stretch}}},
-      {"accuracy", advice.accuracy},
+      {"accuracy", advice.reference.accuracy},
       {"anything_fit", anything_fit(advice)},
       {"why_none", why_none(advice, demand, options.time_limit_s)},
       {"advice", point_json(advice.best, advice)},
@@ -279,8 +303,9 @@ Json advice_json(const Advice& advice, const Question& question, const AdviceOpt
       {"front", points_json(advice.front, advice)},
       {"points", points_json(advice.points, advice)},
       {"left_out", left_out},
+      {"not_tried", not_tried},
       {"computed_runs", advice.computed},
-      {"complete", !advice.out_of_time}};
+      {"complete", advice.not_tried.empty()}};
   const auto& point = advice.best ? advice.best : advice.nearest;
   if (point && anything_fit(advice)) json["set"] = question.changes(point->setting);
   return json;

@@ -172,7 +172,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
                                    [&a] { return validate_command(a.configs, a.strict); });
   add_configs(validate, a);
-  validate->add_flag("--strict", a.strict, "Treat warnings that are known before a run as errors");
+  validate->add_flag("--strict", a.strict, "Build every run; treat warnings that are known then as errors");
 
   CLI::App* reproduce =
       add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",

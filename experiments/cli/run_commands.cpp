@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <chrono>
-#include <set>
 #include <stdexcept>
 #include <system_error>
 #include <unordered_map>
@@ -20,6 +18,7 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/explain.hpp"
 #include "experiments/cli/load_experiments.hpp"
+#include "experiments/cli/look_before.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/cli/run_and_report.hpp"
 #include "experiments/config/counted.hpp"
@@ -44,65 +43,6 @@ void check_writable(const fs::path& folder) {
   if (error)
     throw RunFileError(fmt::format("results can't be written to '{}': {}. Name another folder with --out",
                                    folder.string(), error.message()));
-}
-
-/// Prints each warning of an experiment once, with the run where it is worst.
-void tell_warnings(std::span<const CampaignRun> runs) {
-  for (const CollectedText& warning : collected_warnings(runs))
-    print_text(stderr, "bendlab: warning: {}: {}: {}\n", runs.front().experiment->name, warning.kind,
-               text_of(warning));
-}
-
-/// Whether a run's mesh is so large that building it takes seconds.
-bool has_large_mesh(const RunConfig& config) {
-  constexpr std::int64_t large = 512;  // cells
-  return config.mesh_file().empty() && config.section("/mesh").integer("cells") > large;
-}
-
-/// What is known of runs before they are computed.
-struct KnownBefore {
-  std::size_t warnings = 0;
-  int exit_code = exit_ok;  ///< of a mesh, pins or a start pose that cannot be had
-};
-
-/// Builds the scenes of the runs without their bending constraints; prints the warnings that this shows, and
-/// what is wrong with meshes and pins, each once per experiment. Unless `all` are asked for, looks at each
-/// mesh
-/// with its pins, and at the other runs for `some_seconds`.
-KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
-  constexpr std::chrono::seconds some_seconds(2);
-  const auto begin = std::chrono::steady_clock::now();
-  KnownBefore known;
-  for (const Experiment& experiment : experiments) {
-    std::vector<CampaignRun> runs;
-    std::set<std::string> seen, places, failures;
-    std::size_t left_out = 0;
-    for (const RunConfig& config : experiment.runs) {
-      if (!seen.insert(text_of_what_warns_before(config)).second) continue;
-      const Json& settings = config.resolved();
-      const bool new_place = places.insert(settings["mesh"].dump() + settings["pins"].dump()).second;
-      if (!all && (has_large_mesh(config) ||
-                   (!new_place && std::chrono::steady_clock::now() - begin > some_seconds))) {
-        ++left_out;
-        continue;
-      }
-      CampaignRun& run = runs.emplace_back(CampaignRun{.experiment = &experiment, .config = &config});
-      try {
-        run.outcome = RunOutcome{.warnings = warnings_before(experiment, config)};
-      } catch (...) {
-        const Failure failure = current_failure();
-        if (known.exit_code == exit_ok) known.exit_code = failure.exit_code;
-        if (failures.insert(failure.message).second)
-          print_text(stderr, "bendlab: {}: {}\n", run_text(run), failure.message);
-      }
-    }
-    tell_warnings(runs);
-    known.warnings += collected_warnings(runs).size();
-    if (left_out > 0)
-      print_text(stderr, "bendlab: {}: {} of {} not looked at for warnings; --strict looks at all\n",
-                 experiment.name, left_out, counted(experiment.runs.size(), "run"));
-  }
-  return known;
 }
 
 /// What runs need: "about 3 min of CPU time, up to 1.2 GB of memory for a run, 400 MB of disk".

@@ -1,6 +1,7 @@
 #include "experiments/config/rules.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -89,10 +90,11 @@ void check_springs_lie_flat(const Json& canonical, ConfigProblems& problems) {
   const std::string& generator = mesh["generator"].get_ref<const std::string&>();
   const bool shortens = (model->springs_only && model->name != "none") || model->one_sided;
   if (shortens && (generator == "tube" || generator == "sphere"))
-    problems.push_back({"/bending/stiffness",
-                        fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
-                                    "for a {}: set it by k or compliance, or choose a model made of hinges",
-                                    model->name, generator)});
+    problems.push_back(
+        {"/bending/stiffness",
+         fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
+                     "for a {}: choose a model made of hinges ({}), or state it by k or compliance",
+                     model->name, generator, fmt::join(models_of_hinges(), ", "))});
 }
 
 // A run has at least a step, and so few that they can be counted and waited for.

@@ -177,27 +177,27 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   double vertex = seconds::vertex;
   for (const EffectSettings& effect : config.effects()) vertex += find_effect(effect.type)->vertex_seconds;
   const double substep = count("iterations") * projection + vertices * vertex;
-  needs.cpu_s = seconds::of_run + vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
-                bending.chosen * bending.reach * seconds::choice_by_reach +
-                frames * mesh->triangles * seconds::frame_per_triangle;
+  needs.set_up_s = vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
+                   bending.chosen * bending.reach * seconds::choice_by_reach;
   if (fitted && pairs > 0)
-    needs.cpu_s += vertices * (seconds::bent_sheet + seconds::bent_sheet_factor * std::sqrt(vertices)) +
-                   pairs * bending.reach * seconds::fitted_by_reach;
+    needs.set_up_s += vertices * (seconds::bent_sheet + seconds::bent_sheet_factor * std::sqrt(vertices)) +
+                      pairs * bending.reach * seconds::fitted_by_reach;
   else if (fitted)
-    needs.cpu_s += bending.hinges * seconds::fitted_hinge;
+    needs.set_up_s += bending.hinges * seconds::fitted_hinge;
   double step = count("substeps") * substep;
   if (levels)
-    needs.cpu_s += vertices * seconds::levels_per_vertex,
+    needs.set_up_s += vertices * seconds::levels_per_vertex,
         step += count("substeps") * count("iterations") * vertices * seconds::spans_per_vertex;
   step += count("substeps") * count("iterations") * vertices * method->vertex_seconds;
   if (method->factorised == Factorised::scalars)
-    needs.cpu_s += vertices * seconds::metric_per_vertex,
+    needs.set_up_s += vertices * seconds::metric_per_vertex,
         step += count("substeps") * count("iterations") * vertices * seconds::iteration_per_vertex;
   if (method->factorised == Factorised::blocks)
     step += count("substeps") * count("iterations") * vertices * fill(bending, vertices) *
             (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
-  needs.cpu_s += method->has_motion ? steps * step
-                                    : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices);
+  needs.cpu_s = seconds::of_run + needs.set_up_s + frames * mesh->triangles * seconds::frame_per_triangle +
+                (method->has_motion ? steps * step
+                                    : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices));
   needs.disk_bytes = disk_bytes(config, *mesh, std::ceil(frames), needs.cpu_s, in_double);
   return needs;
 }
@@ -231,22 +231,35 @@ std::string duration_text(double s) {
   return s < 100 * 3600 ? fmt::format("{:.2g} h", s / 3600) : fmt::format("{:.3g} days", s / 86400);
 }
 
-void require_room(const RunConfig& config, const fs::path& folder) {
-  const std::optional<Forecast> needs = forecast(config);
-  if (!needs) return;
-  constexpr double within = 1.1;  // a forecast is no measurement
+namespace {
+
+constexpr double let_through = 1.1;  // a forecast is no measurement
+
+void require_memory(const Forecast& needs) {
   constexpr double most = std::numeric_limits<int>::max();
-  if (needs->constraints > most)
+  if (needs.constraints > most)
     throw NoRoom(
         fmt::format("the run would have about {:.2g} bending constraints, and no more than {:.2g} can "
                     "be counted: {}",
-                    needs->constraints, most, needs->advice));
-  if (const double available = available_memory(); needs->memory_bytes > within * available)
+                    needs.constraints, most, needs.advice));
+  if (const double available = available_memory(); needs.memory_bytes > let_through * available)
     throw NoRoom(fmt::format("the run needs about {} of memory, and {} are available: {}",
-                             bytes_text(needs->memory_bytes), bytes_text(available), needs->advice));
+                             bytes_text(needs.memory_bytes), bytes_text(available), needs.advice));
+}
+
+}  // namespace
+
+void require_memory(const RunConfig& config) {
+  if (const std::optional<Forecast> needs = forecast(config)) require_memory(*needs);
+}
+
+void require_room(const RunConfig& config, const fs::path& folder) {
+  const std::optional<Forecast> needs = forecast(config);
+  if (!needs) return;
+  require_memory(*needs);
   std::error_code error;
   const fs::space_info space = fs::space(folder, error);
-  if (!error && needs->disk_bytes > within * static_cast<double>(space.available))
+  if (!error && needs->disk_bytes > let_through * static_cast<double>(space.available))
     throw RunFileError(fmt::format(
         "{}: the run file needs about {}, and {} are free on that disk: choose fewer "
         "/output/frames_per_second or a shorter /duration, or another --out",

@@ -14,6 +14,7 @@ struct Forecast {
   double memory_bytes = 0;  ///< of the process at its peak, with nothing else in it
   double disk_bytes = 0;    ///< of the run file
   double cpu_s = 0;         ///< CPU time, on a processor like that of results/performance
+  double set_up_s = 0;      ///< the part of it before the first step
   double constraints = 0;   ///< of bending
   std::string advice;       ///< which setting lowers the largest part of the memory
 };
@@ -34,9 +35,11 @@ class NoRoom : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Throws NoRoom (memory) or RunFileError (disk) with what the run needs, what there is, and the setting to
-/// change. `folder`: where the run file goes. A tenth too much is let through, because a
-/// forecast is no measurement.
+/// Throws NoRoom with the memory that the run needs, what there is, and the setting to change. A tenth too
+/// much is let through, because a forecast is no measurement.
+void require_memory(const RunConfig& config);
+
+/// The same, and RunFileError for the disk. `folder`: where the run file goes.
 void require_room(const RunConfig& config, const std::filesystem::path& folder);
 
 /// "1.2 GB".

@@ -75,21 +75,6 @@ std::vector<Warning> warnings_of(const WarningInput& input) {
   return warnings;
 }
 
-std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config) {
-  Json bare = config.resolved();
-  bare["bending"] = {{"model", "none"}, {"stiffness", "k"}, {"k", 0.0}, {"compliance", 0.0}};
-  const Scene scene = build_scene(RunConfig(std::move(bare), config.folder()));
-  return warnings_of(WarningInput{experiment, config, scene});
-}
-
-std::string text_of_what_warns_before(const RunConfig& config) {
-  Json settings = config.resolved();
-  settings["measures"] = settings["output"]["measures"];
-  for (const char* unused : {"output", "accuracy", "quality"}) settings.erase(unused);
-  for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
-  return settings.dump();
-}
-
 Json to_json(const std::vector<Warning>& warnings) {
   Json json = Json::array();
   for (const Warning& warning : warnings) {

@@ -45,7 +45,7 @@ struct WarningInput {
 struct WarningKind {
   std::string_view code;
   std::string_view meaning;  ///< when it is given
-  bool before;               ///< known before the run: looks at neither the summary nor bending constraints
+  bool before;               ///< known before the run: does not look at the summary
   std::optional<WarningText> (*message)(const WarningInput&);
 };
 
@@ -54,13 +54,6 @@ std::span<const WarningKind> warning_kinds();
 
 /// The warnings of a run; without a summary those that are known before it.
 std::vector<Warning> warnings_of(const WarningInput& input);
-
-/// Those that are known before the run, from a scene that is built without bending constraints. Throws what
-/// build_scene() does.
-std::vector<Warning> warnings_before(const Experiment& experiment, const RunConfig& config);
-
-/// The settings that warnings_before() depends on, as text: runs with the same text have the same warnings.
-std::string text_of_what_warns_before(const RunConfig& config);
 
 /// [{code, message}, …] and back, with severity and measured where there is a number; other entries are left
 /// out.

@@ -62,7 +62,7 @@ void check_outline(const RestMesh& from, const std::vector<Vector2>& from_plane,
   if (apart > allowed)
     throw std::invalid_argument(
         fmt::format("the other mesh has another outline: the two end {:.3g} m apart, and at most two edge "
-                    "lengths ({:.3g} m) are allowed",
+                    "lengths ({:.3g} m) are allowed: give both the same extent",
                     apart, allowed));
 }
 
@@ -76,12 +76,18 @@ PoseTransfer::PoseTransfer(const RestMesh& from, const RestMesh& to) {
   if (same_rest_positions(from, to)) return;
   const std::vector<Vector2> from_plane = plane_coordinates(from), points = plane_coordinates(to);
   if (from_plane.empty() || points.empty())
-    throw std::invalid_argument("the meshes differ, and are not both meshes of the same flat sheet");
+    throw std::invalid_argument(
+        "the meshes differ, and are not both meshes of the same flat sheet: give both runs one mesh, or two "
+        "of "
+        "one flat sheet");
   const Sheet sheet(from, from_plane);
   for (std::size_t v = 0; v < points.size(); ++v) {
     const auto corner = sheet.triangle_at(points[v]);
     if (!corner)
-      throw std::invalid_argument(fmt::format("vertex {} lies outside the sheet of the other mesh", v));
+      throw std::invalid_argument(
+          fmt::format("vertex {} lies outside the sheet of the other mesh: give both the same "
+                      "extent and place",
+                      v));
     places_.push_back({*corner, sheet.weights(*corner, points[v])});
   }
   check_outline(from, from_plane, to, points);

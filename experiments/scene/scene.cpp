@@ -217,7 +217,7 @@ BendingConstraints bending_constraints(const RunConfig& config, const RestMesh& 
                values.has("deflection") ? named<Deflection>(values.text("deflection"), deflection_names)
                                         : Deflection::large});
   } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
-    throw ConfigError("physical stiffness", {{"/bending", error.what()}});
+    throw ConfigError("physical stiffness", {{"/bending/stiffness", error.what()}});
   }
   return constraints;
 }
@@ -263,8 +263,8 @@ std::vector<InverseRest> material_coordinates(const ParameterValues& material, c
   try {
     return inverse_rest_from_texture(mesh);
   } catch (const std::invalid_argument& error) {
-    if (mesh_notes.empty()) throw MeshError(error.what());
-    throw MeshError(fmt::format("{} ({})", error.what(), fmt::join(mesh_notes, "; ")));
+    throw MeshError(fmt::format("/material/coordinates: {}{}", error.what(),
+                                mesh_notes.empty() ? "" : fmt::format(" ({})", fmt::join(mesh_notes, "; "))));
   }
 }
 
@@ -321,7 +321,11 @@ std::unique_ptr<Simulation> simulation_in(const Scene& scene) {
     for (std::size_t index = 0; index < scene.effects.size(); ++index)
       if (find_effect(scene.effects[index].type)->acts_first == first)
         for (Pass<Real>& pass : passes_of<Real>(scene, index)) passes.push_back(std::move(pass));
-  return make_simulation<Real>(scene.input, std::move(passes));
+  try {
+    return make_simulation<Real>(scene.input, std::move(passes));
+  } catch (const std::invalid_argument& error) {  // a method that does not suit this scene
+    throw ConfigError("solver method", {{"/solver/method", error.what()}});
+  }
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
 // Every warning is given where it is due, with its number, and nowhere else.
+#include "experiments/run/set_up.hpp"
 #include "experiments/run/warnings.hpp"
 
 #include <fmt/format.h>
@@ -87,7 +88,7 @@ TEST_CASE("warnings: an effect that needs pins where nothing is pinned", "[warni
   CHECK(codes(R"("top")", tethers).empty());
   const Experiment by_default =
       parse_experiment(R"({"name": "d", "mesh": {"cells": 4}, "pins": {"vertices": []}})", "test");
-  CHECK(warnings_before(by_default, by_default.runs.front()).empty());
+  CHECK(set_up(by_default, by_default.runs.front()).empty());
 }
 
 TEST_CASE("warnings: friction where there is nothing to hold on to", "[warnings]") {
@@ -529,14 +530,6 @@ TEST_CASE("warnings: each has a code of its own, and comes back from JSON", "[wa
   CHECK(back[1].code == "inert_seed");
   CHECK(back[1].message == "\"quoted\"");
   CHECK(warnings_of(Json()).empty());
-}
-
-TEST_CASE("warnings: those before a run need no bending constraints", "[warnings]") {
-  const Experiment experiment = experiment_of(
-      R"("mesh": {"cells": 4, "width": 500, "height": 500}, "bending": {"model": "prestressed"})");
-  const std::vector<Warning> before = warnings_before(experiment, experiment.runs.front());
-  REQUIRE(before.size() == 1);
-  CHECK(before[0].code == "units");
 }
 
 }  // namespace bendlab

@@ -113,7 +113,7 @@ class Calibration {
       if (target_.deflection != Deflection::large)
         throw std::invalid_argument(
             "only hinges in a flat rest shape can have their flexural_rigidity at another deflection than "
-            "large");
+            "large: set \"deflection\" to \"large\", or choose a model made of hinges and a flat mesh");
       return meet(linear_, std::move(energy), rigidity() / 2, 1, "linear");
     }
     for (double& of_vertex : energy) of_vertex *= rigidity() / 2;
@@ -263,7 +263,8 @@ class Calibration {
       const double edge = list.rest[c][5], sine = list.rest[c][4] / (2 * edge);
       if (!norm && sine > 0)
         throw std::invalid_argument(
-            "the energy of Bergou as a constraint is quartic in a flat rest shape only");
+            "the energy of Bergou as a constraint is quartic in a flat rest shape only: set the model's "
+            "\"constraint\" to \"norm\", or state the stiffness by k or compliance");
       // |Kx| = 2 edge sin(θ/2).
       const double per_angle = edge * std::sqrt(std::max(0.0, 1 - sine * sine));
       add_hinge(norm ? linear_ : quartic_, list.softness[c], list.vertices[c], [&](double angle) {
@@ -310,10 +311,11 @@ class Calibration {
         add_pair(quartic_, list.softness[c], list.vertices[c], bend, spans,
                  [&](double shorter) { return 0.5 * square(shorter) / list.softness[c]; });
       else
-        throw std::invalid_argument(
-            fmt::format("the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
-                        "apart, rest length {:.6g} m): use straight rest lengths",
-                        a, b, length, list.rest(c)));
+        throw std::invalid_argument(fmt::format(
+            "the spring between vertices {} and {} is not at rest in the rest shape ({:.6g} m "
+            "apart, rest length {:.6g} m): set the model's \"rest_length\" to \"euclidean\", or state the "
+            "stiffness by k or compliance",
+            a, b, length, list.rest(c)));
     }
   }
 

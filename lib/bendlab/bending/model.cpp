@@ -58,6 +58,13 @@ std::optional<std::string> unknown_to_k(const BendingModel& model, const Bending
       model.name, least, most);
 }
 
+std::vector<std::string_view> models_of_hinges() {
+  std::vector<std::string_view> names;
+  for (const BendingModel* model : bending_models())
+    if (is_made_of_hinges(*model)) names.push_back(model->name);
+  return names;
+}
+
 void register_bending_model(const BendingModel& model) {
   if (model.build == nullptr)
     throw std::invalid_argument(

@@ -65,6 +65,14 @@ const BendingModel* find_bending_model(std::string_view name);
 /// and the model does not say that it may. Nothing if they can.
 std::optional<std::string> unknown_to_k(const BendingModel& model, const BendingConstraints& constraints);
 
+/// Whether its elements are hinges: its rigidity is known for rest shapes of any form.
+inline bool is_made_of_hinges(const BendingModel& model) {
+  return model.expect == nullptr && !model.springs_only;
+}
+
+/// Names of the registered models that are made of hinges.
+std::vector<std::string_view> models_of_hinges();
+
 /// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
 /// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it
 /// is too late.

@@ -1,5 +1,8 @@
 #include "bendlab/bending/unit_bend.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <Eigen/Geometry>
 #include <Eigen/SparseCholesky>
 #include <algorithm>
@@ -8,6 +11,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bendlab/bending/model.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
 
@@ -199,8 +203,10 @@ std::array<Vector2, 4> unfolded(const std::array<Vector3, 4>& p) {
 
 UnitBend::UnitBend(const RestMesh& rest) : plane_(plane_coordinates(rest)) {
   if (plane_.empty())
-    throw std::invalid_argument(
-        "the shortening of springs is known for a flat rest shape only, and this mesh is not flat");
+    throw std::invalid_argument(fmt::format(
+        "the physical stiffness of springs is known for a flat rest shape only, and this mesh is not flat: "
+        "choose a model made of hinges ({}), or state the stiffness by k or compliance",
+        fmt::join(models_of_hinges(), ", ")));
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
   std::vector<TriangleBend> bends;
   for (int t = 0; t < rest.triangle_count(); ++t) {

@@ -29,9 +29,10 @@ Areas areas_of(const RestMesh& rest, const Pins& pins) {
   }
   if (!(areas.table > 0))
     throw std::invalid_argument(
-        "drape: no triangle has all corners pinned; the pins are the table the specimen lies on");
+        "drape: no triangle has all corners pinned; the pins are the table the specimen lies on: pin its "
+        "centre, with a distance of the table's radius");
   if (!(areas.table < areas.specimen))
-    throw std::invalid_argument("drape: every triangle is pinned, nothing hangs over");
+    throw std::invalid_argument("drape: every triangle is pinned, nothing hangs over: pin fewer");
   areas.centre /= areas.table;
   return areas;
 }

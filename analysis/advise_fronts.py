@@ -1,0 +1,80 @@
+#!/usr/bin/env python3
+"""Which settings were the best of a measured scene: the table that `bendlab advise` starts from.
+
+Reads results/accuracy/summary.json, writes experiments/advise/fronts.def. Of each scene and mesh, where
+models and solvers are compared on one stated cloth, those settings are kept that no other beats in both error
+and time, and that are better by a fifth than the next faster one.
+"""
+
+import argparse
+import json
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/fitness.hpp
+BETTER = 0.8
+# Settings of a solver that are part of its kind, and what they are if they are not written.
+OF_KIND = {"levels": 0, "membrane": None, "integrator": None, "sweep": "forward"}
+HEAD = """// Settings that were the best of a measured scene: model, method, its further settings, substeps,
+// iterations.
+// Made by analysis/advise_fronts.py from results/accuracy/summary.json.
+"""
+
+
+def error_of(run):
+    """Its distance from the stated cloth, of which hinges' own equilibrium is one pose; or None."""
+    error = run.get("error_physical_rms")
+    strain = run.get("error_physical_strain", run.get("error_solver_strain"))
+    if error is None and run["model"] == "dihedral":
+        error = run.get("error_solver_rms")
+    fits = error is not None and error <= LARGEST_ERROR and strain is not None and strain <= LARGEST_STRAIN
+    return error if fits and run["stiffness"] == "physical" and run["status"] == "complete" else None
+
+
+def scene_of(run):
+    """What runs share that are compared: the experiment without its parts, and what it sweeps besides."""
+    name = run["experiment"].replace("_slow", "").replace("_work", "")
+    swept = {k: v for k, v in run["point"].items() if not k.startswith(("/bending", "/solver"))}
+    return f'{name} {run["cells"]} {json.dumps(swept, sort_keys=True)}'
+
+
+def setting_of(run):
+    solver = run["settings"]
+    kind = {k: solver[k] for k, usual in OF_KIND.items() if solver.get(k, usual) != usual}
+    return (solver["method"], json.dumps(kind, sort_keys=True, separators=(",", ":")), run["model"],
+            solver["substeps"], solver["iterations"])
+
+
+def best_settings(runs):
+    scenes = defaultdict(list)
+    for run in runs:
+        if error_of(run) is not None and "substeps" in run["settings"]:
+            scenes[scene_of(run)].append(run)
+    best = set()
+    for compared in scenes.values():
+        least = LARGEST_ERROR / BETTER
+        for run in sorted(compared, key=lambda run: run["ms_per_frame"]):
+            if error_of(run) <= BETTER * least:
+                least = error_of(run)
+                best.add(setting_of(run))
+    return sorted(best)
+
+
+def line(setting):
+    method, kind, model, substeps, iterations = setting
+    return f'BENDLAB_FRONT("{model}", "{method}", R"({kind})", {substeps}, {iterations})\n'
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--summary", type=Path, default=ROOT / "results/accuracy/summary.json")
+    parser.add_argument("--out", type=Path, default=ROOT / "experiments/advise/fronts.def")
+    arguments = parser.parse_args()
+    best = best_settings(json.loads(arguments.summary.read_text()))
+    arguments.out.write_text(HEAD + "".join(line(setting) for setting in best))
+    print(f"{arguments.out}: {len(best)} settings")
+
+
+if __name__ == "__main__":
+    main()

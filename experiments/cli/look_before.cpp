@@ -1,0 +1,101 @@
+#include "experiments/cli/look_before.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <set>
+
+#include "experiments/campaign/errors.hpp"
+#include "experiments/campaign/run_labels.hpp"
+#include "experiments/cli/collected_texts.hpp"
+#include "experiments/cli/report.hpp"
+#include "experiments/config/counted.hpp"
+#include "experiments/run/set_up.hpp"
+#include "experiments/terminal/printable.hpp"
+
+namespace bendlab {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+struct ToBuild {
+  const RunConfig* config;
+  double expected_s;
+};
+
+// Of the runs that are built alike the first; what takes least comes first.
+std::vector<ToBuild> distinct_runs(const Experiment& experiment) {
+  std::vector<ToBuild> distinct;
+  std::set<std::string> seen;
+  for (const RunConfig& config : experiment.runs)
+    if (seen.insert(text_of_set_up(config)).second) distinct.push_back({&config, expected_set_up_s(config)});
+  std::ranges::stable_sort(distinct, {}, &ToBuild::expected_s);
+  return distinct;
+}
+
+// Runs that cannot be built, for one reason.
+struct Refused {
+  CampaignRun first;
+  Failure failure;
+  std::size_t others = 0;
+};
+
+void add(std::vector<Refused>& refused, const CampaignRun& run, const Failure& failure) {
+  for (Refused& each : refused)
+    if (each.failure.message == failure.message) {
+      ++each.others;
+      return;
+    }
+  refused.push_back({run, failure});
+}
+
+void tell(const std::vector<Refused>& refused) {
+  for (const Refused& each : refused)
+    print_text(stderr, "bendlab: {}{}: {}\n", run_text(each.first),
+               each.others == 0 ? "" : fmt::format(" and {} more", each.others), each.failure.message);
+}
+
+}  // namespace
+
+void tell_warnings(std::span<const CampaignRun> runs) {
+  for (const CollectedText& warning : collected_warnings(runs))
+    print_text(stderr, "bendlab: warning: {}: {}: {}\n", runs.front().experiment->name, warning.kind,
+               text_of(warning));
+}
+
+KnownBefore look_before(const std::vector<Experiment>& experiments, bool all) {
+  constexpr double most_s = 10;
+  const Clock::time_point begin = Clock::now();
+  KnownBefore known;
+  for (const Experiment& experiment : experiments) {
+    const std::vector<ToBuild> distinct = distinct_runs(experiment);
+    std::vector<CampaignRun> built;
+    std::vector<Refused> refused;
+    std::size_t tried = 0;
+    for (const ToBuild& each : distinct) {
+      const double passed_s = std::chrono::duration<double>(Clock::now() - begin).count();
+      if (!all && passed_s + each.expected_s > most_s) break;
+      ++tried;
+      CampaignRun run{.experiment = &experiment, .config = each.config};
+      try {
+        run.outcome = RunOutcome{.warnings = set_up(experiment, *each.config)};
+        built.push_back(std::move(run));
+      } catch (...) {
+        add(refused, run, current_failure());
+      }
+    }
+    tell(refused);
+    tell_warnings(built);
+    if (known.exit_code == exit_ok && !refused.empty()) known.exit_code = refused.front().failure.exit_code;
+    known.warnings += collected_warnings(built).size();
+    if (tried < distinct.size())
+      print_text(
+          stderr,
+          "bendlab: {}: {} of {} built, the others would take longer than {:.0f} s; --strict builds all\n",
+          experiment.name, tried, counted(distinct.size(), "different scene"), most_s);
+  }
+  return known;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,47 @@
+#include "experiments/run/set_up.hpp"
+
+#include "experiments/run/forecast.hpp"
+#include "experiments/run/recorder.hpp"
+#include "experiments/scene/start_after.hpp"
+
+namespace bendlab {
+namespace {
+
+// The pose in which a run ends is not known yet. The one in which it starts has the same mesh.
+void start_after_unknown(const RunConfig& config, Scene& scene) {
+  const std::optional<RunConfig> before = run_before(config);
+  if (!before) return;
+  Scene first = build_scene(*before);
+  start_after_unknown(*before, first);
+  simulation_of(first);
+  start_from(scene, {first.rest, first.input.positions}, "/initial/after");
+}
+
+}  // namespace
+
+std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& config) {
+  require_memory(config);
+  Scene scene = build_scene(config);
+  const Recorder recorder(config, scene);
+  simulation_of(scene);
+  std::vector<Warning> warnings = warnings_of(WarningInput{experiment, config, scene});
+  start_after_unknown(config, scene);
+  return warnings;
+}
+
+std::string text_of_set_up(const RunConfig& config) {
+  Json settings = config.resolved();
+  settings["output"] = settings["output"].value("measures", Json::array());
+  for (const char* unused : {"accuracy", "quality"}) settings.erase(unused);
+  for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
+  return settings.dump();
+}
+
+double expected_set_up_s(const RunConfig& config) {
+  const std::optional<Forecast> needs = forecast(config);
+  double seconds = needs ? needs->set_up_s : 0;  // a mesh that cannot be made is refused at once
+  if (const std::optional<RunConfig> before = run_before(config)) seconds += expected_set_up_s(*before);
+  return seconds;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,156 @@
+// What a run refuses while it is built is refused by `validate`, with its place and a remedy that works.
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "experiments/run/set_up.hpp"
+#include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
+
+namespace bendlab {
+namespace {
+
+using Catch::Matchers::ContainsSubstring;
+using test::Workplace;
+
+// Of a roof: two squares that meet at a right angle.
+const char* roof =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nv 0 1 1\nv 1 1 1\nf 1 2 4\nf 1 4 3\nf 3 4 6\nf 3 6 5\n";
+
+struct Refusal {
+  std::string settings;               ///< of the config
+  std::string pointer, text;          ///< of the message
+  std::vector<std::string> remedies;  ///< a remedy is a list of changes, each with --set
+};
+
+const std::string times = R"("type": "moving_pins", "times": [0, 1])";
+const std::string small = R"("mesh": {"cells": 4}, )";
+
+const std::vector<Refusal> refusals = {
+    {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "adaptive"})",
+     "/bending/stiffness",
+     "choose a model made of hinges (dihedral, bridson, discrete_shells, isometric), or state the stiffness "
+     "by k "
+     "or compliance",
+     {"--set /bending/model=dihedral", "--set /bending/model=isometric",
+      R"(--set '/bending={"model":"adaptive","k":0.5}')",
+      R"(--set '/bending={"model":"adaptive","compliance":1e-3}')"}},
+    {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "isometric", "quartic_coefficient": null,
+        "flexural_rigidity": 1e-5, "isometric": {"constraint": "energy"}})",
+     "/bending/stiffness",
+     R"(set the model's "constraint" to "norm")",
+     {"--set /bending/isometric/constraint=norm"}},
+    {R"("mesh": {"file": "roof.obj"}, "bending": {"model": "dihedral", "deflection": "small"})",
+     "/bending/stiffness",
+     R"(set "deflection" to "large")",
+     {"--set /bending/deflection=large"}},
+    {small + R"("bending": {"model": "dihedral", "deflection": "small"})",
+     "/bending/stiffness",
+     R"(use more cells, or "deflection": "large")",
+     {"--set /bending/deflection=large", "--set /mesh/cells=24"}},
+    {small + R"("bending": {"model": "k_ring", "k_ring": {"rest_length": "path"}})",
+     "/bending/stiffness",
+     R"(set the model's "rest_length" to "euclidean")",
+     {"--set /bending/k_ring/rest_length=euclidean", R"(--set '/bending={"model":"k_ring","k":0.5}')"}},
+    {small + R"("pins": {"indices": [25]})",
+     "/pins/indices",
+     "vertices 0 to 24",
+     {"--set '/pins/indices=[24]'"}},
+    {small + R"("pins": {"vertices": ["top_rim"]})",
+     "/pins/vertices",
+     "Name corners or sides",
+     {R"(--set '/pins/vertices=["top"]')"}},
+    {small + R"("effects": [{)" + times + R"(, "offsets": [0, 0, 1]}])",
+     "/effects/0",
+     "offsets has 3 numbers, expected 6",
+     {"--set '/effects/0/offsets=[0,0,0,0,0,1]'"}},
+    {small + R"("effects": [{"type": "moving_pins", "times": [1, 0], "offsets": [0, 0, 0, 0, 0, 1]}])",
+     "/effects/0",
+     "times must grow",
+     {"--set '/effects/0/times=[0,1]'"}},
+    {small + R"("effects": [{)" + times + R"(, "offsets": [0, 0, 0, 0, 0, 1], "indices": [12]}])",
+     "/effects/0",
+     "vertex 12 is not pinned: name it in /pins too, or not here",
+     {"--set '/pins/indices=[12]'", "--set '/effects/0/indices=[]'"}},
+    {small + R"("effects": [{)" + times + R"(, "angles": [0, 90], "axis": [0, 0, 0]}])",
+     "/effects/0",
+     "axis has no length: give it a direction",
+     {"--set '/effects/0/axis=[0,0,1]'"}},
+    {small + R"("effects": [{"type": "plane", "point": [0, 0, -1], "normal": [0, 0, 0]}])",
+     "/effects/0",
+     "normal is the zero vector, which has no direction; give it a length",
+     {"--set '/effects/0/normal=[0,0,1]'"}},
+    {small + R"("material": {"coordinates": "texture"})",
+     "/material/coordinates",
+     "the mesh has no texture coordinates",
+     {"--set /material/coordinates=warp"}},
+    {small + R"("output": {"measures": ["drape"]}, "pins": {"vertices": ["top"], "ring": 0})",
+     "/output/measures",
+     "pin its centre, with a distance of the table's radius",
+     {R"(--set '/pins={"vertices":["centre"],"distance":0.3}')"}},
+    {small + R"("output": {"measures": ["stiffness"]}, "pins": {"vertices": ["upper_left"], "ring": 0})",
+     "/output/measures",
+     "pin one whole side",
+     {R"(--set '/pins/vertices=["left"]' --set /mesh/cells=12)"}},
+    {small + R"("initial": {"folds": 3, "fold_gap": 1})",
+     "/initial/fold_gap",
+     "use fewer folds or a smaller gap",
+     {"--set /initial/fold_gap=0.01", "--set /initial/folds=0"}},
+    {small + R"("initial": {"after": ["/mesh/generator=sphere"]})",
+     "/initial/after",
+     "give both runs one mesh, or two of one flat sheet",
+     {R"(--set '/initial/after=["/mesh/cells=8"]')"}},
+    {small + R"("initial": {"after": ["/mesh/width=3", "/mesh/cells=48"]})",
+     "/initial/after",
+     "give both the same extent",
+     {R"(--set '/initial/after=["/duration=0.1"]')"}},
+};
+
+}  // namespace
+
+TEST_CASE("set-up: validate refuses what a run refuses, where it is, and its remedy is one", "[set_up]") {
+  Workplace place;
+  place.write("roof.obj", roof);
+  for (const Refusal& refusal : refusals) {
+    INFO(refusal.settings);
+    place.write("scene.json", R"({"name": "scene", "duration": 0.02, )" + refusal.settings + "}");
+    const int code = place.run("validate scene.json");
+    INFO(place.err());
+    CHECK((code == 3 || code == 4));
+    CHECK_THAT(place.err(), ContainsSubstring(refusal.pointer) && ContainsSubstring(refusal.text));
+    const std::string told = place.err();
+    CHECK(place.run("run scene.json") == code);
+    CHECK(place.err().find(refusal.text) != std::string::npos);
+    for (const std::string& remedy : refusal.remedies) {
+      INFO(remedy);
+      CHECK(place.run("run scene.json " + remedy) == 0);
+      INFO(place.err());
+    }
+  }
+}
+
+TEST_CASE("set-up: of a sweep each reason is told once, with the number of runs", "[set_up]") {
+  Workplace place;
+  place.write("roof.obj", roof);
+  place.write("sweep.json", R"({"name": "sweep", "duration": 0.02, "mesh": {"file": "roof.obj"},
+      "sweep": {"/bending/model": ["adaptive", "crossover", "dihedral"], "/duration": [0.02, 0.04]}})");
+  CHECK(place.run("validate --strict sweep.json") == 3);
+  CHECK_THAT(place.err(), ContainsSubstring("and 3 more"));  // two models × two durations, one named
+  const std::string told = place.err();
+  CHECK(told.find("flat rest shape only") == told.rfind("flat rest shape only"));
+  CHECK_FALSE(std::filesystem::exists(place.folder / "results"));
+}
+
+TEST_CASE("set-up: what takes too long to build is not built unless asked for, and that is told",
+          "[set_up]") {
+  Workplace place;
+  // Springs fitted on a million vertices: minutes.
+  place.write("sweep.json", R"({"name": "sweep", "duration": 0.02, "bending": {"model": "adaptive"},
+      "sweep": {"/mesh/cells": [4, 6, 1000]}})");
+  CHECK(place.run("validate sweep.json") == 0);
+  CHECK_THAT(place.err(),
+             ContainsSubstring("2 of 3 different scenes built") && ContainsSubstring("--strict"));
+}
+
+}  // namespace bendlab
