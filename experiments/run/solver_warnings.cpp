@@ -142,17 +142,16 @@ Message tethers_for_membrane(const WarningInput& input) {
   const double excess = excess_stretch(scene);
   if (!(excess > 0) || !has_tethers(scene)) return std::nullopt;
   const SolverSettings& solver = scene.input.settings;
-  return fmt::format(
-      "tethers carry what the membrane is stated to carry, {:.3g} N/m: the cloth does not stretch away from "
-      "its "
-      "pins. Without them the membrane would stretch about {:.2g} times as far as stated with {} in a "
-      "substep. "
-      "With {} /solver/substeps it holds by itself, and tethers then do nothing; \"method\": "
-      "\"quasi_newton\" in "
-      "/solver has the stated membrane without them",
-      1 / scene.input.strain_stiffness.compliance, 1 + excess,
-      counted(solver.projections_per_substep(), "projection"),
-      static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess))));
+  return WarningText(
+      fmt::format(
+          "tethers carry what the membrane is stated to carry, {:.3g} N/m: the cloth does not stretch away "
+          "from its pins. Without them the membrane would stretch about {:.2g} times as far as stated with "
+          "{} in a substep. With {} /solver/substeps it holds by itself, and tethers then do nothing; "
+          "\"method\": \"quasi_newton\" in /solver has the stated membrane without them",
+          1 / scene.input.strain_stiffness.compliance, 1 + excess,
+          counted(solver.projections_per_substep(), "projection"),
+          static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
+      1 + excess, fmt::format("{:.2g} times", 1 + excess));
 }
 
 // ---- vbd_reach

@@ -63,8 +63,8 @@ SoftMembrane::SoftMembrane(const SimulationInput& input)
 }
 
 std::vector<double> SoftMembrane::softness(double error, double force) const {
-  const double needed = std::max(moved_per_load * force / (size_ * error),
-                                 membrane_for_push(push_tension_, error));  // N/m
+  const double needed =
+      std::max(moved_per_load * force / (size_ * error), membrane_for_push(push_tension_, error));  // N/m
   const double most = needed > 0 && compliance_ > 0 ? 1 / (compliance_ * needed) : 1;
   std::vector<double> softness;
   softness.reserve(distance_.size());
