@@ -162,7 +162,8 @@ const std::array mesh = {
                          "edges of three triangles. refuse: the run fails and names the first ones; "
                          "regularise: simulate the mesh as it is, with a small rest height for triangles "
                          "without area; membrane_off: the same, but those triangles have no strain "
-                         "constraint; repair: unite points within 2e-6 of the mesh size, remove triangles without area, cut the "
+                         "constraint; repair: unite points within 2e-6 of the mesh size, "
+                         "remove triangles without area, cut the "
                          "sheet where it branches, orient all triangles alike. 'bendlab mesh FILE' says "
                          "what each does to a file",
               .choices = bad_triangles_names},
