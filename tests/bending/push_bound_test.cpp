@@ -132,7 +132,7 @@ TEST_CASE("the tension of springs that push, by hand", "[bending]") {
   CHECK(push_on_membrane_warning(10, 0.01));
   CHECK_FALSE(push_on_membrane_warning(10, 0.001));
   CHECK_FALSE(push_on_membrane_warning(0, 1));
-  CHECK_THAT(*push_on_membrane_warning(10, 0.01), ContainsSubstring("0.0036 m/N"));  // less than 4 % of growth
+  CHECK_THAT(*push_on_membrane_warning(10, 0.01), ContainsSubstring("0.0036 m/N"));  // below 4 % growth
 }
 
 TEST_CASE("a method that softens the membrane leaves it stiff enough for springs that push", "[bending]") {

@@ -121,7 +121,8 @@ TEST_CASE("Names are refused where nobody knows which way is up", "[far]") {
   Workplace here;
   here.write("sheet.obj", "v 0 0 0\nv 0 1 0\nv 0 1 1\nv 0 0 1\nf 1 2 3 4\n");
   here.write("side.json", R"({"name": "side", "duration": 0.1, "mesh": {"file": "sheet.obj"},
-      "pins": {"vertices": ["upper_left"]}, "effects": [{"type": "gravity", "acceleration": [0, -9.81, 0]}]})");
+      "pins": {"vertices": ["upper_left"]},
+      "effects": [{"type": "gravity", "acceleration": [0, -9.81, 0]}]})");
   CHECK(here.run("run side.json") == 3);
   CHECK_THAT(here.err(), ContainsSubstring("/pins/vertices") && ContainsSubstring("/pins/indices"));
   CHECK(here.run("run side.json --set '/effects/0/acceleration=[0,0,-9.81]'") == 0);
