@@ -23,9 +23,9 @@ struct KnownReference : Reference {
 /// Fewer cells than that are no mesh of the scene.
 inline constexpr int fewest_cells = 4;
 
-/// Runs it; `error_of`: nothing for Question::natural_error(). What would take more than a quarter of the time
-/// is made coarser, before it is begun and if it turns out so. Throws std::runtime_error if there is none, or
-/// none in time. Incomplete if the runs have an exit code.
+/// Runs it; `error_of`: nothing for Question::natural_error(). What would take more than a quarter of the
+/// time is made coarser, before it is begun and if it turns out so. Throws std::runtime_error if there is
+/// none, or none in time. Incomplete if the runs have an exit code.
 KnownReference choose_reference(const Question& question, Runs& runs, std::optional<ErrorOf> error_of,
                                 const std::function<void(const std::string&)>& tell);
 
