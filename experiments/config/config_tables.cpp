@@ -29,7 +29,7 @@ namespace {
 using enum ParameterType;
 using Names = std::span<const std::string_view>;
 
-constexpr std::array<std::string_view, 4> bending_stiffness_kinds = {
+constexpr std::array<std::string_view, 4> config_stiffness_kinds = {
     stiffness_kind_names[0], stiffness_kind_names[1], stiffness_kind_names[2], "physical"};
 constexpr std::array<std::string_view, 3> precisions = {"auto", precision_names[0], precision_names[1]};
 constexpr std::array listed_measures_on_request = {
@@ -57,7 +57,8 @@ constexpr double largest_seed = 4294967295;  // 2³² - 1: fits every generator
 constexpr std::string_view stiffness_meaning =
     "How stiffness is given. k: the share of a constraint's error that one projection removes; k_per_step: "
     "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); "
-    "compliance: inverse stiffness, as in XPBD";
+    "compliance: inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: physical "
+    "where membrane_stiffness is given, else k";
 
 constexpr std::string_view bending_stiffness_meaning =
     "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
@@ -78,7 +79,9 @@ constexpr std::array top_level = {
               .choices = allowed},
     Parameter{.name = "defaults", .type = text, .unit = "", .default_value = "recommended",
               .meaning = "Which settings a config gets that it does not state. recommended: the defaults of "
-                         "this reference, with which cloth is sound at every resolution; paper: those with "
+                         "this reference, with which cloth is sound at every resolution; fast: few implicit "
+                         "iterations of a membrane in N/m, in less time than the paper's settings take; "
+                         "reference: implicit steps that converge (newton), slow; paper: those with "
                          "which we repeat the paper (adaptive springs with k 0.5, the pin's neighbours "
                          "pinned, one substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names},
@@ -221,7 +224,12 @@ constexpr std::array strain = {
                          "moves a strongly sheared triangle by many times its size; angle does not do that",
               .choices = strain_form_names},
     Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
-              .meaning = stiffness_meaning, .choices = stiffness_kind_names},
+              .meaning = stiffness_meaning, .choices = config_stiffness_kinds},
+    Parameter{.name = "membrane_stiffness", .type = number, .unit = "N/m", .default_value = {},
+              .meaning = "physical: Young's modulus times thickness, the force per width that stretches "
+                         "warp or weft, or shears, by 1. Absent: 10000, at which 1 m of 0.2 kg/m² strains "
+                         "by 10⁻⁴ under its weight",
+              .minimum = 0, .above = true},
     Parameter{.name = "warp", .type = number, .unit = "1", .default_value = 1.0,
               .meaning = "k of stretch along the warp",
               .minimum = 0, .maximum = 1},
@@ -250,7 +258,7 @@ const std::array<Parameter, 8>& bending() {
                 .meaning = "Bending model; its own settings are in the section of its name",
                 .choices = models},
       Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "physical",
-                .meaning = bending_stiffness_meaning, .choices = bending_stiffness_kinds},
+                .meaning = bending_stiffness_meaning, .choices = config_stiffness_kinds},
       Parameter{.name = "k", .type = number, .unit = "1", .default_value = 0.5,
                 .meaning = "Stiffness of every bending constraint, used if stiffness is k or k_per_step",
                 .minimum = 0, .maximum = 1},

@@ -237,8 +237,8 @@ class MethodRules {
     if (section["stiffness"] == "physical") return;
     if (section["stiffness"] != "compliance")
       report(pointer + "/stiffness",
-             fmt::format("must be \"compliance\", with {}/compliance above 0, {}: {}", pointer,
-                         pointer == "/bending" ? "or \"physical\"" : "1e-4 m/N for example", why));
+             fmt::format("must be \"physical\", or \"compliance\" with {}/compliance above 0{}: {}", pointer,
+                         pointer == "/bending" ? "" : ", 1e-4 m/N for example", why));
     else if (!(section["compliance"].get<double>() > 0))
       report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
   }

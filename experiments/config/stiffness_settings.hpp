@@ -27,6 +27,7 @@ inline constexpr std::array stiffness_settings = {
     StiffnessSetting{"/bending/quartic_coefficient", "/bending/stiffness", {"physical"}},
     StiffnessSetting{"/bending/at_curvature", "/bending/stiffness", {"physical"}},
     StiffnessSetting{"/material/strain/compliance", "/material/strain/stiffness", {"compliance"}},
+    StiffnessSetting{"/material/strain/membrane_stiffness", "/material/strain/stiffness", {"physical"}},
 };
 
 }  // namespace bendlab

@@ -179,13 +179,14 @@ StiffnessKind stiffness_kind(const std::string& name) {
 }
 
 StrainStiffness strain_stiffness(const ParameterValues& values) {
+  const bool physical = values.text("stiffness") == "physical";
   return {.form = named<StrainForm>(values.text("form"), strain_form_names),
-          .kind = stiffness_kind(values.text("stiffness")),
+          .kind = physical ? StiffnessKind::compliance : stiffness_kind(values.text("stiffness")),
           .warp = values.number("warp"),
           .weft = values.number("weft"),
           .shear = values.number("shear"),
           .area = values.number("area"),
-          .compliance = values.number("compliance")};
+          .compliance = physical ? 1 / values.number("membrane_stiffness") : values.number("compliance")};
 }
 
 // A physical stiffness is in each constraint's own softness, at a compliance of 1.

@@ -1,8 +1,12 @@
 // What a config gets that it does not say.
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
+#include "bendlab/bending/model.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/config/pointers.hpp"
@@ -194,4 +198,30 @@ TEST_CASE("defaults: a method that has no substeps takes one step at a time", "[
   const Scene scene = build_scene(experiment.runs.at(0));
   CHECK(scene.input.settings.substeps == 1);
   CHECK(scene.input.settings.iterations == 1);
+}
+
+TEST_CASE("every recipe runs with every model, and a config's own method keeps its own settings",
+          "[experiments]") {
+  const auto config = [](std::string_view recipe, std::string_view rest) {
+    return parse_experiment(fmt::format(R"({{"name": "t", "defaults": "{}", "mesh": {{"cells": 3}},
+                                          "duration": 0.1, {}}})",
+                                        recipe, rest),
+                            "test")
+        .runs.front();
+  };
+  for (const std::string_view recipe : {"fast", "reference", "paper"})
+    for (const BendingModel* model : bending_models()) {
+      if (model->one_sided && recipe == "fast") continue;  // quasi_newton refuses forces that jump
+      CAPTURE(recipe, model->name);
+      const auto simulation = simulation_of(
+          build_scene(config(recipe, fmt::format(R"("bending": {{"model": "{}"}})", model->name))));
+      CHECK(simulation->step());
+    }
+  const RunConfig fast = config("fast", R"("effects": [])");
+  CHECK(fast.section("/solver").text("method") == "quasi_newton");
+  CHECK(fast.section("/solver").integer("iterations") == 2);
+  CHECK(fast.section("/material/strain").number("membrane_stiffness") == 1e4);
+  const RunConfig other = config("fast", R"("solver": {"method": "newton"})");
+  CHECK(other.section("/solver").integer("iterations") == 20);  // newton's own
+  CHECK(config("reference", R"("effects": [])").section("/solver").text("method") == "newton");
 }
