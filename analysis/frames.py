@@ -296,9 +296,9 @@ def _add_obstacles(sections, run, notes, home):
         _write_inputs(run, Path(folder))
         for effect in obstacles.obstacles_of(run.config):
             name = effect.get("file", "")
-            home = folder if (Path(folder) / name).is_file() else FOLDER
+            beside = folder if (Path(folder) / name).is_file() else FOLDER
             try:
-                points, triangles = obstacles.surfaces({"effects": [effect]}, 0.0, 4 * run.size, home)
+                points, triangles = obstacles.surfaces({"effects": [effect]}, 0.0, 4 * run.size, beside)
             except (OSError, ValueError):
                 notes.append(
                     f"An obstacle is not drawn, for its file {name} was not found or is no .obj file.")

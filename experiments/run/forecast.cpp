@@ -36,7 +36,9 @@ constexpr double fitted = 85, fitted_by_reach = 16, most_fitted = 213;
 constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of pairs (a sparse factor)
 constexpr double bent_sheet_less = 1e7;
 constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
-constexpr double metric_per_vertex = 1500, metric_growth = 100;  // of `quasi_newton`, likewise; its pairs
+// Of `quasi_newton`, likewise, with its pairs, where bending is small beside the membrane: 32 to 256 cells.
+// Where it is not, it takes 2900 on 128 cells.
+constexpr double metric_per_vertex = 1000, metric_growth = 30;
 constexpr double levels_per_vertex = 330;
 constexpr double file = 36e3, small_file = 8e3;
 constexpr double file_per_vertex = 39, file_per_regular_vertex = 5.5;  // the rest pose is compressed

@@ -117,7 +117,7 @@ TEST_CASE("a method of the mesh's order takes no other") {
   Scene scene = wide_sheet(*find_method("newton"), R"("effects": [])");
   CHECK(scene.input.permutation.empty());
   scene.input.permutation = wide_sheet(*find_method("pbd"), R"("effects": [])").input.permutation;
-  CHECK_THROWS_AS(simulation_of(scene), std::invalid_argument);
+  CHECK_THROWS_AS(simulation_of(scene), ConfigError);
 }
 
 }  // namespace bendlab

@@ -40,7 +40,8 @@ def main(program, rounds=1):
     with tempfile.TemporaryDirectory() as place:
         inputs, folder = fresh(Path(place) / "inputs"), Path(place) / "work"
         write_config(inputs, "sweep", duration=0.3,
-                     sweep={"/mesh": [{"cells": 3}, {"cells": 20}, {"file": "nothing.obj"}]})
+                     sweep={"/mesh": [{"cells": 3}, {"cells": 20}, {"file": "point.obj"}]})
+        (inputs / "point.obj").write_text("v 0 0 0\n", encoding="utf-8")  # a run that fails
         for _ in range(rounds):
             shutil.rmtree(folder, ignore_errors=True)
             shutil.copytree(inputs, folder)
