@@ -179,7 +179,9 @@ def main():
             for run in runs_of(asked.program, config(name), folder, asked):
                 count += 1
                 cpu += run["step_cpu_s"]
-                implausible += run["status"] == "implausible"
+                if run["status"] == "implausible":
+                    implausible += 1
+                    print(f"{name}, {run['point']['/bending/model']}: {run['message']}", file=sys.stderr)
                 if text := fault(run):
                     faults.append(text)
                     print(f"{name}, {run['point']['/bending/model']}: {text}", flush=True)
