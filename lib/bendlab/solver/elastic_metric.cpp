@@ -74,13 +74,10 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
       free_index_[v] = static_cast<int>(vertices_.size());
       vertices_.push_back(static_cast<int>(v));
     }
+  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
+  find_stiffness_of_springs(input, rest);
   Assembly bending(free_index_, vertices_.size());
   const double compliance = input.bending_stiffness.compliance;
-  for (std::size_t c = 0; c < input.distance.size(); ++c) {
-    const double softness = input.distance.softness.empty() ? 1 : input.distance.softness[c];
-    bending.add<2>(input.distance.vertices[c], {1, -1}, 1 / (compliance * softness));
-  }
-  const Positions& rest = input.rest.rows() > 0 ? input.rest : input.positions;
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     if (OneSided<Kind> && list.size() > 0)
       throw std::invalid_argument(fmt::format(
@@ -95,20 +92,48 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
   bending_ = bending.matrix(vertices_.size());
 }
 
+// Σ L²/α over the springs of a vertex, half for each end, over its area: springs of the length L that are
+// strained by ε store as much as a membrane of that stiffness.
+void ElasticMetric::find_stiffness_of_springs(const SimulationInput& input, const Positions& rest) {
+  stiffness_of_springs_.assign(input.distance.size() > 0 ? strain_.size() : 0, 0);
+  if (stiffness_of_springs_.empty()) return;
+  std::vector<double> energy(free_index_.size(), 0), area(free_index_.size(), 0);
+  for (std::size_t c = 0; c < input.distance.size(); ++c) {
+    const auto [a, b] = input.distance.vertices[c];
+    const double softness = input.distance.softness.empty() ? 1 : input.distance.softness[c],
+                 each = 0.5 * (rest.row(a) - rest.row(b)).squaredNorm() /
+                        (input.bending_stiffness.compliance * softness);
+    energy[static_cast<std::size_t>(a)] += each, energy[static_cast<std::size_t>(b)] += each;
+  }
+  for (std::size_t t = 0; t < strain_.size(); ++t)
+    for (const int v : strain_.vertices[t]) area[static_cast<std::size_t>(v)] += rest_area(t) / 3;
+  for (std::size_t t = 0; t < strain_.size(); ++t)
+    for (const int v : strain_.vertices[t])
+      stiffness_of_springs_[t] +=
+          energy[static_cast<std::size_t>(v)] / (3 * area[static_cast<std::size_t>(v)]);
+}
+
+double ElasticMetric::rest_area(std::size_t t) const {
+  const std::array<double, 4>& q = strain_.inverse_rest[t];
+  return 0.5 / std::abs(q[0] * q[3] - q[1] * q[2]);
+}
+
 Eigen::SparseMatrix<double> ElasticMetric::membrane(std::span<const double> softness) const {
   Assembly membrane(free_index_, vertices_.size());
   for (std::size_t t = 0; t < strain_.size(); ++t) {
     const std::array<double, 4>& q = strain_.inverse_rest[t];
-    const double alpha = softness[t] * compliance_ * 2 * std::abs(q[0] * q[3] - q[1] * q[2]);  // / rest area
+    const double stiffness = 1 / (softness[t] * compliance_) +
+                             (stiffness_of_springs_.empty() ? 0 : stiffness_of_springs_[t]);  // N/m
     for (const std::size_t column : {0U, 1U})
-      membrane.add<3>(strain_.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]}, 1 / alpha);
+      membrane.add<3>(strain_.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]},
+                      stiffness * rest_area(t));
   }
   return membrane.matrix(vertices_.size());
 }
 
 std::size_t ElasticMetric::memory_bytes() const {
   return bytes_of(vertices_) + bytes_of(free_index_) + bytes_of(bending_) + bytes_of(strain_.vertices) +
-         bytes_of(strain_.inverse_rest);
+         bytes_of(strain_.inverse_rest) + bytes_of(stiffness_of_springs_);
 }
 
 }  // namespace bendlab

@@ -3,7 +3,8 @@
 //
 //   triangle     Σ over warp and weft: d dᵀ / α, with the weights d of f = Σ d_i x_i: what stretch and shear
 //                together resist at rest in each direction of the plane
-//   spring       1 / α for the difference of its ends
+//   springs      as a stiffer membrane: what springs that are strained alike resist, spread over the triangles. Each
+//                by itself would join vertices many edges apart, and the factor would be as good as dense
 //   element      κ κᵀ / α, κ_i = n·∇_i C in the rest shape, n along the largest ∇_i C; for a flat hinge ∇_i C
 //                are multiples of the normal, and this is its Hessian
 #pragma once
@@ -23,17 +24,21 @@ class ElasticMetric {
 
   const std::vector<int>& vertices() const { return vertices_; }           ///< n, the free ones
   const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower triangle, N/m
-  /// n by n, the lower triangle, N/m. Triangle t is softness[t] times as soft as stated.
+  /// n by n, the lower triangle, N/m, springs included. Triangle t is softness[t] times as soft as stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::size_t triangle_count() const { return strain_.size(); }
   std::size_t memory_bytes() const;
 
  private:
+  void find_stiffness_of_springs(const SimulationInput& input, const Positions& rest);
+  double rest_area(std::size_t t) const;
+
   std::vector<int> vertices_, free_index_;
   Eigen::SparseMatrix<double> bending_;
   StrainConstraints strain_;
-  double compliance_;  // of the membrane, m/N
+  double compliance_;                         // of the membrane, m/N
+  std::vector<double> stiffness_of_springs_;  // per triangle, N/m; empty: there are none
 };
 
 }  // namespace bendlab
