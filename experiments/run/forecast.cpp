@@ -158,14 +158,14 @@ std::optional<Forecast> forecast(const RunConfig& config) {
   const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
   parts.bending = bending.springs * (in_double ? bytes::per_spring_in_double : bytes::per_spring) +
                   bending.arcs * bytes::per_arc + bending.hinges * bytes::per_hinge;
-  if (fitted && pairs > 0)
-    parts.bending =
-        std::max({parts.bending, bent_sheet_bytes(vertices), pairs * fitted_bytes(bending.reach)});
   if (method->factorised == Factorised::scalars)
     parts.factor = vertices * (bytes::metric_per_vertex + bytes::metric_growth * std::log2(vertices));
   if (method->factorised == Factorised::blocks)
     parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
                    fill(bending, vertices);
+  if (fitted && pairs > 0)  // the fit is over before anything is factorised
+    parts.bending = std::max({parts.bending, bent_sheet_bytes(vertices) - parts.factor,
+                              pairs * fitted_bytes(bending.reach) - parts.factor});
   const bool levels = method->reads("levels") && solver.integer("levels") > 0;
   if (levels) parts.mesh += vertices * bytes::levels_per_vertex;
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;

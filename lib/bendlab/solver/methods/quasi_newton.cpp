@@ -232,7 +232,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   // Then the metric is as good without bending, and its factor has half as many numbers: a hinge joins
   // vertices that no triangle joins.
   bool bending_is_small(const Eigen::SparseMatrix<double>& membrane) const {
-    constexpr double most = 0.003;
+    constexpr double most = 0.01;
     return (metric_.bending().diagonal().array() <= most * membrane.diagonal().array()).all();
   }
 
