@@ -78,12 +78,13 @@ constexpr std::array top_level = {
                          "failure. The verdict is still printed; does not affect the runs",
               .choices = allowed},
     Parameter{.name = "defaults", .type = text, .unit = "", .default_value = "recommended",
-              .meaning = "Which settings a config gets that it does not state. recommended: the defaults of "
-                         "this reference, with which cloth is sound at every resolution; fast: few implicit "
-                         "iterations of a membrane in N/m, in less time than the paper's settings take; "
-                         "reference: implicit steps that converge (newton), slow; paper: those with "
-                         "which we repeat the paper (adaptive springs with k 0.5, the pin's neighbours "
-                         "pinned, one substep of 10 iterations, published shear, gravity alone)",
+              .meaning = "Which settings a config gets that it does not state. recommended: implicit steps "
+                         "(quasi_newton) of a membrane in N/m, sound at every resolution; "
+                         "pbd with coarse levels where a config states what only projections take, k for "
+                         "example; fast: fewer iterations, in less time than the paper's settings take; "
+                         "reference: implicit steps that converge (newton), slow; paper: those with which we "
+                         "repeat the paper (adaptive springs with k 0.5, the pin's neighbours pinned, one "
+                         "substep of 10 iterations, published shear, gravity alone)",
               .choices = defaults_names},
     Parameter{.name = "duration", .type = number, .unit = "s", .default_value = 4.0,
               .meaning = "Simulated time of each run; at least a step. It is rounded up to whole steps of "
@@ -486,8 +487,8 @@ constexpr std::array expectation = {
 constexpr std::array lists = {
     ConfigList{"effects",
                "What acts on the cloth besides its constraints: a list of {\"type\": name, settings}. Only "
-               "some types, obstacles for example, may be listed more than once. Absent: gravity, tethers "
-               "and viscous_drag of 1 N s/m³, about that of air; an empty list: nothing"},
+               "some types, obstacles for example, may be listed more than once. Absent: gravity and "
+               "viscous_drag of 1 N s/m³, about that of air; an empty list: nothing"},
     ConfigList{"sweep",
                "What to vary: {\"/json/pointer\": [values]}; \"all\" instead of the list stands for every "
                "choice of a setting. There is one run per combination, and the last pointer varies fastest. "

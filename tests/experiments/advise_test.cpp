@@ -411,7 +411,7 @@ TEST_CASE("advise: the time limit holds, with the reference in it", "[advise]") 
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
   // Hundreds of settings, of seconds each: the best so far is answered, with what was not tried.
-  const std::string large = "--set /mesh/cells=64 --set /duration=8 ";
+  const std::string large = "--set /mesh/cells=40 --set /duration=8 ";
   constexpr double to_end = 5;  // s: to stop runs, which finish their step, and to read what there is
   CHECK(seconds_of(large + "--error 0.05% --time-limit 8s", 1) < 8 + to_end);
   CHECK_THAT(place.out() + place.err(), ContainsSubstring("not tried, because --time-limit (8 s) was over"));

@@ -1,6 +1,6 @@
 // Every warning is given where it is due, with its number, and nowhere else.
-#include "experiments/run/set_up.hpp"
 #include "experiments/run/warnings.hpp"
+#include "experiments/run/set_up.hpp"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -315,7 +315,7 @@ TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
            std::string(solver);
   };
   const Summary left = {{"step_residual", 2.5}}, converged = {{"step_residual", 1.9}};
-  const std::string stated = with(R"({"method": "quasi_newton"})"),
+  const std::string stated = with(R"({"method": "quasi_newton", "membrane": "stated", "iterations": 10})"),
                     softened = with(R"({"method": "quasi_newton", "membrane": "auto", "iterations": 2})"),
                     vbd = with(R"({"method": "vbd", "iterations": 100000})"),
                     newton = with(R"({"method": "newton"})");
@@ -483,15 +483,16 @@ TEST_CASE("auto takes double where rounded positions hide the strain that quasi_
            R"(}}, "bending": {"model": "none"}, "effects": [{"type": "gravity"}], "solver": {)" + solver +
            "}";
   };
-  const std::string implicit = R"("method": "quasi_newton")";
+  const std::string implicit = R"("method": "quasi_newton", "membrane": "stated")";
   const auto precision_of = [&](double size, double compliance, const std::string& solver) {
     return build_scene(experiment_of(scene_of(size, compliance, solver)).runs.front()).precision;
   };
   CHECK(precision_of(1, 1e-4, implicit) == Precision::single_precision);
   CHECK(precision_of(1e-3, 1e-4, implicit) == Precision::double_precision);
   CHECK(precision_of(1, 1e-6, implicit) == Precision::double_precision);
-  CHECK(precision_of(1, 1e-6, implicit + R"(, "membrane": "auto")") == Precision::single_precision);
-  CHECK(precision_of(1e-3, 1e-4, "") == Precision::single_precision);  // pbd keeps moves apart
+  CHECK(precision_of(1, 1e-6, R"("method": "quasi_newton", "membrane": "auto")") ==
+        Precision::single_precision);
+  CHECK(precision_of(1e-3, 1e-4, R"("method": "pbd")") == Precision::single_precision);  // keeps moves apart
   const std::string single = implicit + R"(, "precision": "single")";
   CHECK(codes_of(scene_of(1, 1e-6, single)) == Codes{"single_precision"});
   CHECK(codes_of(scene_of(1, 1e-4, single)).empty());
