@@ -229,7 +229,7 @@ TEST_CASE("warnings: settings that a swept object replaces", "[warnings]") {
 TEST_CASE("warnings: what nothing reads in a run, a run that follows from it may", "[warnings]") {
   const std::string mesh = R"("mesh": {"cells": 4}, )";
   CHECK(codes_of(mesh + R"("initial": {"seed": 7, "after": ["/initial/perturbation=0.01"]})").empty());
-  CHECK(codes_of(mesh + R"("material": {"strain": {"compliance": 1e-3}},
+  CHECK(codes_of(mesh + R"("material": {"strain": {"stiffness": "k", "compliance": 1e-3}},
       "accuracy": {"solver": ["/material/strain/stiffness=compliance"]})")
             .empty());
 }
