@@ -15,6 +15,7 @@ import fig_6
 import fig_7
 import fig_map
 import fig_ablations
+import fig_large_forces
 import fig_models
 import fig_promise
 import fig_promise_strip
@@ -44,6 +45,7 @@ LINKS = {"Where each claim holds": "Maps",
          "Crossover against adaptive springs over resolutions": "Fig. 5",
          "Where the failure went: stretch against distance from the pin": "Where",
          "All rings against one ring (LOD)": "Fig. 6", "Another material by scaling n": "Fig. 7",
+         "Large external forces": "Large forces",
          "Where the paper is silent": "Ablations", "Every bending model on the same scenes": "Models"}
 RULES = ("<p>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dynamics in Triangular "
          "Meshes</em>: each figure repeated, and the measured numbers beside each claim. The sheets are "
@@ -54,7 +56,8 @@ RULES = ("<p>Jong-Hyun Kim, <em>Bending Spring Model for Stable Strain-Based Dyn
          "and 1 for one that is twice as long.</p>")
 
 PAPER = [fig_map, fig_promise, fig_promise_strip, fig_1, fig_structure, fig_5, fig_where, fig_6, fig_7]
-FIGURES = {"first": [fig_1], "paper": PAPER, "everything": [*PAPER, fig_ablations, fig_models, fig_scenes]}
+FIGURES = {"first": [fig_1], "paper": PAPER,
+           "everything": [*PAPER, fig_large_forces, fig_ablations, fig_models, fig_scenes]}
 COUNTS = ["springs", "springs_beyond_ring_1"]  # the same for every seed
 REFERENCE = {"pin_max_stretch": 1, "pin_region_stretch": 1, "max_stretch": 1,
              "mean_strain": 0, "drop": 0}  # summary entry → offset subtracted from it
