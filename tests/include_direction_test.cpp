@@ -8,13 +8,14 @@
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path library = fs::path(BENDLAB_SOURCE_DIR) / "lib" / "bendlab",
-               experiments = fs::path(BENDLAB_SOURCE_DIR) / "experiments";
+const fs::path library = fs::path(bendlab::places::source) / "lib" / "bendlab",
+               experiments = fs::path(bendlab::places::source) / "experiments";
 
 /// Each room and the rooms it may include besides itself.
 using Rooms = std::map<std::string, std::set<std::string>>;
@@ -94,7 +95,7 @@ TEST_CASE("Includes of the experiments go one way", "[layout]") {
 
 TEST_CASE("CGAL stays in the sources of the mesh room and HDF5 in io", "[layout]") {
   for (const char* folder : {"lib/bendlab", "experiments"}) {
-    for (const fs::path& file : sources_in(fs::path(BENDLAB_SOURCE_DIR) / folder)) {
+    for (const fs::path& file : sources_in(fs::path(bendlab::places::source) / folder)) {
       for (const std::string& name : includes_of(file)) {
         INFO(file.string() << " includes " << name);
         const bool in_mesh_source = file.extension() == ".cpp" && file.parent_path() == library / "mesh";

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "bendlab_places.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/sweep_file.hpp"

@@ -6,6 +6,7 @@
 #include <array>
 #include <string_view>
 
+#include "bendlab_places.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"

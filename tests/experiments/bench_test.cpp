@@ -11,6 +11,7 @@
 #include "experiments/bench/roofline.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 namespace bendlab {
 namespace {
@@ -19,7 +20,8 @@ using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinRel;
 
 std::string output_of(const std::string& arguments) {
-  std::FILE* const pipe = popen(("'" BENDLAB_PROGRAM "' bench --quick " + arguments).c_str(), "r");
+  std::FILE* const pipe =
+      popen(("'" + std::string(places::program) + "' bench --quick " + arguments).c_str(), "r");
   REQUIRE(pipe);
   std::string text;
   for (std::array<char, 4096> buffer;

@@ -12,13 +12,14 @@
 #include "experiments/config/pointers.hpp"
 #include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 using namespace bendlab;
 using Catch::Matchers::ContainsSubstring;
 
 namespace {
 
-const std::filesystem::path configs = std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs";
+const std::filesystem::path configs = std::filesystem::path(places::source) / "configs";
 
 Json resolved(const std::string& text) {
   return parse_experiment(text, "test").runs.at(0).resolved();

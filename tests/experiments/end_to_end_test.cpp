@@ -9,6 +9,7 @@
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -29,11 +30,11 @@ TEST_CASE("from a config to a figure", "[experiments]") {
   const fs::path folder = fs::temp_directory_path() / "bendlab_end_to_end";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  const fs::path source(BENDLAB_SOURCE_DIR), claims = folder / "claims.json";
-  REQUIRE(run(quoted(BENDLAB_PROGRAM) + " run " + quoted(source / "configs/paper/structure.json") +
+  const fs::path source(bendlab::places::source), claims = folder / "claims.json";
+  REQUIRE(run(quoted(bendlab::places::program) + " run " + quoted(source / "configs/paper/structure.json") +
               " --out " + quoted(folder) + " >" + quoted(folder / "table")) == 0);
-  REQUIRE(run(quoted(BENDLAB_PYTHON) + " " + quoted(source / "analysis/fig_structure.py") + " --results " +
-              quoted(folder) + " --out " + quoted(folder) + " >" + quoted(claims)) == 0);
+  REQUIRE(run(quoted(bendlab::places::python) + " " + quoted(source / "analysis/fig_structure.py") +
+              " --results " + quoted(folder) + " --out " + quoted(folder) + " >" + quoted(claims)) == 0);
 
   std::ifstream picture(folder / "fig_structure.png", std::ios::binary);
   std::string signature(8, '\0');
@@ -54,14 +55,15 @@ TEST_CASE("from hard cases to their page", "[experiments]") {
   const fs::path folder = fs::temp_directory_path() / "bendlab_hard_cases", page = folder / "page";
   fs::remove_all(folder);
   fs::create_directories(folder);
-  const fs::path source(BENDLAB_SOURCE_DIR);
+  const fs::path source(bendlab::places::source);
   // A crease that no bending sees, and the rest shape: two cases, two models, both precisions.
-  REQUIRE(run(quoted(BENDLAB_PROGRAM) + " run " + quoted(source / "configs/stability/start.json") +
+  REQUIRE(run(quoted(bendlab::places::program) + " run " + quoted(source / "configs/stability/start.json") +
               R"( --set /duration=0.5 --set '/initial=[{"creases": 31}, {}]')"
               R"( --set '/bending/model=["none", "dihedral"]' --out )" +
               quoted(folder) + " >" + quoted(folder / "table")) == 0);
-  REQUIRE(run(quoted(BENDLAB_PYTHON) + " " + quoted(source / "analysis/stability_page.py") + " --results " +
-              quoted(folder) + " --out " + quoted(page) + " >" + quoted(folder / "where")) == 0);
+  REQUIRE(run(quoted(bendlab::places::python) + " " + quoted(source / "analysis/stability_page.py") +
+              " --results " + quoted(folder) + " --out " + quoted(page) + " >" + quoted(folder / "where")) ==
+          0);
 
   CHECK(fs::file_size(page / "index.html") > 5000);
   CHECK(fs::file_size(page / "fig_stability.png") > 5000);

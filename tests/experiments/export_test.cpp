@@ -16,6 +16,7 @@
 #include "experiments/export/obstacle_surfaces.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 using namespace bendlab;
 using bendlab::test::Workplace;
@@ -52,9 +53,8 @@ class ExportedPlace : public Workplace {
 
   /// What exported.py says is wrong; nothing if all is right.
   std::string differences(const std::string& arguments) const {
-    const std::string command = "cd '" + folder.string() +
-                                "' && " BENDLAB_PYTHON " " BENDLAB_SOURCE_DIR "/tests/export/exported.py '" +
-                                run_file.string() + "' " + arguments +
+    const std::string command = "cd '" + folder.string() + "' && " + places::python + " " + places::source +
+                                "/tests/export/exported.py '" + run_file.string() + "' " + arguments +
                                 " >differences 2>&1 || echo failed >>differences";
     return std::system(command.c_str()) == 0 ? test::read(folder / "differences") : "no shell";
   }
@@ -107,8 +107,8 @@ TEST_CASE("A run in double precision keeps its digits where the format has room 
     largest = std::max(largest, std::abs(soup.points[i / 3][i % 3] - positions[i]));
     narrow = std::max(narrow, std::abs(static_cast<double>(static_cast<float>(positions[i])) - positions[i]));
   }
-  CHECK(narrow > 1e-10);   // floats would have lost something
-  CHECK(largest == 0);     // both the writer and the reader round to the nearest double
+  CHECK(narrow > 1e-10);  // floats would have lost something
+  CHECK(largest == 0);    // both the writer and the reader round to the nearest double
 }
 
 TEST_CASE("A PC2 file has the header of its specification", "[export]") {
@@ -320,7 +320,8 @@ TEST_CASE("A file or a folder that cannot be written exits with 5 and leaves not
   CHECK(here.exported("--format obj --to scene.json/out") == 5);
   CHECK_THAT(here.err(), ContainsSubstring("scene.json/out: the folder can't be made"));
   // A disk that is full after 20 KiB.
-  const std::string shell = "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" BENDLAB_PROGRAM;
+  const std::string shell =
+      "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" + std::string(places::program);
   for (const char* to : {"deep/er", "deep/er/cloth.usda"}) {
     CHECK(here.run("export '" + here.run_file.string() + "' --format usda --to " + to, shell) == 5);
     CHECK_THAT(here.err(),

@@ -6,6 +6,7 @@
 #include "bendlab/io/run_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 namespace bendlab {
 namespace {
@@ -26,9 +27,9 @@ constexpr const char* places[] = {R"("offset": [1e6, 0, 0])", R"("offset": [4501
 /// What tests/export/edges.py says of the run and its exports; nothing if all edges are right.
 std::string wrong_edges(const Workplace& here, const std::string& run, const std::string& tolerance,
                         const std::string& files) {
-  const std::string command = "cd '" + here.folder.string() +
-                              "' && " BENDLAB_PYTHON " " BENDLAB_SOURCE_DIR "/tests/export/edges.py '" + run +
-                              "' " + tolerance + " " + files + " >wrong 2>&1 || echo failed >>wrong";
+  const std::string command = "cd '" + here.folder.string() + "' && " + places::python + " " +
+                              places::source + "/tests/export/edges.py '" + run + "' " + tolerance + " " +
+                              files + " >wrong 2>&1 || echo failed >>wrong";
   return std::system(command.c_str()) == 0 ? test::read(here.folder / "wrong") : "no shell";
 }
 

@@ -5,12 +5,13 @@
 #include "bendlab/bending/model.hpp"
 #include "experiments/config/config.hpp"
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 using namespace bendlab;
 
 namespace {
 
-const std::filesystem::path configs = std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs",
+const std::filesystem::path configs = std::filesystem::path(places::source) / "configs",
                             folder = configs / "models";
 
 bool joins_rings(const std::filesystem::path& file) {  // cases about rings, which only spring models have

@@ -6,6 +6,7 @@
 #include "bendlab/mesh/generators.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 namespace bendlab {
 namespace {
@@ -32,7 +33,7 @@ TEST_CASE("an effect that is not listed is as if it were compiled out", "[experi
     const std::string arguments = std::string("run hanging.json --json --set /solver/precision=") + precision;
     REQUIRE(place.run(arguments + " --out full") == 0);
     const nlohmann::json full = place.out_lines().at(0);
-    REQUIRE(place.run(arguments + " --out bare", BENDLAB_BARE_PROGRAM) == 0);
+    REQUIRE(place.run(arguments + " --out bare", places::bare_program) == 0);
     const nlohmann::json bare = place.out_lines().at(0);
     CHECK(pass_names(full) == pass_names(bare));
     CHECK(pass_names(full) == std::vector<std::string>{"set_up", "gravity", "predict", "strain", "bending",
@@ -47,7 +48,7 @@ TEST_CASE("an effect that is not listed is as if it were compiled out", "[experi
     CHECK(full["summary"] == bare["summary"]);
   }
   // The bare program has no other effect at all.
-  CHECK(place.run("effects --json", BENDLAB_BARE_PROGRAM) == 0);
+  CHECK(place.run("effects --json", places::bare_program) == 0);
   CHECK(nlohmann::json::parse(place.out()).size() == 1);
   CHECK(effects().size() > 1);
 }

@@ -19,6 +19,7 @@
 #include "experiments/run/run.hpp"
 #include "experiments/scene/gravity.hpp"
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 namespace bendlab {
 namespace {
@@ -28,7 +29,7 @@ constexpr double way = 0.1, near_a_pin = 0.02, mean_strain = 0.1, stretch = 3, s
                  fall = 1e-3, rounding = 1e-6;
 
 Experiment plain(const std::string& name) {
-  return load_experiment(std::filesystem::path(BENDLAB_SOURCE_DIR) / "configs/plain" / (name + ".json"));
+  return load_experiment(std::filesystem::path(places::source) / "configs/plain" / (name + ".json"));
 }
 
 std::string text_of(const RunConfig& config) {

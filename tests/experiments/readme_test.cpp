@@ -6,13 +6,14 @@
 
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 using bendlab::test::Workplace;
 using nlohmann::json;
 
 namespace {
 
-const std::filesystem::path source = BENDLAB_SOURCE_DIR;
+const std::filesystem::path source = bendlab::places::source;
 
 // The first block of JSON in the README.
 std::string first_experiment() {

@@ -11,6 +11,7 @@
 #include "experiments/config/config.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 using namespace bendlab;
 using Catch::Matchers::ContainsSubstring;
@@ -141,20 +142,19 @@ TEST_CASE("schema: every setting that a method reads is in /solver, with one mea
 TEST_CASE("schema: a resolved config has of /solver what its method reads, and nothing else") {
   for (const Method* method : methods()) {
     INFO(method->name);
-    const RunConfig run =
-        parse_experiment(R"({"name": "t", "defaults": "paper",
+    const RunConfig run = parse_experiment(R"({"name": "t", "defaults": "paper",
           "solver": {"method": ")" + std::string(method->name) +
-                             R"("}, "bending": {"model": "none"},
+                                               R"("}, "bending": {"model": "none"},
         "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
-                         "test")
-            .runs.at(0);
+                                           "test")
+                              .runs.at(0);
     for (const Parameter& row : find_section("/solver")->parameters)
       CHECK(run.resolved()["solver"].contains(row.name) == method->reads(row.name));
   }
 }
 
 TEST_CASE("schema: configs/schema.json is that of this program") {
-  std::ifstream file(BENDLAB_SOURCE_DIR "/configs/schema.json");
+  std::ifstream file(std::string(places::source) + "/configs/schema.json");
   const std::string text(std::istreambuf_iterator<char>(file), {});
   INFO("./bendlab schema --json > configs/schema.json");
   CHECK((text == schema_json().dump(2) + "\n"));

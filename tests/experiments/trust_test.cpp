@@ -11,6 +11,7 @@
 #include "experiments/terminal/printable.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 using namespace bendlab;
 using bendlab::test::Workplace;
@@ -91,7 +92,8 @@ TEST_CASE("trust: --force keeps the old file until the new one replaces it", "[t
   const auto before = fs::last_write_time(file);
   // No room for more than a few frames.
   CHECK(place.run("run tiny.json --set /duration=0.1 --force",
-                  "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" BENDLAB_PROGRAM) == 5);
+                  "sh' -c 'ulimit -f 40; trap \"\" XFSZ; exec \"$0\" \"$@\"' '" +
+                      std::string(places::program)) == 5);
   CHECK(seal_of(file) == Seal::whole);
   CHECK(fs::last_write_time(file) == before);
   CHECK(place.run("run tiny.json --set /duration=0.1 --force") == 0);

@@ -6,6 +6,7 @@
 #include "bendlab/io/run_file.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
@@ -21,7 +22,8 @@ const std::string torn_scene = R"("duration": 1, "mesh": {"cells": 32}, "bending
   "material": {"strain": {"form": "normalised"}}, "initial": {"perturbation": 1e-6}})";
 const std::string torn = R"({"name": "torn", "defaults": "paper", )" + torn_scene,
                   torn_and_allowed = R"({"name": "torn", "defaults": "paper",
-          "allow": ["implausible"], )" + torn_scene;
+          "allow": ["implausible"], )" +
+                                     torn_scene;
 
 // Nothing acts on it, and nothing moves.
 const std::string calm = R"({"name": "calm", "defaults": "paper",
@@ -33,7 +35,8 @@ const std::string calm = R"({"name": "calm", "defaults": "paper",
 TEST_CASE("A run is looked at between its frames", "[command line][plausibility]") {
   Workplace here;
   here.write("rare.json", R"({"name": "rare", "defaults": "paper",
-          "output": {"frames_per_second": 0.5}, )" + torn_scene);
+          "output": {"frames_per_second": 0.5}, )" +
+                              torn_scene);
   REQUIRE(here.run("run rare.json --json") == 1);  // frames at the start and at the end, after 1 s
   const json told = here.out_lines().at(0).at("implausible");
   CHECK(told.at("bound") == "reach");  // stretch is looked at in frames alone
@@ -134,7 +137,7 @@ TEST_CASE("A warning that only the run can give fails a strict command after it"
 
 TEST_CASE("Scenes that are fine are not doubted", "[command line][plausibility][warnings]") {
   Workplace here;
-  const std::string configs = std::string(BENDLAB_SOURCE_DIR) + "/configs/";
+  const std::string configs = std::string(bendlab::places::source) + "/configs/";
   const std::string coarse = " --set /mesh/cells=12 --set /duration=0.5 --json";
   for (const char* scene : {"flag", "skirt", "tablecloth", "sphere_drape"}) {
     INFO(scene);

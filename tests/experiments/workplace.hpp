@@ -15,6 +15,8 @@
 #include <thread>
 #include <vector>
 
+#include "tests/places.hpp"
+
 namespace bendlab::test {
 
 inline std::string read(const std::filesystem::path& file) {
@@ -33,7 +35,7 @@ class Workplace {
   ~Workplace() { std::filesystem::remove_all(folder); }
 
   /// Arguments may end in a redirection of their own.
-  int run(const std::string& arguments, const std::string& program = BENDLAB_PROGRAM) {
+  int run(const std::string& arguments, const std::string& program = places::program) {
     const std::string command =
         "cd '" + folder.string() + "' && </dev/null >stdout 2>stderr '" + program + "' " + arguments;
     const int status = std::system(command.c_str());
@@ -46,7 +48,7 @@ class Workplace {
     if (child == 0) {
       if (chdir(folder.c_str()) != 0 || !freopen("stdout", "w", stdout) || !freopen("stderr", "w", stderr))
         _exit(99);
-      execl(BENDLAB_PROGRAM, "bendlab", "run", config.c_str(), option, static_cast<char*>(nullptr));
+      execl(places::program, "bendlab", "run", config.c_str(), option, static_cast<char*>(nullptr));
       _exit(98);
     }
     int status = 0;

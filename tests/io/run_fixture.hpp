@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
+#include "tests/places.hpp"
 
 namespace bendlab::test {
 
@@ -131,7 +132,7 @@ std::string error_text(const Action& action) {
 inline bool h5py_accepts(const std::filesystem::path& file, const std::string& script) {
   const auto path = file.string() + ".check.py";
   std::ofstream(path) << "import sys, h5py, numpy as np\nrun = h5py.File(sys.argv[1], 'r')\n" << script;
-  const std::string given = BENDLAB_PYTHON;
+  const std::string given = places::python;
   const std::string python = given.empty() ? "/usr/bin/python3" : given;
   return std::system(("'" + python + "' '" + path + "' '" + file.string() + "'").c_str()) == 0;
 }

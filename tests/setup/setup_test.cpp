@@ -11,13 +11,14 @@
 #include <string>
 
 #include "tests/catch.hpp"
+#include "tests/places.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Catch::Matchers::ContainsSubstring;
 
-const fs::path source = BENDLAB_SOURCE_DIR;
+const fs::path source = bendlab::places::source;
 
 std::string read(const fs::path& file) {
   std::ostringstream text;
@@ -144,7 +145,9 @@ TEST_CASE("The package list stands in one place", "[setup]") {
 }
 
 TEST_CASE("The Python that was found has what the scripts import", "[setup]") {
-  CHECK(std::system("'" BENDLAB_PYTHON "' -c 'import numpy, h5py, matplotlib'") == 0);
+  CHECK(std::system(
+            ("'" + std::string(bendlab::places::python) + "' -c 'import numpy, h5py, matplotlib'").c_str()) ==
+        0);
 }
 
 }  // namespace
