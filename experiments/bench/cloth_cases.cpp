@@ -15,7 +15,7 @@
 namespace bendlab {
 namespace {
 
-constexpr int iterations = 10, warm_up_steps = 30;
+constexpr int iterations = 10, cloth_warm_up = 30;
 
 struct ClothKind {
   int cells = 0;
@@ -57,7 +57,7 @@ class MovingCloth {
     triangles = static_cast<std::int64_t>(scene.input.strain.size());
     bending = static_cast<std::int64_t>(scene.input.distance.size() + element_count(scene.input.elements));
     simulation_ = simulation_of(scene);
-    for (int step = 0; step < warm_up_steps; ++step) this->step();
+    for (int step = 0; step < cloth_warm_up; ++step) this->step();
   }
 
   /// Processor time where one thread works, else wall time. A pass has its share of the step's wall time.

@@ -20,7 +20,7 @@
 namespace bendlab {
 namespace {
 
-constexpr int warm_up_steps = 20;
+constexpr int effect_warm_up = 20;
 
 /// An effect in a scene in which it has work to do.
 struct EffectScene {
@@ -33,7 +33,7 @@ struct EffectScene {
 constexpr std::string_view pinned_sides = R"("pins": {"vertices": ["left", "right"], "ring": 0})";
 constexpr std::string_view no_pins = R"("pins": {"vertices": []})";
 
-constexpr std::array scenes = {
+constexpr std::array effect_scenes = {
     EffectScene{"gravity", R"("acceleration": [0, 0, -9.81])", pinned_sides},
     EffectScene{"rigid_damping", R"("rate": 1)", pinned_sides},
     EffectScene{"constraint_damping", R"("rate": 1)", pinned_sides},
@@ -124,7 +124,7 @@ class CloseWatch {
     const Scene scene = build_scene(config);
     vertices = scene.rest.vertex_count();
     simulation_ = simulation_of(scene);
-    for (int step = 0; step < warm_up_steps; ++step) this->step();
+    for (int step = 0; step < effect_warm_up; ++step) this->step();
     steps_ = 0, acted = 0;
   }
 
@@ -189,7 +189,7 @@ BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
 std::vector<BenchCase> effect_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
   std::vector<BenchCase> cases;
-  for (const EffectScene& scene : scenes)
+  for (const EffectScene& scene : effect_scenes)
     for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
       // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (scene.effect == "self_collision" && cells == 1000) continue;

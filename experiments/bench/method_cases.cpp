@@ -23,7 +23,7 @@
 namespace bendlab {
 namespace {
 
-constexpr int warm_up_steps = 6;
+constexpr int method_warm_up = 6;
 
 struct MethodKind {
   std::string method;
@@ -58,7 +58,7 @@ std::size_t scalar_bytes(const std::string& scalar) {
 struct MovedScene {
   explicit MovedScene(const MethodKind& kind) : scene(build_scene(config_of(kind))) {
     const auto simulation = simulation_of(scene);
-    for (int step = 0; step < warm_up_steps; ++step)
+    for (int step = 0; step < method_warm_up; ++step)
       if (!simulation->step()) throw std::runtime_error("the cloth of a benchmark diverged");
     scene.input.positions = simulation->positions();
     one_blas_thread();
@@ -254,7 +254,7 @@ BenchRow measure_method(const std::string& name, const MethodKind& kind, const B
                ? cpu
                : std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   };
-  for (int warm = 0; warm < warm_up_steps; ++warm) step();  // the first one factorises
+  for (int warm = 0; warm < method_warm_up; ++warm) step();  // the first one factorises
   const Spread seconds =
       repeated(bench_id(name, kind.scalar, kind.threads), options.repetitions, least_s(options), step);
   row.ns = per(seconds, kind.iterations * static_cast<double>(row.vertices));

@@ -132,7 +132,7 @@ class Accuracy final : public Measurement {
   std::vector<Positions> poses_;               // the same
 };
 
-std::vector<Quantity> quantities() {
+std::vector<Quantity> accuracy_quantities() {
   std::vector<Quantity> all;
   for (const Against against : references) {
     const std::string prefix = fmt::format("error_{}_", name_of(against));
@@ -176,7 +176,7 @@ extern const Measure accuracy{
           return settings.has("solver") || settings.has("physical");
         },
     .when = "if /accuracy names a reference",
-    .gives = quantities,
+    .gives = accuracy_quantities,
     .makes_runs = true,
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Accuracy>(config, scene);

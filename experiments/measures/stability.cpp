@@ -153,7 +153,7 @@ class Stability final : public Measurement {
   StabilityMeter meter_;
 };
 
-std::vector<Quantity> quantities() {
+std::vector<Quantity> stability_quantities() {
   return {
       {"stability_steps", "1", "number of steps"},
       {"stability_reach", "1",
@@ -196,7 +196,7 @@ extern const Measure stability{
         "how far the cloth went, whether it kept momentum and energy, and whether it came back to its rest "
         "shape",
     .cost = "positions, velocities and energies after every step; ten alignments a simulated second",
-    .gives = quantities,
+    .gives = stability_quantities,
     .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Stability>(scene, config.section("").number("duration"));
     }};

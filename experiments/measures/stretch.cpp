@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-const std::vector<Column> columns = {
+const std::vector<Column> stretch_columns = {
     {"mean_strain", "1", "mean over triangles of max(|σ₁ - 1|, |σ₂ - 1|), σ the principal stretches"},
     {"max_stretch", "1", "largest σ₁"},
     {"pin_max_stretch", "1", "largest σ₁ over triangles that touch a pinned vertex"},
@@ -31,7 +31,7 @@ class Stretches final : public Measurement {
     const auto add = [&](const std::string& name, double value) {
       if (!std::isnan(value)) findings.summary[name] = value;  // a cloth without pins has no stretch at them
     };
-    for (const Column& column : columns) {
+    for (const Column& column : stretch_columns) {
       add(column.name, end.frames.last_second_median(column.name));
       add(column.name + "_last", end.frames.last(column.name));
     }
@@ -47,7 +47,7 @@ extern const Measure stretch{
     .summary = "principal stretches of the triangles, at pins and everywhere",
     .cost = "a 2 × 2 singular value decomposition per triangle and frame, in parallel with the steps",
     .applies = always,
-    .columns = [] { return columns; },
+    .columns = [] { return stretch_columns; },
     .fields = []() -> std::vector<Column> {
       return {{"max_stretch", "1", "larger principal stretch σ₁"},
               {"min_stretch", "1", "smaller principal stretch σ₂"}};
@@ -55,7 +55,7 @@ extern const Measure stretch{
     .gives =
         [] {
           std::vector<Quantity> all;
-          for (const Column& column : columns) {
+          for (const Column& column : stretch_columns) {
             all.push_back(
                 {column.name, column.unit,
                  column.meaning + "; median over the last second; with equilibrium, of its last step"});

@@ -8,16 +8,12 @@
 #include <numbers>
 #include <random>
 
+#include "bendlab/parameters/random_numbers.hpp"
 #include "experiments/config/counted.hpp"
 #include "experiments/config/strict_json.hpp"
 
 namespace bendlab {
 namespace {
-
-// Uniform in [-1, 1], the same on every platform (the standard's distributions are not).
-double uniform(std::mt19937_64& generator) {
-  return 2 * (static_cast<double>(generator() >> 11) * 0x1p-53) - 1;
-}
 
 // The sheet folded to and fro along x: equal layers, each joined to the next by a half circle of diameter
 // `gap`.
@@ -85,7 +81,7 @@ void scale(Positions& positions, const std::vector<double>& factors, const RestM
 
 // A vector with components uniform in [-1, 1].
 Vector3 uniform_vector(std::mt19937_64& generator) {
-  const double x = uniform(generator), y = uniform(generator), z = uniform(generator);
+  const double x = 2 * uniform(generator) - 1, y = 2 * uniform(generator) - 1, z = 2 * uniform(generator) - 1;
   return {x, y, z};
 }
 

@@ -1,5 +1,7 @@
 // Motions by implicit steps against closed forms: frequencies, decay, waves, momentum; steps far too long for
 // the motion, loads far too heavy for projections; and the same bits from runs side by side.
+#include <fmt/format.h>
+
 #include <cmath>
 #include <complex>
 #include <numbers>

@@ -7,7 +7,7 @@
 namespace bendlab {
 namespace {
 
-constexpr std::size_t most = 6, fine = 24;  // samples of a line; `fine` if a part of it may be held
+constexpr std::size_t most_samples = 6, fine = 24;  // samples of a line; `fine` if a part of it may be held
 
 constexpr std::array<bool, fine> every_place = [] {
   std::array<bool, fine> list{};
@@ -70,7 +70,7 @@ PairSpans::PairSpans(const RestMesh& rest, const Pins& pins, const std::vector<c
 
 std::size_t PairSpans::sample_count(int a, int b, double length) const {
   if (pins_.pinned(a) || pins_.pinned(b)) return fine;
-  return std::clamp(static_cast<std::size_t>(std::ceil(length / mean_edge_)), std::size_t{2}, most);
+  return std::clamp(static_cast<std::size_t>(std::ceil(length / mean_edge_)), std::size_t{2}, most_samples);
 }
 
 Span PairSpans::operator()(int a, int b) const {

@@ -9,6 +9,7 @@
 
 #include "bendlab/mesh/orientation.hpp"
 #include "bendlab/mesh/rings.hpp"
+#include "bendlab/parameters/random_numbers.hpp"
 
 namespace bendlab {
 namespace {
@@ -51,10 +52,7 @@ class TangentPlanes {
 // Where a vertex's directions begin, in [0, 1): evenly spread over the vertices and the same on every machine
 // (SplitMix64), so that no direction is missing at all vertices of a lattice.
 double phase(int vertex) {
-  std::uint64_t x = static_cast<std::uint64_t>(vertex) + std::uint64_t{0x9e3779b97f4a7c15};
-  x = (x ^ (x >> 30)) * std::uint64_t{0xbf58476d1ce4e5b9};
-  x = (x ^ (x >> 27)) * std::uint64_t{0x94d049bb133111eb};
-  return static_cast<double>((x ^ (x >> 31)) >> 11) * 0x1p-53;
+  return unit_interval(split_mix(static_cast<std::uint64_t>(vertex), 0));
 }
 
 // A spring's stiffness is ∝ cos⁸ φ = (35 + 56 cos 2φ + 28 cos 4φ + 8 cos 6φ + cos 8φ) / 128, φ the angle

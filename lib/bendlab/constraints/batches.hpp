@@ -28,6 +28,7 @@ namespace bendlab {
 /// Lanes of a group: as many as the widest pack of any processor has (pack.hpp), so that the order of a batch
 /// is the same on all.
 inline constexpr int max_lanes = 16;
+inline constexpr auto group_size = static_cast<std::size_t>(max_lanes);
 
 /// The order of a batch's constraints. A star's springs mostly follow one another in the list. Then two
 /// numbers for the star say where they are, and none is needed for each spring.

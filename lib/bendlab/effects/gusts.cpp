@@ -1,4 +1,5 @@
 #include "bendlab/effects/gusts.hpp"
+#include "bendlab/parameters/random_numbers.hpp"
 
 #include <cmath>
 #include <limits>
@@ -7,13 +8,9 @@
 namespace bendlab {
 namespace {
 
-// The n-th number of the SplitMix64 generator (Steele, Lea and Flood 2014) of that seed, uniform in [-1, 1).
-double uniform(std::uint64_t seed, std::uint64_t n) {
-  std::uint64_t z = seed + (n + 1) * 0x9e3779b97f4a7c15u;
-  z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;
-  z = (z ^ (z >> 27)) * 0x94d049bb133111ebu;
-  z ^= z >> 31;
-  return 2 * (static_cast<double>(z >> 11) * 0x1p-53) - 1;
+// The n-th number of that seed, uniform in [-1, 1).
+double noise(std::uint64_t seed, std::uint64_t n) {
+  return 2 * unit_interval(split_mix(seed, n)) - 1;
 }
 
 }  // namespace
@@ -28,7 +25,7 @@ Vector3 Gusts::at(double seconds) const {
   Vector3 gust;
   for (std::uint64_t axis = 0; axis < 3; ++axis)
     gust(static_cast<Eigen::Index>(axis)) =
-        scale * ((1 - s) * uniform(seed, first + axis) + s * uniform(seed, first + 3 + axis));
+        scale * ((1 - s) * noise(seed, first + axis) + s * noise(seed, first + 3 + axis));
   return gust;
 }
 

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::string_view mark = "\nbendlab XXH3-128 ";
-constexpr std::size_t digits = 32, length = mark.size() + digits + 1;
+constexpr std::size_t digits = 32, seal_length = mark.size() + digits + 1;
 
 // Of the first `bytes` of the file.
 std::string checksum_of(const fs::path& file, std::uint64_t bytes) {
@@ -39,10 +39,10 @@ std::string checksum_of(const fs::path& file, std::uint64_t bytes) {
 }
 
 std::string end_of(const fs::path& file, std::uint64_t size) {
-  std::string end(length, '\0');
+  std::string end(seal_length, '\0');
   std::ifstream stream(file, std::ios::binary);
-  stream.seekg(static_cast<std::streamoff>(size - length));
-  return stream.read(end.data(), static_cast<std::streamsize>(length)) ? end : "";
+  stream.seekg(static_cast<std::streamoff>(size - seal_length));
+  return stream.read(end.data(), static_cast<std::streamsize>(seal_length)) ? end : "";
 }
 
 }  // namespace
@@ -58,10 +58,11 @@ void seal(const fs::path& file) {
 Seal seal_of(const fs::path& file) {
   require_readable(file);
   const std::uint64_t size = fs::file_size(file);
-  if (size < length) return Seal::none;
+  if (size < seal_length) return Seal::none;
   const std::string end = end_of(file, size);
   if (!end.starts_with(mark) || !end.ends_with('\n')) return Seal::none;
-  return end.substr(mark.size(), digits) == checksum_of(file, size - length) ? Seal::whole : Seal::broken;
+  return end.substr(mark.size(), digits) == checksum_of(file, size - seal_length) ? Seal::whole
+                                                                                  : Seal::broken;
 }
 
 }  // namespace bendlab

@@ -44,10 +44,6 @@ std::string_view treatment(MeshProblemKind kind, BadTriangles policy) {
   return {};
 }
 
-bool finite(const std::array<double, 3>& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
-
 // The soup without copies of triangles, and without triangles that cannot be used.
 PolygonSoup without_unusable(const PolygonSoup& soup) {
   PolygonSoup usable{.points = soup.points, .triangles = {}, .texture_coordinates = {}};
@@ -56,7 +52,7 @@ PolygonSoup without_unusable(const PolygonSoup& soup) {
     auto corners = soup.triangles[t];
     const bool named = std::ranges::all_of(corners, [&](std::int64_t v) {
       return v >= 0 && v < static_cast<std::int64_t>(soup.points.size()) &&
-             finite(soup.points[static_cast<std::size_t>(v)]);
+             is_finite(soup.points[static_cast<std::size_t>(v)]);
     });
     std::ranges::sort(corners);
     if (!named || corners[0] == corners[1] || corners[1] == corners[2] || !seen.insert(corners).second)

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "bendlab/mesh/delaunay.hpp"
+#include "bendlab/parameters/random_numbers.hpp"
 
 namespace bendlab {
 namespace {
@@ -59,12 +60,6 @@ class MeshBuilder {
   std::vector<Vector3> points_;
   std::vector<std::array<int, 3>> triangles_;
 };
-
-// Uniform in [0, 1) from the generator's upper 53 bits: std::uniform_real_distribution differs between
-// libraries.
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
 
 // Points in a rectangle that keep a distance from each other. The cells of a background grid are so small
 // that each holds at most one point. (In a strip thinner than a cell, points of both sides share one; no

@@ -11,7 +11,7 @@
 namespace bendlab {
 namespace {
 
-constexpr std::int64_t none = -1;
+constexpr std::int64_t no_index = -1;
 
 class ObjReader {
  public:
@@ -51,7 +51,7 @@ class ObjReader {
       const std::string_view word = lines_.word(i);
       const std::size_t slash = std::min(word.find('/'), word.size());
       vertices_.push_back(index(word.substr(0, slash), soup_.points.size()));
-      if (vertices_.back() == none)
+      if (vertices_.back() == no_index)
         lines_.fail(fmt::format("{} names vertex {}, and there are {} before it", TextLines::quoted(word),
                                 TextLines::quoted(word.substr(0, slash)), soup_.points.size()));
       of_corners_.push_back(texture_of(word.substr(std::min(slash + 1, word.size()))));
@@ -63,30 +63,30 @@ class ObjReader {
 
   // From what follows the first slash: "vt", "vt/", "vt/vn", "/vn" or nothing.
   std::int64_t texture_of(std::string_view rest) {
-    if (rest.empty()) return none;
+    if (rest.empty()) return no_index;
     const std::size_t slash = std::min(rest.find('/'), rest.size());
     const std::string_view normal = rest.substr(std::min(slash + 1, rest.size()));
     if (!normal.empty()) lines_.integer_of(normal);
-    if (slash == 0) return none;
+    if (slash == 0) return no_index;
     const std::int64_t texture = index(rest.substr(0, slash), textures_.size());
-    if (texture == none)
+    if (texture == no_index)
       lines_.fail(fmt::format("texture coordinate {} is named, but there are {} before it",
                               TextLines::quoted(rest.substr(0, slash)), textures_.size()));
     return texture;
   }
 
-  // Counted from 0; `none` if a negative number counts back beyond the first of the `before` that there are.
+  // Counted from 0; `no_index` if a negative number counts back beyond the first of the `before` that there are.
   std::int64_t index(std::string_view text, std::size_t before) const {
     const std::int64_t number = lines_.integer_of(text);
     if (number == 0) lines_.fail("index 0: indices of vertices and texture coordinates count from 1");
     if (number > 0) return number - 1;
-    return std::max(none, static_cast<std::int64_t>(before) + number);
+    return std::max(no_index, static_cast<std::int64_t>(before) + number);
   }
 
   void look_up_textures() {
     std::size_t untextured = 0;
     for (const auto& corners : corner_textures_)
-      if (std::ranges::find(corners, none) != corners.end()) ++untextured;
+      if (std::ranges::find(corners, no_index) != corners.end()) ++untextured;
     if (untextured > 0) {
       if (untextured < corner_textures_.size()) soup_.untextured_triangles = untextured;
       return;
@@ -107,7 +107,7 @@ class ObjReader {
   PolygonSoup soup_;
   PolygonList polygons_{soup_, "line"};
   std::vector<std::array<double, 2>> textures_;
-  std::vector<std::array<std::int64_t, 3>> corner_textures_;  // #T: indices into textures_, or none
+  std::vector<std::array<std::int64_t, 3>> corner_textures_;  // #T: indices into textures_, or no_index
   std::vector<std::int64_t> vertices_, of_corners_;           // of the current face
 };
 

@@ -8,7 +8,7 @@
 namespace bendlab {
 namespace {
 
-struct HalfEdge {
+struct SideOfTriangle {
   std::int64_t low, high;
   std::size_t triangle;
   bool ascending;  // the triangle runs along it from low to high
@@ -101,19 +101,19 @@ class Turner {
 }  // namespace
 
 std::vector<SharedEdge> shared_edges(const std::vector<std::array<std::int64_t, 3>>& triangles) {
-  std::vector<HalfEdge> half_edges;
+  std::vector<SideOfTriangle> half_edges;
   half_edges.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) {
       const std::int64_t from = triangles[t][c], to = triangles[t][(c + 1) % 3];
       half_edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
     }
-  std::ranges::stable_sort(half_edges, [](const HalfEdge& l, const HalfEdge& r) {
+  std::ranges::stable_sort(half_edges, [](const SideOfTriangle& l, const SideOfTriangle& r) {
     return l.low != r.low ? l.low < r.low : l.high < r.high;
   });
   std::vector<SharedEdge> edges;
   for (std::size_t first = 0, last = 0; first < half_edges.size(); first = last) {
-    const HalfEdge& edge = half_edges[first];
+    const SideOfTriangle& edge = half_edges[first];
     for (last = first + 1;
          last < half_edges.size() && half_edges[last].low == edge.low && half_edges[last].high == edge.high;)
       ++last;

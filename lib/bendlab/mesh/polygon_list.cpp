@@ -11,27 +11,23 @@
 namespace bendlab {
 namespace {
 
-using Corners = std::array<std::int64_t, 3>;
-
-bool finite(const std::array<double, 3>& p) {
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
-}
+using Triple = std::array<std::int64_t, 3>;
 
 double size_of(const std::vector<std::array<double, 3>>& points) {
   Eigen::AlignedBox3d box;
   for (const auto& p : points)
-    if (finite(p)) box.extend(Vector3(p[0], p[1], p[2]));
+    if (is_finite(p)) box.extend(Vector3(p[0], p[1], p[2]));
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 // The corners of a polygon that lies as a fan in the list of triangles.
-std::vector<std::int64_t> corners_of(std::span<const Corners> fan) {
+std::vector<std::int64_t> corners_of(std::span<const Triple> fan) {
   std::vector<std::int64_t> corners = {fan[0][0], fan[0][1]};
-  for (const Corners& triangle : fan) corners.push_back(triangle[2]);
+  for (const Triple& triangle : fan) corners.push_back(triangle[2]);
   return corners;
 }
 
-void rearrange(std::span<Corners> fan, const std::vector<std::array<std::size_t, 3>>& triangles) {
+void rearrange(std::span<Triple> fan, const std::vector<std::array<std::size_t, 3>>& triangles) {
   const std::vector<std::int64_t> corners = corners_of(fan);
   for (std::size_t t = 0; t < triangles.size(); ++t)
     for (std::size_t c = 0; c < 3; ++c) fan[t][c] = corners[triangles[t][c]];
@@ -58,16 +54,16 @@ bool PolygonList::take_points(const Polygon& polygon) {
     if (vertex < 0 || vertex >= static_cast<std::int64_t>(soup_.points.size())) return false;
     const auto& p = soup_.points[static_cast<std::size_t>(vertex)];
     points_.emplace_back(p[0], p[1], p[2]);
-    return finite(p);
+    return is_finite(p);
   };
-  const Corners* fan = &soup_.triangles[polygon.first_triangle];
+  const Triple* fan = &soup_.triangles[polygon.first_triangle];
   if (!take(fan[0][0]) || !take(fan[0][1])) return false;
   for (std::size_t t = 0; t + 2 < polygon.corners; ++t)
     if (!take(fan[t][2])) return false;
   return true;
 }
 
-void PolygonList::cut(std::span<Corners> others) {
+void PolygonList::cut(std::span<Triple> others) {
   if (polygons_.empty()) return;
   const double thickness = zero_area_thickness * size_of(soup_.points);
   std::vector<std::array<std::size_t, 3>> triangles;

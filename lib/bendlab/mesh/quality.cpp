@@ -16,7 +16,7 @@
 namespace bendlab {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double unbounded = std::numeric_limits<double>::infinity();
 
 constexpr std::array<QualityMeasure, 7> measures = {{
     {"edge_ratio", "1", "Longest to shortest edge"},
@@ -52,7 +52,7 @@ struct ScaledTriangle {
 };
 
 double cotangent(double degrees) {
-  return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : infinity;
+  return degrees > 0 ? 1 / std::tan(degrees * std::numbers::pi / 180) : unbounded;
 }
 
 // Percentiles are taken of keys, in the order of `measures`: each is monotone in its measure and cheaper. The
@@ -60,9 +60,9 @@ double cotangent(double degrees) {
 using Keys = std::array<double, 7>;
 
 Keys keys_of(const ScaledTriangle& t) {
-  if (!t.finite) return {infinity, infinity, infinity, 0, -infinity, infinity, infinity};
-  const double edge_ratio = t.squared[0] > 0 ? t.squared[2] / t.squared[0] : infinity;
-  if (!t.has_area()) return {edge_ratio, infinity, infinity, 0, -infinity, infinity, infinity};
+  if (!t.finite) return {unbounded, unbounded, unbounded, 0, -unbounded, unbounded, unbounded};
+  const double edge_ratio = t.squared[0] > 0 ? t.squared[2] / t.squared[0] : unbounded;
+  if (!t.has_area()) return {edge_ratio, unbounded, unbounded, 0, -unbounded, unbounded, unbounded};
 
   const auto& [a, b, c] = t.squared;
   const double shortest = std::sqrt(a), middle = std::sqrt(b), longest = std::sqrt(c), sum = a + b + c;

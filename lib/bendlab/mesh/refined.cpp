@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "bendlab/mesh/rest_mesh.hpp"
+#include "bendlab/parameters/random_numbers.hpp"
 
 namespace bendlab {
 namespace {
@@ -108,11 +109,6 @@ struct Surroundings {
     }
   }
 };
-
-// In [0, 1); the same on every platform, unlike std::uniform_real_distribution.
-double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11) * 0x1p-53;
-}
 
 }  // namespace
 

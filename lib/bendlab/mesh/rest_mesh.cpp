@@ -6,20 +6,20 @@
 namespace bendlab {
 namespace {
 
-struct HalfEdge {
+struct DirectedEdge {
   int low, high;  // the edge's vertices, low < high
   int opposite;   // the triangle's third vertex
 };
 
-std::vector<HalfEdge> sorted_half_edges(const Triangles& triangles) {
-  std::vector<HalfEdge> half_edges;
+std::vector<DirectedEdge> sorted_half_edges(const Triangles& triangles) {
+  std::vector<DirectedEdge> half_edges;
   half_edges.reserve(static_cast<std::size_t>(3 * triangles.rows()));
   for (Eigen::Index t = 0; t < triangles.rows(); ++t)
     for (int c = 0; c < 3; ++c) {
       const int a = triangles(t, c), b = triangles(t, (c + 1) % 3);
       half_edges.push_back({std::min(a, b), std::max(a, b), triangles(t, (c + 2) % 3)});
     }
-  std::stable_sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& l, const HalfEdge& r) {
+  std::stable_sort(half_edges.begin(), half_edges.end(), [](const DirectedEdge& l, const DirectedEdge& r) {
     return l.low != r.low ? l.low < r.low : l.high < r.high;
   });
   return half_edges;
@@ -45,11 +45,11 @@ Adjacency adjacency_of(const Edges& edges, int vertex_count) {
 }  // namespace
 
 RestMesh::RestMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-  const std::vector<HalfEdge> half_edges = sorted_half_edges(mesh_.triangles);
+  const std::vector<DirectedEdge> half_edges = sorted_half_edges(mesh_.triangles);
   std::vector<std::array<int, 2>> edges;
   for (std::size_t first = 0, last; first < half_edges.size(); first = last) {
     last = first + 1;
-    const HalfEdge& h = half_edges[first];
+    const DirectedEdge& h = half_edges[first];
     while (last < half_edges.size() && half_edges[last].low == h.low && half_edges[last].high == h.high)
       ++last;
     edges.push_back({h.low, h.high});

@@ -19,11 +19,6 @@ struct KindText {
   std::string_view one, many;
 };
 
-// allFinite() would subtract infinities, which traps in the debug program.
-bool finite(const Vector3& p) {
-  return std::isfinite(p.x()) && std::isfinite(p.y()) && std::isfinite(p.z());
-}
-
 // fmt compares a NaN, which traps in the debug program.
 std::string number_text(double number) {
   if (std::isfinite(number)) return fmt::format("{}", number);
@@ -107,7 +102,7 @@ class Diagnosis {
   void check_vertices() {
     for (std::size_t v = 0; v < soup_.points.size(); ++v) {
       const Vector3 p = point(static_cast<std::int64_t>(v));
-      if (finite(p))
+      if (is_finite(p))
         box_min_ = box_min_.cwiseMin(p), box_max_ = box_max_.cwiseMax(p);
       else
         report(MeshProblemKind::non_finite_vertex,
@@ -137,7 +132,7 @@ class Diagnosis {
     const double thickness = zero_area_thickness * (box_max_ - box_min_).norm();
     for (const std::size_t t : sound_) {
       const auto& [a, b, c] = soup_.triangles[t];
-      const bool known = finite(point(a)) && finite(point(b)) && finite(point(c));
+      const bool known = is_finite(point(a)) && is_finite(point(b)) && is_finite(point(c));
       if (known && collinear_within(thickness, point(a), point(b), point(c)))
         report_triangle(MeshProblemKind::zero_area, t);
     }

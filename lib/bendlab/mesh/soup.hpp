@@ -18,6 +18,12 @@ struct PolygonSoup {
   std::size_t untextured_triangles = 0;  ///< of a file where only others have texture coordinates
 };
 
+/// Without allFinite(), which would subtract infinities: that traps in the debug program.
+template <class Point>
+bool is_finite(const Point& p) {
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]);
+}
+
 enum class MeshProblemKind {
   empty,                     ///< no triangles
   non_finite_vertex,         ///< a coordinate is infinite or not a number

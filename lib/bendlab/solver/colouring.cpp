@@ -58,8 +58,6 @@ int largest_degree(const std::vector<std::array<int, arity>>& vertices, int vert
   return degree.empty() ? 0 : *std::max_element(degree.begin(), degree.end());
 }
 
-constexpr auto width = static_cast<std::size_t>(max_lanes);
-
 // Springs that follow one another at one centre. Longer stars save more memory traffic (a fifth of the time
 // at 30) but converge worse, because a centre that moves thirty times in a row leaves its neighbours behind:
 // at m = 4 the sheet's mean strain after as many iterations is 3 to 4 times larger. With four, convergence is
@@ -67,13 +65,13 @@ constexpr auto width = static_cast<std::size_t>(max_lanes);
 constexpr std::size_t star_length = 4;
 
 std::size_t padded(std::size_t count) {
-  return (count + width - 1) / width * width;
+  return (count + group_size - 1) / group_size * group_size;
 }
 
 // Colours with one group per stack: lanes [0, 16), [16, 32), …
 void give_each_group_a_stack(BatchOrder& order, const std::vector<std::size_t>& first_lane_of_colour) {
-  for (std::size_t lane = 0; lane <= order.first.size(); lane += width) order.stacks.push_back(lane);
-  for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / width);
+  for (std::size_t lane = 0; lane <= order.first.size(); lane += group_size) order.stacks.push_back(lane);
+  for (const std::size_t lane : first_lane_of_colour) order.colours.push_back(lane / group_size);
 }
 
 // Pairs as stars: up to star_length pairs with the same first vertex, the centre. Stars are numbered centre
@@ -181,7 +179,8 @@ std::vector<std::size_t> begin_of_colours(const std::vector<int>& colours) {
 // the mesh could not be tiled. Stars [begin, end) are a colour's; those of one length stay in the order of
 // their centres, and those without pairs, which fill the last stack, stay its last.
 void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::size_t end) {
-  constexpr std::size_t neighbourhood = 64 * width;  // a partly filled stack wastes 1 in 128 of its lanes
+  constexpr std::size_t neighbourhood =
+      64 * group_size;  // a partly filled stack wastes 1 in 128 of its lanes
   std::vector<std::pair<int, std::uint8_t>> stars;
   for (std::size_t first = begin; first < end; first += neighbourhood) {
     stars.clear();
@@ -225,12 +224,12 @@ BatchOrder star_order(const PairList& pairs, int vertex_count) {
   });
   for (std::size_t colour = 0; colour + 1 < colour_begin.size(); ++colour)
     sort_by_length_where_they_are(order, colour_begin[colour], colour_begin[colour + 1]);
-  for (const std::size_t lane : colour_begin) order.colours.push_back(lane / width);
+  for (const std::size_t lane : colour_begin) order.colours.push_back(lane / group_size);
   // A stack is as long as its first star, its longest.
-  order.stacks.reserve(order.first.size() / width + 1);
+  order.stacks.reserve(order.first.size() / group_size + 1);
   order.stacks.push_back(0);
-  for (std::size_t at = 0; at < order.first.size(); at += width)
-    order.stacks.push_back(order.stacks.back() + order.length[at] * width);
+  for (std::size_t at = 0; at < order.first.size(); at += group_size)
+    order.stacks.push_back(order.stacks.back() + order.length[at] * group_size);
   order.at_place = stars.take_places();
   return order;
 }

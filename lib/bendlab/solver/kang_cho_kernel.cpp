@@ -14,17 +14,16 @@
 namespace bendlab {
 namespace {
 
-constexpr auto width = static_cast<std::size_t>(max_lanes);
 template <class Real>
 constexpr auto step = static_cast<std::size_t>(lanes<Real>);
 
-using Offsets = std::array<int, width>;
+using Offsets = std::array<int, group_size>;
 
 // offset_of() the vertices of a slice, one after another.
 Offsets offsets_of(std::size_t slice) {
   Offsets offsets;
-  for (std::size_t lane = 0; lane < width; ++lane)
-    offsets[lane] = offset_of(static_cast<int>(slice * width + lane));
+  for (std::size_t lane = 0; lane < group_size; ++lane)
+    offsets[lane] = offset_of(static_cast<int>(slice * group_size + lane));
   return offsets;
 }
 
@@ -106,7 +105,7 @@ constexpr std::size_t numbers_per_vertex = 9;
 
 template <class Real, class Numbers>
 BENDLAB_INLINE auto* row_at(Numbers* numbers, std::size_t slice, std::size_t part) {
-  return numbers + (slice * width + part) * numbers_per_vertex;
+  return numbers + (slice * group_size + part) * numbers_per_vertex;
 }
 
 template <class Real>
@@ -141,7 +140,8 @@ BENDLAB_INLINE void assemble_pack(ImplicitSystem<Real>& system, const State<Real
   PackVector<Real> p{zero, zero, zero};
   if (external) p = scaled<Real>(m, gather(external, own).position);
   SymmetricPack<Real> w{m, zero, zero, m, zero, m};
-  for (std::size_t lane = springs.slices[slice] + part; lane < springs.slices[slice + 1]; lane += width) {
+  for (std::size_t lane = springs.slices[slice] + part; lane < springs.slices[slice + 1];
+       lane += group_size) {
     const int* const other = &springs.other[lane];
     const SpringPack<Real> s(x.position, gather(positions, other).position, springs, lane, across);
     const PackVector<Real> relative = gather(state.velocity.data(), other).position - v.position;
@@ -163,7 +163,8 @@ BENDLAB_INLINE void solve_pack(State<Real>& state, const ImplicitSystem<Real>& s
   const PackPoints<Real> x = gather(positions, own);
   const Row<Real> row = load_row<Real>(row_at<Real>(system.rows.data(), slice, part));
   PackVector<Real> sum = row.p;
-  for (std::size_t lane = springs.slices[slice] + part; lane < springs.slices[slice + 1]; lane += width) {
+  for (std::size_t lane = springs.slices[slice] + part; lane < springs.slices[slice + 1];
+       lane += group_size) {
     const int* const other = &springs.other[lane];
     const SpringPack<Real> s(x.position, gather(positions, other).position, springs, lane, across);
     const PackVector<Real> guess = gather(system.guess.data(), other).position;
@@ -178,14 +179,14 @@ BENDLAB_INLINE void solve_pack(State<Real>& state, const ImplicitSystem<Real>& s
 
 template <class Real>
 ImplicitSystem<Real>::ImplicitSystem(std::size_t slice_count, std::size_t point_count)
-    : rows(slice_count * width * numbers_per_vertex), guess(point_count) {}
+    : rows(slice_count * group_size * numbers_per_vertex), guess(point_count) {}
 
 template <class Real>
 void assemble(ImplicitSystem<Real>& system, const State<Real>& state, const Point<Real>* external,
               const SpringRows<Real>& springs, AcrossTangent<Real> across, Real substep, std::size_t first,
               std::size_t last) {
   for (std::size_t slice = first; slice < last; ++slice)
-    for (std::size_t part = 0; part < width; part += step<Real>)
+    for (std::size_t part = 0; part < group_size; part += step<Real>)
       assemble_pack(system, state, external, springs, across, substep, slice, part);
 }
 
@@ -193,7 +194,7 @@ template <class Real>
 void solve(State<Real>& state, const ImplicitSystem<Real>& system, const SpringRows<Real>& springs,
            AcrossTangent<Real> across, Real substep, std::size_t first, std::size_t last) {
   for (std::size_t slice = first; slice < last; ++slice)
-    for (std::size_t part = 0; part < width; part += step<Real>)
+    for (std::size_t part = 0; part < group_size; part += step<Real>)
       solve_pack(state, system, springs, across, substep, slice, part);
 }
 

@@ -1,1 +1,0 @@
-// Compiles lib/precompiled.hpp for the rooms.
