@@ -1,3 +1,4 @@
+#!/usr/bin/env python3
 """Builds the program without an object cache, and fails where that takes more processor time than its budget.
 
 The budget is a multiple of what a fixed file takes in the same run (reference_for_build.cpp), because the same
