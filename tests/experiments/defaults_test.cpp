@@ -1,12 +1,14 @@
 // What a config gets that it does not say.
 #include <fmt/format.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/solver/method.hpp"
 #include "experiments/config/config.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/config/pointers.hpp"
@@ -227,4 +229,27 @@ TEST_CASE("every recipe runs with every model, and a config's own method keeps i
   const RunConfig other = config("fast", R"("solver": {"method": "newton"})");
   CHECK(other.section("/solver").integer("iterations") == 20);  // newton's own
   CHECK(config("reference", R"("effects": [])").section("/solver").text("method") == "newton");
+}
+
+TEST_CASE("any method takes the default config by one word, with any model that it can have",
+          "[experiments]") {
+  constexpr std::string_view text = R"({"name": "t", "mesh": {"cells": 3}, "duration": 0.1})";
+  for (const Method* method : methods())
+    for (const BendingModel* model : bending_models()) {
+      CAPTURE(method->name, model->name);
+      const std::array overrides = {"/solver/method=" + std::string(method->name),
+                                    "/bending/model=" + std::string(model->name)};
+      // Springs alone, and forces that jump: the message says which word to change.
+      if ((method->springs_only && !model->springs_only && model->name != "none") ||
+          (method->name == "quasi_newton" && model->one_sided)) {
+        try {
+          parse_experiment(text, "test", overrides);
+          FAIL("it is not refused");
+        } catch (const ConfigError& error) {
+          CHECK_THAT(error.what(), ContainsSubstring("/bending/model: ") && ContainsSubstring("choose"));
+        }
+        continue;
+      }
+      CHECK(simulation_of(build_scene(parse_experiment(text, "test", overrides).runs.front()))->step());
+    }
 }

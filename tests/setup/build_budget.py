@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Builds the program without an object cache, and fails where that takes more processor time than its budget.
 
-The budget is a multiple of what a fixed file takes in the same run (reference_for_build.cpp), because the same
-build takes 1.6 times as long on one machine as on another. Usage: build_budget.py [BUDGET]
+The budget is a multiple of what a fixed file takes in the same run (reference_for_build.cpp), because the
+same build takes 1.6 times as long on one machine as on another. Usage: build_budget.py [BUDGET]
 """
 import resource
 import shutil
@@ -41,8 +41,8 @@ def main(budget):
     built = processor_s(["cmake", "--build", BUILD, "--parallel", "2", "--target", "bendlab_program"])
     reference = (before + reference_s()) / 2
     shutil.rmtree(BUILD)
-    print(f"The program takes {built:.0f} s of processor time to build, {built / reference:.1f} times the reference "
-          f"({reference:.1f} s); its budget is {budget:g} times")
+    print(f"The program takes {built:.0f} s of processor time to build, {built / reference:.1f} times the "
+          f"reference ({reference:.1f} s); its budget is {budget:g} times")
     return built <= budget * reference
 
 

@@ -1,5 +1,5 @@
-// What the time for building bendlab is compared with (build_budget.py), so that the budget means the same on every
-// machine. It never changes, and nothing runs it.
+// What the time for building bendlab is compared with (build_budget.py), so that the budget means the same on
+// every machine. It never changes, and nothing runs it.
 #include <Eigen/Dense>
 #include <algorithm>
 #include <functional>

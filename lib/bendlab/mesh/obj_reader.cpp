@@ -75,7 +75,8 @@ class ObjReader {
     return texture;
   }
 
-  // Counted from 0; `no_index` if a negative number counts back beyond the first of the `before` that there are.
+  // Counted from 0; `no_index` if a negative number counts back beyond the first of the `before` that there
+  // are.
   std::int64_t index(std::string_view text, std::size_t before) const {
     const std::int64_t number = lines_.integer_of(text);
     if (number == 0) lines_.fail("index 0: indices of vertices and texture coordinates count from 1");

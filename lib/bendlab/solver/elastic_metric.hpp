@@ -3,8 +3,9 @@
 //
 //   triangle     Σ over warp and weft: d dᵀ / α, with the weights d of f = Σ d_i x_i: what stretch and shear
 //                together resist at rest in each direction of the plane
-//   springs      as a stiffer membrane: what springs that are strained alike resist, spread over the triangles.
-//                Each by itself would join vertices many edges apart, and the factor would be as good as dense
+//   springs      as a stiffer membrane: what springs that are strained alike resist, spread over the
+//                triangles. Each by itself would join vertices many edges apart, and the factor would be as
+//                good as dense
 //   element      κ κᵀ / α, κ_i = n·∇_i C in the rest shape, n along the largest ∇_i C; for a flat hinge ∇_i C
 //                are multiples of the normal, and this is its Hessian
 #pragma once
