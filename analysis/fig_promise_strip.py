@@ -64,7 +64,7 @@ def shares_of(runs):
 
 
 def _name(solver):
-    return solver if isinstance(solver, str) else f"pbd, {solver} substeps"
+    return solver if isinstance(solver, str) else f"{solver} substeps of pbd"
 
 
 def _picture(shares, out):
