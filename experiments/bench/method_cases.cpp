@@ -44,9 +44,10 @@ RunConfig config_of(const MethodKind& kind) {
           "pins": {{"vertices": ["left", "right"], "ring": 0}},
           "solver": {{"method": "{}", "iterations": {}, "threads": {}, "precision": "{}"{}}}}})",
       kind.cells, kind.method, kind.iterations, kind.threads, kind.scalar == "float" ? "single" : "double",
-      kind.method == "vbd" ? R"(, "tolerance": 0, "integrator": "euler")"
-      : implicit           ? R"(, "tolerance": 0)"
-                           : "");
+      kind.method == "vbd"            ? R"(, "tolerance": 0, "integrator": "euler")"
+      : kind.method == "quasi_newton" ? R"(, "tolerance": 0, "membrane": "stated", "history": 10)"
+      : implicit                      ? R"(, "tolerance": 0)"
+                                      : "");
   return parse_experiment(text, "bench").runs.front();
 }
 

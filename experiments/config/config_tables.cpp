@@ -57,8 +57,8 @@ constexpr double largest_seed = 4294967295;  // 2³² - 1: fits every generator
 constexpr std::string_view stiffness_meaning =
     "How stiffness is given. k: the share of a constraint's error that one projection removes; k_per_step: "
     "the share that the n projections of a substep remove together, each k' = 1 - (1 - k)^(1/n); "
-    "compliance: inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: physical "
-    "where membrane_stiffness is given, else k";
+    "compliance: inverse stiffness, as in XPBD; physical: the membrane_stiffness below. Absent: k where "
+    "warp, weft, shear or area is given, compliance where that is, else as /defaults says";
 
 constexpr std::string_view bending_stiffness_meaning =
     "How stiffness is given: k, k_per_step or compliance, as for strain; physical: the sheet has the "
@@ -224,7 +224,7 @@ constexpr std::array strain = {
                          "normalised shear vanishes as warp and weft become parallel, so that a projection "
                          "moves a strongly sheared triangle by many times its size; angle does not do that",
               .choices = strain_form_names},
-    Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "k",
+    Parameter{.name = "stiffness", .type = text, .unit = "", .default_value = "physical",
               .meaning = stiffness_meaning, .choices = config_stiffness_kinds},
     Parameter{.name = "membrane_stiffness", .type = number, .unit = "N/m", .default_value = {},
               .meaning = "physical: Young's modulus times thickness, the force per width that stretches "
@@ -297,11 +297,13 @@ constexpr std::array shared_by_methods = {
     Parameter{.name = "dt", .type = number, .unit = "s", .default_value = 1.0 / 60,
               .meaning = "Time step",
               .minimum = 1e-9, .maximum = 1e6},
-    Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 8,
-              .meaning = "How many equal parts a time step is divided into",
+    Parameter{.name = "substeps", .type = integer, .unit = "1", .default_value = 1,
+              .meaning = "How many equal parts a time step is divided into. The default is that of "
+                         "quasi_newton; other methods have their own",
               .minimum = 1, .maximum = 100000},
-    Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 1,
-              .meaning = "How many times each substep visits all constraints",
+    Parameter{.name = "iterations", .type = integer, .unit = "1", .default_value = 5,
+              .meaning = "How many times each substep visits all constraints. The default is that of "
+                         "quasi_newton; other methods have their own",
               .minimum = 1, .maximum = 100000},
     Parameter{.name = "sweep", .type = text, .unit = "", .default_value = "forward",
               .meaning = "Order within an iteration. forward: from the first constraint to the last; "
@@ -343,7 +345,7 @@ const std::vector<Parameter>& solver() {
   }();
   static const std::vector<Parameter> table = [] {
     std::vector<Parameter> rows = {
-        Parameter{.name = "method", .type = text, .unit = "", .default_value = default_method().name.data(),
+        Parameter{.name = "method", .type = text, .unit = "", .default_value = "quasi_newton",
                   .meaning = meaning, .choices = names}};
     rows.insert(rows.end(), shared_by_methods.begin(), shared_by_methods.end());
     for (const Method* method : methods())

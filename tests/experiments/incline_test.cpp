@@ -70,13 +70,15 @@ struct Setting {
   const char* solver;
   int substeps;
 };
-constexpr Setting settings[] = {{R"({"method": "pbd", "substeps": 8, "iterations": 1})", 8},
-                                {R"({"method": "quasi_newton"})", 1},
-                                {R"({"method": "quasi_newton", "integrator": "bdf2"})", 1},
-                                {R"({"method": "newton"})", 1},
-                                {R"({"method": "newton", "integrator": "euler"})", 1},
-                                {R"({"method": "newton", "substeps": 8})", 8},
-                                {R"({"method": "vbd"})", 1}};
+constexpr Setting settings[] = {
+    {R"({"method": "pbd", "substeps": 8, "iterations": 1})", 8},
+    {R"({"method": "quasi_newton", "membrane": "stated", "iterations": 10, "history": 10})", 1},
+    {R"({"method": "quasi_newton", "integrator": "bdf2", "membrane": "stated", "iterations": 10, "history": 10})",
+     1},
+    {R"({"method": "newton"})", 1},
+    {R"({"method": "newton", "integrator": "euler"})", 1},
+    {R"({"method": "newton", "substeps": 8})", 8},
+    {R"({"method": "vbd"})", 1}};
 const std::string plane = R"({"type": "plane", "point": [0, 0, -0.005]})";
 
 }  // namespace

@@ -43,6 +43,10 @@ std::unique_ptr<Simulation> implicit_steps(SimulationInput input, std::string_vi
   input.settings.own = ParameterValues(input.method->parameters);
   input.settings.own.set("integrator", std::string(integrator));
   input.settings.own.set("tolerance", tolerance);
+  if (method == "quasi_newton") {
+    input.settings.own.set("membrane", std::string("stated"));
+    input.settings.own.set("history", std::int64_t{10});
+  }
   return make_simulation<Real>(input, std::move(passes));
 }
 

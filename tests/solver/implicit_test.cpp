@@ -33,6 +33,10 @@ std::unique_ptr<Simulation> stepped(SimulationInput input, std::string_view meth
     input.settings.own = ParameterValues(input.method->parameters);
     input.settings.own.set("integrator", std::string("euler"));
     input.settings.own.set("tolerance", 0.0);
+    if (method == "quasi_newton") {
+      input.settings.own.set("membrane", std::string("stated"));
+      input.settings.own.set("history", std::int64_t{10});
+    }
   }
   auto simulation = make_simulation<Real>(input, gravity<Real>());
   REQUIRE(simulation->step());

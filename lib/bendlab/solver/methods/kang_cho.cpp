@@ -240,6 +240,7 @@ extern constinit const Method kang_cho{
     .membrane = Membrane::edges,
     .springs_only = true,
     .needs_compliance = "springs have a stiffness of 1 / compliance in N/m",
+    .default_substeps = 8,
     .make_float = make<float>,
     .make_double = make<double>,
 };

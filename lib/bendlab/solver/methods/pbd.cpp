@@ -467,6 +467,8 @@ extern constinit const Method pbd{
     .shared = shared,
     .passes = own_passes,
     .projects = true,
+    .default_substeps = 8,
+    .default_iterations = 1,
     .keeps_momentum = true,
     .keeps_moves_apart = true,
     .make_float = make<float>,

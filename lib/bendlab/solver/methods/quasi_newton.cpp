@@ -62,14 +62,15 @@ constexpr Parameter euler_parameter = [] {
 constexpr std::array parameters = {
     euler_parameter,
     tolerance_parameter,
-    Parameter{.name = "history", .type = ParameterType::integer, .unit = "", .default_value = 10,
+    Parameter{.name = "history", .type = ParameterType::integer, .unit = "", .default_value = 5,
               .meaning = "Pairs of moves and gradients that are kept (m of L-BFGS); 0: the metric alone",
               .minimum = 0, .maximum = 100},
-    Parameter{.name = "membrane", .type = ParameterType::text, .unit = "", .default_value = "stated",
+    Parameter{.name = "membrane", .type = ParameterType::text, .unit = "", .default_value = "auto",
               .meaning = "auto: a membrane that is stiffer than membrane_error asks for is softened to that, "
-                         "but not near pins. Iterations grow as the square root of its stiffness",
+                         "but not near pins: the iterations that are needed grow as the square root of the "
+                         "membrane's stiffness",
               .choices = membrane_names},
-    Parameter{.name = "membrane_error", .type = ParameterType::number, .unit = "1", .default_value = 3e-3,
+    Parameter{.name = "membrane_error", .type = ParameterType::number, .unit = "1", .default_value = 0.01,
               .meaning = "membrane auto: how far the softer membrane may move the cloth at rest under the "
                          "first step's forces, in sizes of the cloth",
               .minimum = 0, .above = true},
@@ -323,7 +324,7 @@ extern constinit const Method quasi_newton{
     .needs_compliance = "k has no energy that a step could minimise",
     .takes = effects_of_iterations,
     .default_substeps = 1,
-    .default_iterations = 10,
+    .default_iterations = 5,
     .steps_implicitly = true,
     .keeps_momentum = true,
     .make_float = make<float>,
