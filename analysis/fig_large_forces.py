@@ -9,7 +9,7 @@ from sweeps import load_experiment
 
 # Scene → time of its picture in s.
 SCENES = {"storm": 2.0, "snatch": 0.6}
-MOST = 1.15  # what we asked for, of both scenes
+MOST = {"storm": 1.15, "snatch": 1.49}  # by the loads: "expect" in the configs
 SPRINGS = ["crossover", "adaptive", "lod"]
 ROWS = [*(("paper", model) for model in SPRINGS), ("recommended", "discrete_shells")]
 
@@ -21,13 +21,15 @@ def main(results, out):
                      section.uses(load_experiment(results, f"scenes/{name}"))} for name in SCENES}
     section.text = (
         "The author of the paper later named large external forces as what makes strain-based cloth fail. In "
-        "a storm (a wind of 20 m/s whose gusts are half as fast again) and where pins are snatched away "
+        "a storm (a wind of 21 m/s, turbulence intensity 0.5) and where pins are snatched away "
         "(0.85 m in 0.1 s, 52 times the acceleration of gravity) we compare the paper's springs, with the "
-        "paper's settings, and our defaults with any of the models. Sheets of 1 m on 48 cells.")
+        "paper's settings, and our defaults with the same models and with hinges. Sheets of 1 m on 48 "
+        "cells. The bounds are twice what the loads strain the membrane by.")
     scenes = {name: runs for name, runs in scenes.items() if runs}
     if scenes:
         section.pictures.append((_picture(scenes, out), "Left: the cloth at the given time, all panels of a "
                                  "row with the same camera; the number is the largest stretch at any time. "
+                                 "σ₁ is length over length at rest in the direction that is stretched most. "
                                  "Right: the largest stretch of each recorded frame."))
     section.tables.append(_table(scenes))
     section.claims.append(_claim(scenes))
@@ -86,7 +88,7 @@ def _title(scenes):
              for name, runs in scenes.items()}
     ours = _worst(scenes, lambda defaults, _: defaults == "recommended")
     said = [f"{name}: at least {style.number(paper[name], 2)} times with the paper's springs, at most "
-            f"{style.number(ours[name], 3)} with our defaults and any model" for name in scenes]
+            f"{style.number(ours[name], 3)} with our defaults and each of four models" for name in scenes]
     return "How far large forces stretch a triangle\n" + "\n".join(said)
 
 
@@ -95,8 +97,8 @@ def _table(scenes):
                                                   ("worst_stretch", "max_stretch", "mean_strain")),
              style.number(1e3 * run.step_cpu_s / (60 * run.metrics["time"][-1]))]
             for name, runs in scenes.items() for (defaults, model), run in runs.items()]
-    return Table("Every run", ["scene", "settings", "model", "status", "largest σ₁ at any time",
-                               "max σ₁, median of the last second", "mean strain, the same",
+    return Table("Every run", ["scene", "settings", "model", "verdict", "largest σ₁ at any time",
+                               "max σ₁, median of the last second", "mean strain, median of the last second",
                                "CPU ms per step of 1/60 s"], rows)
 
 
@@ -108,8 +110,9 @@ def _claim(scenes):
                 for name in scenes for model in SPRINGS}
     whole = len(ours) == len(SCENES) and not any(np.isnan(list(ours.values())))
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
-                 f"at no time a triangle is more than {MOST} times as long as at rest, in both scenes",
-                 numbers, bool(max(ours.values()) <= MOST) if whole else None)
+                 f"no triangle is ever more than {MOST['storm']} times as long as at rest in the storm, and "
+                 f"{MOST['snatch']} times where pins are snatched away: twice what the loads ask for",
+                 numbers, all(ours[name] <= MOST[name] for name in SCENES) if whole else None)
 
 
 if __name__ == "__main__":

@@ -34,9 +34,9 @@ def main(results, out):
                       text="The paper promises cloth that does not fail at a pin and does not change when "
                       "its mesh is refined, at less cost. The recommended settings are the program's "
                       "defaults; configs/recommended.json gives the reason of each. They are the same on "
-                      "every mesh; but how many iterations they have was chosen on these three scenes. In "
-                      "the first second the cloth falls and is stretched more than at rest: the table has "
-                      "both.")
+                      "every mesh; but how many iterations they have was chosen on these scenes and on "
+                      "strips. In the first second the cloth falls and is stretched more than at rest: the "
+                      "table has both.")
     ours = section.uses(load_experiment(results, "recommended"))
     ours = ours + load_experiment(results, "paper/recommended_full").runs
     paper = section.uses(load_experiment(results, "paper/promise"))

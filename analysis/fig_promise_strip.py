@@ -33,15 +33,15 @@ def main(results, out):
                 sorted(group(projected, lambda run: run.get("/solver/substeps")).items())}
     shares |= substeps
     section.text = (
-        "Strips of the recommended cloth, 20 cm long, hang at rest; their shape tells their rigidity. At 96 "
-        "cells the edges are 2.4 mm long, as on a sheet of 1 m with 411 cells. The defaults take implicit "
-        "steps. For comparison, the same strips by projections (pbd), one iteration in each substep. A "
-        "projection of a hinge moves its four vertices only, so that bending travels from triangle to "
-        "triangle: in a substep h the solver passes on a rigidity of about ρ a⁴ / h² at most (a: edge "
-        "length). Half the edge needs four times as many substeps. Each substep also costs four times as "
-        "much there, so that keeping the rigidity costs N⁴: this is what stands in the way of the paper's "
-        "promise, with any model whose projections are local. Solvers that couple the whole cloth do not "
-        "have this limit.")
+        "Strips of the recommended cloth, 20 cm long, hang at rest under a hundredth of gravity; their "
+        "shape tells their rigidity. At 96 cells the edges are 2.4 mm long, as on a sheet of 1 m with 411 "
+        "cells. The defaults take implicit steps. For comparison, strips of the same rigidity by "
+        "projections (pbd; with a rigid membrane and tethers), one iteration in each substep. A projection "
+        "of a hinge moves its four vertices only, so that bending travels from triangle to triangle: in a "
+        "substep h the solver passes on a rigidity of about ρ a⁴ / h² at most (a: edge length). Half the "
+        "edge needs four times as many substeps. Each substep also costs four times as much there, so that "
+        "keeping the rigidity costs N⁴: this is what stands in the way of the paper's promise, with any "
+        "model whose projections are local. Solvers that couple the whole cloth do not have this limit.")
     if shares:
         section.pictures.append((_picture(shares, out), "Measured flexural rigidity over the stated one, "
                                  "1e-5 N m. Dashed: what the program estimates for projections, without "

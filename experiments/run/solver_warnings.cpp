@@ -147,7 +147,7 @@ Message tethers_for_membrane(const WarningInput& input) {
           "tethers carry what the membrane is stated to carry, {:.3g} N/m: the cloth does not stretch away "
           "from its pins. Without them the membrane would stretch about {:.2g} times as far as stated with "
           "{} in a substep. With {} /solver/substeps it holds by itself, and tethers then do nothing; "
-          "\"method\": \"quasi_newton\" in /solver has the stated membrane without them",
+          "\"method\": \"quasi_newton\", \"membrane\": \"stated\" in /solver keeps the membrane without them",
           1 / scene.input.strain_stiffness.compliance, 1 + excess,
           counted(solver.projections_per_substep(), "projection"),
           static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
@@ -254,8 +254,9 @@ Message softened_membrane(const WarningInput& input) {
   if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
   return WarningText(
       fmt::format(
-          "/solver/membrane is auto: the membrane is {:.3g} times as soft as stated, {:.3g} N/m, which "
-          "moves the cloth at rest by at most {:.2g} of its size. \"stated\" keeps the stiffness",
+          "/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as stated, "
+          "{:.3g} N/m, which moves the cloth at rest by at most {:.2g} of its size. \"stated\" keeps the "
+          "stiffness",
           found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
           input.config.section("/solver").number("membrane_error")),
       found->second, fmt::format("{:.3g} times as soft", found->second));
@@ -316,12 +317,12 @@ Message lagging(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   return WarningText(
       fmt::format(
-          "over the run, the steps leave forces unbalanced that are {:.2g} times those of the effects or, "
-          "without such, of inertia: {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
+          "the forces that steps leave unbalanced are {:.2g} times those of the effects (of inertia where "
+          "there are no effects): {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
           found->second, counted(scene.settings.substeps, "substep"),
           counted(scene.settings.iterations, "iteration"),
           found->second > residual_of_lag
-              ? "it was behind by 1 to 12 % of its size at 2 to 5 times, by 3 to 50 % at 5 to 20"
+              ? "it lagged by 1 to 12 % of its size where they were 2 to 5 times, and by 3 to 50 % at 5 to 20"
               : "cloth that friction moves went 4 to 74 % of its way with vbd at 0.2 to 0.4 times, or slid "
                 "up "
                 "to four times as far with quasi_newton at 0.3 to 1.1",

@@ -5,9 +5,10 @@
 
 Each scene has a random sheet, model, pins and rigidity. Half of them stand in a wind of up to 50 m/s with
 gusts; in the others the pins are moved by up to a sheet's length within 0.05 to 0.3 s. A run explodes if
-numbers overflow, or if a triangle is stretched more than threefold at any time and more than 1.5 times as
-far as with steps that converge: a storm on a sheet of ten square metres that hangs on single vertices does
-stretch them sevenfold. Prints the largest stretches, and exits with 1 if a run explodes or fails.
+numbers overflow, or if a triangle is stretched more than threefold at any time, and more than 1.5 times as
+far as with converged steps: a storm does stretch a triangle of a 10 m² sheet that hangs by single vertices
+sevenfold. Prints the largest stretches, and exits with 1 if a run explodes or ends with an error. Run by
+hand, not by ctest.
 """
 import argparse
 import json

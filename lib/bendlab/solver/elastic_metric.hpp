@@ -1,8 +1,8 @@
 // Constant matrices that resemble the Hessian of a scene's elastic energy: a scalar for each pair of free
 // vertices, the same for x, y and z, positive semidefinite.
 //
-//   triangle     Σ over warp and weft: d dᵀ / α, with the weights d of f = Σ d_i x_i: what stretch and shear
-//                together resist at rest in each direction of the plane
+//   triangle     Σ over warp and weft: A d dᵀ / α, A the rest area, f = Σ d_i x_i a column of the deformation
+//                gradient: what stretch and shear together resist at rest in each direction of the plane
 //   springs      as a stiffer membrane: what springs that are strained alike resist, spread over the
 //                triangles. Each by itself would join vertices many edges apart, and the factor would be as
 //                good as dense
@@ -24,8 +24,8 @@ class ElasticMetric {
   explicit ElasticMetric(const SimulationInput& input);
 
   const std::vector<int>& vertices() const { return vertices_; }           ///< n, the free ones
-  const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower triangle, N/m
-  /// n by n, the lower triangle, N/m, springs included. Triangle t is softness[t] times as soft as stated.
+  const Eigen::SparseMatrix<double>& bending() const { return bending_; }  ///< n by n, lower half, N/m
+  /// n by n, lower half, N/m, springs included. Mesh triangle t is softness[t] times as soft as stated.
   Eigen::SparseMatrix<double> membrane(std::span<const double> softness) const;
 
   std::size_t triangle_count() const { return strain_.size(); }

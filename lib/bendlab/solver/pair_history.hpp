@@ -35,8 +35,8 @@ class PairHistory {
     const Points<Real>& x;
     const Points<Real>& gradient;  ///< g
     const Points<Real>& applied;   ///< p = A⁻¹ g
-    /// What belongs to the last place's gradient and p so that they are of the same function as these. Null
-    /// if they are.
+    /// Corrections to add to the last g and p if the function that is minimised changed since. Null if it
+    /// did not.
     const Points<Real>* gradient_before = nullptr;
     const Points<Real>* applied_before = nullptr;
   };

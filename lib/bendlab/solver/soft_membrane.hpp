@@ -1,5 +1,5 @@
-// A membrane that is softer than stated, where that does no harm: iterations grow as the square root of its
-// stiffness, and cloth hardly stretches under its weight either way.
+// A membrane that is softer than stated, where that does no harm: the iterations that are needed grow as the
+// square root of the membrane's stiffness, and cloth hardly stretches under its weight either way.
 //
 // Under a load F a membrane of stiffness Y (N/m) strains by about F / (Y l) where the load spreads over the
 // length l. So it needs the stated stiffness only near pins, where l is as small as a triangle:
@@ -9,6 +9,8 @@
 //                  1 |....´                        = max(1, most · min(1, r / graded))
 //                    +---------|---------------
 //                    0       graded         r, distance from the nearest pinned vertex along edges, m
+//
+// most is the softness far from pins, and graded is where it is reached, in m.
 #pragma once
 
 #include <vector>
