@@ -92,9 +92,13 @@ def spread_of(by_cells):
 
 def _title(shares):
     finest = max(n for by_cells in shares.values() for n in by_cells)
-    kept = [f"{100 * by_cells[finest][0]:.0f} % with {_name(solver)}" for solver, by_cells in shares.items()
-            if finest in by_cells and solver != FINER]
-    return f"Of its stated rigidity a strip on {finest} cells has\n{', '.join(kept)}"
+    kept = {solver: f"{100 * by_cells[finest][0]:.0f}" for solver, by_cells in shares.items()
+            if finest in by_cells}
+    substeps = [solver for solver in kept if not isinstance(solver, str)]
+    title = f"A strip on {finest} cells has {kept.get(DEFAULTS, '–')} % of its stated rigidity with the defaults"
+    return title if not substeps else (
+        f"{title},\nand {', '.join(kept[each] for each in substeps)} % with {', '.join(map(str, substeps))} "
+        "substeps of pbd")
 
 
 def _table(shares):

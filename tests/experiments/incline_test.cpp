@@ -73,7 +73,8 @@ struct Setting {
 constexpr Setting settings[] = {
     {R"({"method": "pbd", "substeps": 8, "iterations": 1})", 8},
     {R"({"method": "quasi_newton", "membrane": "stated", "iterations": 10, "history": 10})", 1},
-    {R"({"method": "quasi_newton", "integrator": "bdf2", "membrane": "stated", "iterations": 10, "history": 10})",
+    {R"({"method": "quasi_newton", "integrator": "bdf2", "membrane": "stated", "iterations": 10,
+         "history": 10})",
      1},
     {R"({"method": "newton"})", 1},
     {R"({"method": "newton", "integrator": "euler"})", 1},
