@@ -95,7 +95,8 @@ def _title(shares):
     kept = {solver: f"{100 * by_cells[finest][0]:.0f}" for solver, by_cells in shares.items()
             if finest in by_cells}
     substeps = [solver for solver in kept if not isinstance(solver, str)]
-    title = f"A strip on {finest} cells has {kept.get(DEFAULTS, '–')} % of its stated rigidity with the defaults"
+    title = (f"A strip on {finest} cells has {kept.get(DEFAULTS, '–')} % of its stated rigidity "
+             "with the defaults")
     return title if not substeps else (
         f"{title},\nand {', '.join(kept[each] for each in substeps)} % with {', '.join(map(str, substeps))} "
         "substeps of pbd")
