@@ -167,18 +167,23 @@ def answer(maps, claims):
             + (f"; {unknown} are open, because runs are missing" if unknown else "") + ".")
 
 
+def named(figure):
+    """A figure of the paper by its number, or what is ours."""
+    return escape(f"Fig. {figure}" if figure[:1].isdigit() else figure.capitalize())
+
+
 def overview(maps, claims):
     """One row per claim: first those with a map, then the others that are judged at all settings."""
-    rows = [(f"Fig. {escape(each.figure)}",
+    rows = [(named(each.figure),
              f"{escape(each.english)}<br><small>{escape(each.sentence)}</small>", map_mark(each))
             for each in maps]
-    rows += [(f"Fig. {escape(claim.figure)}", escape(claim.claim), mark(claim)) for claim in claims
+    rows += [(named(claim.figure), escape(claim.claim), mark(claim)) for claim in claims
              if not claim.setting]
     return cards_html(rows)
 
 
 def paper_section(section, names):
-    label = f"Fig. {section.figure}: " if section.figure and section.claims else ""
+    label = f"{named(section.figure)}: " if section.figure and section.claims else ""
     verdicts = [*(map_html(each, names[id(each)]) for each in section.maps), *map(claim_html, section.claims)]
     return section_part(section, EVERYTHING, verdicts, label, link=LINKS.get(section.title, section.title))
 
