@@ -112,7 +112,9 @@ def _claim(scenes):
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
                  f"no triangle is ever more than {MOST['storm']} times as long as at rest in the storm, and "
                  f"{MOST['snatch']} times where pins are snatched away: twice what the loads ask for",
-                 numbers, all(ours[name] <= MOST[name] for name in SCENES) if whole else None)
+                 numbers, all(ours[name] <= MOST[name] for name in SCENES) if whole else None,
+                 note="We had asked for 1.15 in both scenes. Where pins are snatched away that is missed: "
+                 "inertia alone strains the triangle at a corner by 0.245.")
 
 
 if __name__ == "__main__":

@@ -30,8 +30,7 @@ inline constexpr double default_at_curvature = 20;
 /// ½ · 1.2 kg/m³ · 1.28 v², it is 1.6 m/s.)
 inline constexpr double default_drag_coefficient = 1;
 
-/// The effects of a config that lists none: gravity, and but for the paper's the drag of
-/// air.
+/// The effects of a config that lists none: gravity, and but for the paper's the drag of air.
 Json default_effects(const Json& settings);
 
 /// The settings with those added whose default depends on others: what /defaults chooses, how bending is
