@@ -253,3 +253,27 @@ TEST_CASE("any method takes the default config by one word, with any model that 
       CHECK(simulation_of(build_scene(parse_experiment(text, "test", overrides).runs.front()))->step());
     }
 }
+
+TEST_CASE("what only projections take gets pbd with coarse levels, and nothing else does", "[defaults]") {
+  const auto solver_of = [](const std::string& rest) {
+    const Json run = resolved(R"({"name": "t", "mesh": {"cells": 3}, )" + rest + "}");
+    return run.at("solver").at("method").get<std::string>() +
+           (run.at("solver").contains("levels") ? " " + run.at("solver").at("levels").dump() : "") + " " +
+           run.at("material").at("strain").at("stiffness").get<std::string>();
+  };
+  for (const char* projected :
+       {R"("bending": {"k": 0.5})", R"("material": {"strain": {"stiffness": "k"}})",
+        R"("material": {"strain": {"shear": 0.5}})", R"("bending": {"model": "choi_ko"})",
+        R"("solver": {"flight_limit": 1})", R"("effects": [{"type": "strain_limiting"}])"}) {
+    CAPTURE(projected);
+    CHECK(solver_of(projected) == "pbd 12 k");
+  }
+  CHECK(solver_of(R"("solver": {"method": "pbd"})") == "pbd 12 physical");
+  CHECK(solver_of(R"("solver": {"method": "pbd", "levels": 0})") == "pbd 0 physical");
+  for (const char* implicit : {R"("effects": [{"type": "wind"}])", R"("effects": [{"type": "tethers"}])",
+                               R"("solver": {"substeps": 2})", R"("bending": {"flexural_rigidity": 1e-4})"}) {
+    CAPTURE(implicit);
+    CHECK(solver_of(implicit) == "quasi_newton physical");
+  }
+  CHECK(solver_of(R"("material": {"strain": {"compliance": 1e-3}})") == "quasi_newton compliance");
+}
