@@ -233,9 +233,9 @@ class Advisor {
     const auto say = [&](std::string Setting::*group) {
       std::map<std::string, std::vector<Rated>> points_of;
       for (const Rated& point : advice_.points) points_of[point.setting.*group].push_back(point);
-      for (const auto& [name, points] : points_of)
-        if (std::ranges::none_of(shown, [&](const Rated& p) { return p.setting.*group == name; }))
-          advice_.left_out.push_back({name, best_text(points)});
+      for (const auto& points : points_of)
+        if (std::ranges::none_of(shown, [&](const Rated& p) { return p.setting.*group == points.first; }))
+          advice_.left_out.push_back({points.first, best_text(points.second)});
     };
     say(&Setting::method);
     say(&Setting::model);

@@ -109,12 +109,13 @@ std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<
     wanted.emplace_back(text.substr(0, equals), text.substr(equals + 1));
     require_known(records, "--where", wanted.back().first);
   }
-  for (const auto& [pointer, text] : wanted) {
-    const Json parsed = Json::parse(text, nullptr, false);
+  for (const auto& setting : wanted) {
+    const Json text = setting.second;
+    const Json parsed = Json::parse(setting.second, nullptr, false);
     std::erase_if(records, [&](const RunRecord& record) {
       const Json config = stored_config(record);
-      const Json* const value = value_at(config, pointer);
-      return value == nullptr || !(*value == parsed || *value == Json(text));
+      const Json* const value = value_at(config, setting.first);
+      return value == nullptr || !(*value == parsed || *value == text);
     });
   }
   return records;

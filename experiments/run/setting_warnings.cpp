@@ -184,7 +184,9 @@ void add_replaced(const Json& resolved, const std::string& pointer, const Json& 
 // A swept object takes the place of the config's own.
 Message replaced_setting(const WarningInput& input) {
   std::vector<std::string> replaced, by;
-  for (const auto& [pointer, value] : input.config.point) {
+  for (const auto& swept : input.config.point) {
+    const std::string& pointer = swept.first;
+    const Json& value = swept.second;
     const Json* const stated = value_at(input.experiment.settings, pointer);
     const bool of_no_model = pointer == "/bending" && input.config.bending_model() == "none";
     if (stated == nullptr || !stated->is_object() || !value.is_object() || of_no_model) continue;
