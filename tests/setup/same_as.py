@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""Whether two builds of the program do the same: for changes that move code and no number.
+
+    same_as.py OLD NEW [--bits]
+
+Compares what `plan --json` says of every config in configs/, under every choice of /defaults: the settings
+of all runs, defaults filled in. --bits also runs 26 small scenes with both programs (every bending model,
+every method, both precisions, obstacles, folds) and compares the positions in all frames, bit by bit.
+Run by hand, not by ctest, because it needs a program of before. Prints what differs, and exits with 1 then.
+"""
+import argparse
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+root = Path(__file__).resolve().parents[2]
+RECIPES = [None, "recommended", "fast", "reference", "paper"]
+
+GRAVITY = {"type": "gravity"}
+DRAG = {"type": "viscous_drag", "coefficient": 0.5}
+BALL = {"type": "sphere", "centre": [0.5, 0.5, -0.3], "radius": 0.25}
+TWO_CORNERS = {"vertices": ["upper_left", "upper_right"]}
+
+
+def modelled(model, **settings):
+    return {"bending": {"model": model, **settings}}
+
+
+def solved(method, **settings):
+    return {"solver": {"method": method, **settings}}
+
+
+SCENES = {
+    **{f"model {model}": {**modelled(model, k=0.5), "pins": TWO_CORNERS} for model in
+       ["none", "crossover", "k_ring", "adaptive", "lod", "sparse_lod", "dihedral", "bridson", "discrete_shells",
+        "choi_ko", "isometric"]},
+    "prestressed, physical": modelled("prestressed", flexural_rigidity=1e-4),
+    "pbd, double": solved("pbd", precision="double", levels=4),
+    "pbd, symmetric": solved("pbd", sweep="symmetric", substeps=4, order="pins"),
+    "kang_cho": {**solved("kang_cho"), **modelled("crossover", compliance=1e-3)},
+    "equilibrium": solved("equilibrium"),
+    "newton": solved("newton", substeps=2),
+    "quasi_newton, single": solved("quasi_newton", precision="single"),
+    "quasi_newton, double": solved("quasi_newton", precision="double", membrane="stated"),
+    "vbd": {**solved("vbd"), "material": {"strain": {"compliance": 1e-3}}},
+    "ball and floor": {"effects": [GRAVITY, BALL, {"type": "plane", "point": [0, 0, -0.6]}, {"type": "friction"}],
+                       "pins": {"vertices": []}},
+    "capsule, disc": {"effects": [GRAVITY, DRAG, {"type": "capsule"}, {"type": "disc"}]},
+    "wind on projections": {"effects": [GRAVITY, {"type": "wind", "gust_amplitude": 0.3}, {"type": "tethers"},
+                                        {"type": "strain_limiting"}, {"type": "rigid_damping"}],
+                            **solved("pbd", levels=2)},
+    "moving pins": {"effects": [GRAVITY, {"type": "moving_pins", "times": [0, 0.2],
+                                          "offsets": [0, 0, 0, 0.1, 0, 0.1]}]},
+    "folded": {"initial": {"folds": 2, "fold_gap": 0.02, "perturbation": 1e-3},
+               "effects": [GRAVITY, {"type": "self_collision"}], **solved("pbd", substeps=4)},
+    "tube": {"mesh": {"generator": "tube", "radius": 0.2, "height": 0.5, "cells": 16},
+             "pins": {"vertices": ["top_rim"]}},
+}
+
+
+def settings_of(program, config, recipe):
+    """The resolved settings of each run, as text; and what the program said."""
+    overrides = ["--set", f"/defaults={recipe}"] if recipe else []
+    done = subprocess.run([program, "plan", config, "--json", "--out", "/nonexistent", *overrides],
+                          capture_output=True, text=True)
+    return [json.dumps(json.loads(line)["config"], sort_keys=True) for line in done.stdout.splitlines()], done.stderr
+
+
+def first_difference(old, new, pointer=""):
+    if isinstance(old, dict) and isinstance(new, dict):
+        for key in [*old, *(key for key in new if key not in old)]:
+            if old.get(key) != new.get(key):
+                return first_difference(old.get(key), new.get(key), f"{pointer}/{key}")
+    return f"{pointer}: {old} → {new}"
+
+
+def compare_settings(old, new):
+    differ = 0
+    configs = sorted(path for path in (root / "configs").rglob("*.json") if path.name != "schema.json")
+    for config in configs:
+        for recipe in RECIPES:
+            (before, said), (after, says) = (settings_of(program, config, recipe) for program in (old, new))
+            if before == after and bool(said) == bool(says):
+                continue
+            differ += 1
+            pair = next(((a, b) for a, b in zip(before, after) if a != b), None)
+            what = first_difference(*map(json.loads, pair)) if pair else f"{len(before)} runs → {len(after)}: {says}"
+            print(f"{config.relative_to(root)}, {recipe}: {what}")
+    print(f"settings: {len(configs)} configs under {len(RECIPES)} defaults, {differ} differ")
+    return differ
+
+
+def frames_of(program, name, scene, folder):
+    import h5py  # only here: settings are compared without it
+    config = {"name": "scene", "duration": 0.4, "allow": ["implausible"], **scene}
+    config["mesh"] = {"cells": 12, **config.get("mesh", {})}
+    folder.mkdir(parents=True)
+    (folder / "config.json").write_text(json.dumps(config))
+    done = subprocess.run([program, "run", "config.json", "--out", "results"], cwd=folder, capture_output=True,
+                          text=True)
+    files = list((folder / "results").rglob("*.vtkhdf"))
+    if len(files) != 1:
+        raise SystemExit(f"{name}: {program} gives no run: {done.stderr}")
+    with h5py.File(files[0]) as file:
+        return file["VTKHDF/Points"][()].tobytes()
+
+
+def compare_bits(old, new):
+    differ = 0
+    with tempfile.TemporaryDirectory() as place:
+        for number, (name, scene) in enumerate(SCENES.items()):
+            frames = [frames_of(program, name, scene, Path(place) / f"{number}-{which}")
+                      for which, program in enumerate((old, new))]
+            if frames[0] != frames[1]:
+                differ += 1
+                print(f"{name}: other bits")
+    print(f"bits: {len(SCENES)} scenes, {differ} differ")
+    return differ
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("old"), parser.add_argument("new")
+    parser.add_argument("--bits", action="store_true")
+    options = parser.parse_args()
+    old, new = (str(Path(program).resolve()) for program in (options.old, options.new))
+    differ = compare_settings(old, new)
+    if options.bits:
+        differ += compare_bits(old, new)
+    sys.exit(1 if differ else 0)
+
+
+main()
