@@ -221,6 +221,7 @@ def text(found):
     widths = [max(len(row[i]) for row in rows) for i in range(4)]
     lines = ["  ".join([row[0].ljust(widths[0]), *(cell.rjust(width) for cell, width in
                                                   zip(row[1:], widths[1:]))]).rstrip() for row in rows]
+    lines += _cause(found)
     changed = [each for each in found.verdicts if each[2] != OPEN]
     opened = [each for each in found.verdicts if each[2] == OPEN]
     for title, some, most in (("Verdicts that are others:", changed, MOST),
@@ -232,6 +233,15 @@ def text(found):
     return "\n".join(lines)
 
 
+def _cause(found):
+    """Why verdicts and numbers are others, where the runs made here are not."""
+    if found.other_bits or not found.runs_not_made or not found.same_bits:
+        return []
+    return ["", f"All {found.same_bits} runs made here are those of the committed page, to the bit. What is "
+            f"another number or verdict rests also on its {found.runs_not_made} runs that are not made here, "
+            "of finer meshes most of all: --full makes them."]
+
+
 def _listed(title, lines, most):
     if not lines:
         return []
@@ -240,7 +250,11 @@ def _listed(title, lines, most):
 
 
 def _shortened(line, most=160):
-    return line if len(line) <= most else line[:most - 2] + " …"
+    """What stands in brackets at its end tells cells of one claim apart, and stays."""
+    if len(line) <= most:
+        return line
+    end = line[line.rindex(" ("):] if line.endswith(")") and " (" in line else ""
+    return f"{line[:max(20, most - 2 - len(end))]} …{end}"
 
 
 def main():

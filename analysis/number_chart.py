@@ -13,6 +13,7 @@ OF_A_RUN = {"cpu_s": ("CPU time of the run", "s"), "step_cpu_s": ("CPU time of t
             "wall_s": ("time of the run on the clock", "s"), "vertices": ("vertices", ""),
             "triangles": ("triangles", ""), "edge_length": ("mean edge length", "m"),
             "springs": ("springs", ""), "memory_bytes": ("memory of the solver", "B")}  # → label, unit
+SECTIONS = ("mesh", "solver", "bending", "material", "material/strain", "pins", "initial", "output")
 DECADE = 10  # largest over smallest, from which on an axis is logarithmic
 
 
@@ -100,6 +101,10 @@ def _unknown(name, runs):
     if name.startswith("/"):
         return f"no run has a number as its setting {name}"
     known = sorted({*OF_A_RUN, CPU, *(key for run in runs for key in run.summary)})
+    settings = [f"/{section}/{name}" for section in SECTIONS
+                if any(math.isfinite(value_of(run, f"/{section}/{name}")) for run in runs)]
+    if settings:
+        return f"no run has the number '{name}'; did you mean the setting {' or '.join(settings)}?"
     near = difflib.get_close_matches(name, known, 3, 0.5)
     return f"no run has the number '{name}'" + (f"; did you mean {' or '.join(near)}?" if near else
                                                 f"; these are known: {', '.join(known)}")

@@ -192,7 +192,11 @@ void print_none(const Advice& advice, const Question& question, const AdviceOpti
 void print_choice(const Rated& point, const Advice& advice, const Question& question) {
   constexpr double close = 10;
   if (advice.reference.gap && point.error < close * *advice.reference.gap)
-    print_text("\nThe reference's own error is more than a tenth of this error.\n");
+    print_text("\n{}\n", point.error > *advice.reference.gap
+                             ? "The reference's own error is more than a tenth of this error."
+                             : "The reference's own error is as large as this error: settings with less than "
+                               "that cannot be told apart. Take a shorter /duration, or a finer reference "
+                               "in /accuracy.");
   print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
   for (const std::string& change : question.changes(point.setting))
     print_text("  --set {}\n", quoted_change(change));

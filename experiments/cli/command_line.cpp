@@ -429,7 +429,7 @@ void add_advise_command(CLI::App& app, Arguments& a) {
   advise
       ->add_option(
           "--time-limit", a.advise.time_limit,
-          "How long to run settings, without their reference: 90s or 5min. What takes longer is predicted, "
+          "How long to take for it all, the reference too: 90s or 5min. What takes longer is predicted, "
           "and marked so")
       ->capture_default_str();
   advise->add_option("--write", a.advise.write, "Write the config with the advised settings to this file")

@@ -250,10 +250,18 @@ class MethodRules {
     for (std::size_t i = 0; i < effects.size(); ++i)
       if (const Effect& effect = *find_effect(effects[i]["type"].get<std::string>());
           !method_.takes_effect(effect.name, effect.needs_projection) && !effect.helps_projection)
-        report(fmt::format("/effects/{}", i),
-               fmt::format(
-                   "{} works with the projection of constraints, but this method does not project: remove it",
-                   effect.name));
+        report(
+            fmt::format("/effects/{}", i),
+            fmt::format("{} acts between iterations, and this method does not take it: remove it, or choose "
+                        "one of {}",
+                        effect.name, fmt::join(takers_of(effect), ", ")));
+  }
+
+  static std::vector<std::string_view> takers_of(const Effect& effect) {
+    std::vector<std::string_view> takers;
+    for (const Method* each : methods())
+      if (each->takes_effect(effect.name, effect.needs_projection)) takers.push_back(each->name);
+    return takers;
   }
 
   void refuse_model() {

@@ -110,7 +110,7 @@ class Accuracy final : public Measurement {
       }
       if (against == Against::physical && !over_time_)  // a moving strip shows no stiffness
         if (const std::optional<std::string> doubt = doubtful_reference(*config, other.file)) {
-          tell("the reference is none: " + *doubt);
+          tell("its run cannot serve as a reference: " + *doubt);
           return std::nullopt;
         }
       return trajectory_of(*config, other.file, over_time_);

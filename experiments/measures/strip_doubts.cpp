@@ -166,9 +166,10 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Scene
                           "stretching. "
                           "Let edges lie along it (equilateral: /mesh/rows), or take a finer mesh",
                           meter->clamp_depth());
-  return readings +
-         "it has not come to rest, its mesh is coarse or its membrane soft. Take the method equilibrium, and "
-         "twice the /mesh/cells";
+  const bool moves = scene.input.method->has_motion;
+  return readings + fmt::format("{}its mesh is coarse or its membrane soft. Take {}twice the /mesh/cells",
+                                moves ? "it has not come to rest, " : "",
+                                moves ? "the method equilibrium, and " : "");
 }
 
 }  // namespace bendlab

@@ -84,7 +84,7 @@ std::string text_of(const BrokenBound& broken) {
                                       "correction, {:.3g} m",
                                       correction.kind, correction.length);
   return fmt::format("at t = {:.6g} s {}{}{}{}", broken.time, what_broke(broken), cause,
-                     broken.advice.empty() ? "" : ". Measured to help: ", broken.advice);
+                     broken.advice.empty() ? "" : ". Measured to help in other scenes: ", broken.advice);
 }
 
 Json to_json(const BrokenBound& broken) {

@@ -200,8 +200,37 @@ namespace {
 // Under gravity a cloth of length L falls and swings within a time of √(L / g): 0.03 s for 1 cm, 0.8 s for
 // 6 m. Clothes and curtains lie between; a mesh in mm or cm that is read in m does not. Gravity weaker than
 // the Earth's is a choice, and says nothing about units.
-constexpr double shortest_time = 0.03, longest_time = 0.8;  // s
-constexpr double weakest_gravity = 9;                       // m/s²
+constexpr double shortest_time = 0.03, longest_time = 0.8;      // s
+constexpr double weakest_gravity = 9, strongest_gravity = 100;  // m/s²; Earth's in cm/s² is 981
+// kg/m²: gauze has 0.02, a heavy carpet 4, a film of plastic of 1 µm 0.001.
+constexpr double lightest = 0.001, heaviest = 10;
+// A membrane that its own weight stretches to twice its length is no cloth; rubber of 0.1 mm has 100 N/m.
+constexpr double most_strain = 1;
+// Of the extent: a sheet that stands out by itself five times as far as it is long is a board. Paper of 0.2 m
+// has 0.5, a steel sheet of 1 mm and 1 m has 0.6.
+constexpr double longest_bending_length = 5;
+
+// Stiffnesses that gravity makes a joke of. `load` is the weight per area, N/m².
+std::optional<std::string> odd_stiffness(const WarningInput& input, double load, double extent) {
+  const StrainStiffness& strain = input.scene.input.strain_stiffness;
+  const double weight_strain =
+      strain.kind == StiffnessKind::compliance ? strain.compliance * load * extent : 0;
+  if (weight_strain > most_strain)
+    return fmt::format(
+        "a membrane of {:.3g} N/m is stretched to {:.2g} times its length by the cloth's own weight: is "
+        "/material/strain in other units? A thin cotton has about 1e4 N/m",
+        1 / strain.compliance, 1 + weight_strain);
+  const ParameterValues& bending = input.config.section("/bending");
+  if (!bending.has("flexural_rigidity")) return std::nullopt;
+  const double rigidity = bending.number("flexural_rigidity"), length = std::cbrt(rigidity / load);
+  if (!(length > longest_bending_length * extent)) return std::nullopt;
+  return fmt::format(
+      "with a flexural rigidity of {:.3g} N m gravity cannot bend this sheet: it would stand out by itself "
+      "over {:.2g} m, and is {:.2g} m long. Is it in other units? A light cotton has 1e-5 N m; 1 gf cm²/cm "
+      "is "
+      "9.8e-5 N m",
+      rigidity, length, extent);
+}
 
 }  // namespace
 
@@ -209,19 +238,27 @@ Message units(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   const double g = gravity_of(input.scene.effects).norm();
   const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
-  // kg/m²: gauze has 0.02, a heavy carpet 4.
-  constexpr double heaviest = 10;
-  if (const double density = input.config.section("/material").number("density"); density > heaviest)
+  const double density = input.config.section("/material").number("density");
+  if (density > heaviest)
     return fmt::format(
         "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² is 0.2 kg/m²",
         density);
-  if (!(g >= weakest_gravity)) return std::nullopt;
+  if (density < lightest)
+    return fmt::format(
+        "a density of {:.3g} kg/m² is less than any cloth has: is it in g/cm²? 0.02 g/cm² is 0.2 kg/m²",
+        density);
   const double time = std::sqrt(extent / g);
-  if (time >= shortest_time && time <= longest_time) return std::nullopt;
-  return fmt::format(
-      "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
-      "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
-      extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
+  if (g > strongest_gravity && time < shortest_time)
+    return fmt::format(
+        "a gravity of {:.4g} m/s² is {:.0f} times that of the Earth, 9.81 m/s²: is it in mm/s² or cm/s²?", g,
+        g / 9.81);
+  if (!(g >= weakest_gravity)) return std::nullopt;
+  if (time < shortest_time || time > longest_time)
+    return fmt::format(
+        "the cloth is {:.3g} m long, {}, under a gravity of {:.3g} m/s²: is the mesh in other units? "
+        "/mesh/scale converts them to metres (0.001 for millimetres, 0.01 for centimetres)",
+        extent, time > longest_time ? "as much as a theatre's curtain or more" : "less than a fingertip", g);
+  return odd_stiffness(input, density * g, extent);
 }
 
 }  // namespace bendlab

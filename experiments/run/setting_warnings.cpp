@@ -24,7 +24,8 @@ bool gives(const Json& settings, const std::string& pointer) {
   return value != nullptr && !value->is_null();
 }
 
-// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
+}  // namespace
+
 bool is_chosen(const WarningInput& input, const std::string& pointer) {
   if (gives(input.experiment.settings, pointer)) return true;
   for (const auto& [swept, value] : input.config.point) {
@@ -33,6 +34,8 @@ bool is_chosen(const WarningInput& input, const std::string& pointer) {
   }
   return false;
 }
+
+namespace {
 
 // Whether other runs follow from this one's settings, which may use what this one does not.
 bool has_derived_runs(const RunConfig& config) {

@@ -107,15 +107,24 @@ bool is_held(const Scene& scene) {
   return !scene.pins.all.empty() || has_obstacle(scene);
 }
 
+// With coarse levels no run measures how stiff the membrane was.
+bool stretches_unmeasured(const std::map<std::string, double>& summary) {
+  constexpr double stretched = 0.01;  // of soft_solver
+  const auto strain = summary.find("mean_strain");
+  return !summary.contains("effective_membrane_stiffness") && strain != summary.end() &&
+         strain->second > stretched;
+}
+
 }  // namespace
 
-// A forecast: after a run soft_solver tells what was measured.
+// A forecast: after a run soft_solver says what was measured.
 Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
   if (!scene.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
-      compliance == 0 || !is_held(input.scene) || has_tethers(input.scene) || input.summary)
+      compliance == 0 || !is_held(input.scene) || has_tethers(input.scene) ||
+      (input.summary && !stretches_unmeasured(*input.summary)))
     return std::nullopt;
   const double courant = courant_number(input.scene), excess = excess_stretch(input.scene);
   if (!(excess > softened)) return std::nullopt;
@@ -177,7 +186,7 @@ Message vbd_reach(const WarningInput& input) {
       fmt::format(
           "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd "
           "then needs about C²/10 = {:.2g} iterations to follow the motion, and has {}. With fewer "
-          "cloth was behind by 1 to 50 % of its size in tests. quasi_newton and newton need few",
+          "cloth was behind by 1 to 80 % of its size in tests. quasi_newton and newton need few",
           courant, needed, scene.settings.iterations),
       needed / scene.settings.iterations, fmt::format("{:.2g} iterations needed", needed));
 }
@@ -252,6 +261,9 @@ Message soft_solver(const WarningInput& input) {
 Message softened_membrane(const WarningInput& input) {
   const auto found = input.summary->find("membrane_softness");
   if (found == input.summary->end() || !(found->second > 1)) return std::nullopt;
+  if (!is_chosen(input, "/material/strain/membrane_stiffness") &&
+      !is_chosen(input, "/material/strain/compliance"))
+    return std::nullopt;  // nobody stated a stiffness, and the summary has the number
   return WarningText(
       fmt::format(
           "/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as stated, "

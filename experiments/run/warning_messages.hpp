@@ -12,6 +12,9 @@ namespace bendlab {
 
 using Message = std::optional<WarningText>;
 
+/// Whether the config gives a value for `pointer`: sets it, or sweeps it or an object that holds it.
+bool is_chosen(const WarningInput& input, const std::string& pointer);
+
 // Of the config: setting_warnings.cpp.
 Message inert_seed(const WarningInput& input);
 Message inert_stiffness(const WarningInput& input);
@@ -46,6 +49,7 @@ Message no_equilibrium(const WarningInput& input);
 // Of a stiffness that is not what was stated: stiffness_warnings.cpp.
 Message strip_out_of_range(const WarningInput& input);
 Message doubtful_stiffness(const WarningInput& input);
+Message uneven_stiffness(const WarningInput& input);
 Message pushed_membrane(const WarningInput& input);
 
 inline bool has_obstacle(const Scene& scene) {

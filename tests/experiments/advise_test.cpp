@@ -443,7 +443,7 @@ TEST_CASE("advise: a method that the scene does not allow is named with the reas
   CHECK(place.run(R"(advise strip.json --error 20% --models dihedral --set '/effects=[{"type":"gravity"},)"
                   R"({"type":"viscous_drag","coefficient":4},{"type":"strain_limiting"}]')") == 0);
   CHECK_THAT(place.out(),
-             ContainsSubstring("dihedral with quasi_newton: /effects/2 strain_limiting works with the"));
+             ContainsSubstring("dihedral with quasi_newton: /effects/2 strain_limiting acts between"));
   CHECK(place.run("advise strip.json --error 5% --methods vbd") == 2);
   CHECK_THAT(place.err(), ContainsSubstring("newton, pbd, quasi_newton"));
   CHECK(place.run("advise strip.json --error 5% --methods quasi_newtn") == 2);

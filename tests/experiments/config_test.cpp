@@ -363,7 +363,7 @@ TEST_CASE("config: the mass-spring step asks for springs of a known stiffness") 
   CHECK_THAT(only_problem(with(head + strain + bending + R"(, "effects": [{"type": "gravity"}, )" +
                                R"({"type": "constraint_damping"}])"),
                           "/effects/1"),
-             ContainsSubstring("constraint_damping works with the projection"));
+             ContainsSubstring("constraint_damping acts between iterations"));
 }
 
 TEST_CASE("config: a force that jumps has no constant matrix") {
@@ -425,7 +425,7 @@ TEST_CASE("config: an equilibrium asks for energies and loads") {
   CHECK(identity_text(single_run(with(equilibrium), {"/material/strain/shear=0.5"}).resolved()) != text);
   CHECK(problems_of(with(R"("solver": {"method": "equilibrium"})")).size() == 2);  // strain and bending by k
   CHECK_THAT(only_problem(with(equilibrium + R"(, "effects": [{"type": "sphere"}])"), "/effects/0"),
-             Catch::Matchers::ContainsSubstring("works with the projection"));
+             Catch::Matchers::ContainsSubstring("acts between iterations"));
 }
 
 TEST_CASE("config: the resolved config reads back as itself") {

@@ -183,7 +183,7 @@ TEST_CASE("defaults: with a method that does not project tethers do nothing, and
   CHECK(idle_effects(build_scene(still)) == std::vector<std::size_t>{1});
   CHECK_THAT(problem_of(R"({"name": "t", )" + membrane + ", " + method +
                         R"(, "effects": [{"type": "tethers"}, {"type": "plane"}]})"),
-             ContainsSubstring("/effects/1") && ContainsSubstring("plane works with the projection"));
+             ContainsSubstring("/effects/1") && ContainsSubstring("plane acts between iterations"));
 }
 
 TEST_CASE("defaults: reasons name settings and change nothing", "[defaults]") {

@@ -2,6 +2,7 @@
 #include "experiments/measures/effective_stiffness.hpp"
 
 #include "tests/catch.hpp"
+#include "tests/experiments/workplace.hpp"
 
 namespace bendlab {
 
@@ -74,6 +75,29 @@ TEST_CASE("an estimate below its range says so", "[effective stiffness]") {
   CHECK(share_text(0) == "< 1 %");
   CHECK(share_text(0.0099) == "< 1 %");
   CHECK(share_text(0.01) == "1 %");
+}
+
+// Levels carry stretch past the constraints, but no bending. The strip's H/W is that without them, so that
+// the share of its rigidity is, too.
+TEST_CASE("with coarse levels the share of bending is known, and that of the membrane is not",
+          "[effective stiffness]") {
+  test::Workplace place;
+  place.write("strip.json",
+              R"({"name": "strip", "duration": 2, "pins": {"vertices": ["left"], "distance": 0.03},
+    "mesh": {"generator": "equilateral", "rows": "perpendicular", "width": 0.5, "height": 0.25, "cells": 24},
+    "bending": {"model": "discrete_shells", "flexural_rigidity": 0.005}, "solver": {"method": "pbd"},
+    "effects": [{"type": "gravity"}, {"type": "viscous_drag", "coefficient": 2}],
+    "sweep": {"/solver/levels": [0, 12]}})");
+  REQUIRE(place.run("run strip.json --json") == 0);
+  const auto runs = place.out_lines();
+  REQUIRE(runs.size() == 2);
+  const auto &alone = runs[0].at("summary"), &with_levels = runs[1].at("summary");
+  CHECK(alone.contains("effective_membrane_stiffness"));
+  CHECK_FALSE(with_levels.contains("effective_membrane_stiffness"));
+  const double share = alone.at("effective_bending_stiffness");
+  CHECK(share < 0.5);
+  constexpr double of_the_estimate = 0.21;  // effective_stiffness.hpp
+  CHECK_THAT(with_levels.at("effective_bending_stiffness").get<double>(), WithinRel(share, of_the_estimate));
 }
 
 }  // namespace bendlab

@@ -250,6 +250,46 @@ TEST_CASE("warnings: an extent that looks like other units", "[warnings]") {
   CHECK(codes_of(sheet(1000, R"([{"type": "gravity", "acceleration": [0, 0, -9810]}])")).empty());
 }
 
+TEST_CASE("warnings: a gravity, a density or a stiffness that looks like another unit", "[warnings]") {
+  const auto sheet = [](const std::string& settings) {
+    return R"("mesh": {"cells": 4, "diagonal": "both"}, )" + settings;
+  };
+  const auto gravity = [&](const std::string& g) {
+    return sheet(R"("effects": [{"type": "gravity", "acceleration": [0, 0, )" + g + "]}]");
+  };
+  CHECK(codes_of(gravity("-9810")) == Codes{"units"});
+  CHECK_THAT(message_of("units", gravity("-9810")), ContainsSubstring("is it in mm/s²"));
+  CHECK(codes_of(sheet(R"("material": {"density": 0.0002})")) == Codes{"units"});
+  CHECK(codes_of(sheet(R"("material": {"density": 0.002})")).empty());
+  // 1 m of 0.2 kg/m² pulls with 1.96 N/m.
+  const auto membrane = [&](const std::string& y) {
+    return sheet(R"("material": {"strain": {"membrane_stiffness": )" + y + "}}");
+  };
+  CHECK(codes_of(membrane("1.9")) == Codes{"units"});
+  CHECK(codes_of(membrane("2.1")).empty());
+  // Bending lengths (B / 1.962)^(1/3) of 4.98 and 5.02 m.
+  const auto bending = [&](const std::string& b) {
+    return sheet(R"("bending": {"model": "dihedral", "flexural_rigidity": )" + b + "}");
+  };
+  CHECK(codes_of(bending("242")).empty());
+  CHECK(codes_of(bending("248")) == Codes{"units"});
+}
+
+TEST_CASE("warnings: a stated rigidity that the mesh gives in no direction alike", "[warnings]") {
+  const auto on = [](const std::string& mesh) {
+    return R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5}, "mesh": {"cells": 12, )" + mesh +
+           "}";
+  };
+  CHECK(codes_of(on(R"("diagonal": "same")")) == Codes{"uneven_stiffness"});
+  CHECK_THAT(message_of("uneven_stiffness", on(R"("diagonal": "same")")),
+             ContainsSubstring("equilateral") && ContainsSubstring("alternating"));
+  for (const char* even : {R"("diagonal": "alternating")", R"("diagonal": "both")",
+                           R"("generator": "delaunay")", R"("generator": "equilateral")"})
+    CHECK(codes_of(on(even)).empty());
+  CHECK(codes_of(R"("mesh": {"cells": 12}, "bending": {"model": "dihedral", "stiffness": "physical"})")
+            .empty());  // nobody stated a rigidity
+}
+
 TEST_CASE("warnings: a rigid membrane that iterations leave stretched", "[warnings]") {
   const Summary stretched = {{"mean_strain", 0.08}}, short_enough = {{"mean_strain", 0.02}};
   const std::string mesh = R"("mesh": {"cells": 4})";
@@ -306,6 +346,8 @@ TEST_CASE("warnings: a forecast of a soft membrane is for cloth that something h
   CHECK(codes_of(with("", R"(, {"type": "plane", "point": [0, 0, -1]})")) == Codes{"membrane_courant"});
   const Summary measured = {{"mean_strain", 1e-4}};  // after the run that counts, and soft_solver tells
   CHECK(codes_of(with("\"top\"", ""), &measured).empty());
+  const Summary unmeasured = {{"mean_strain", 0.02}};  // with coarse levels, and it stretches
+  CHECK(codes_of(with("\"top\"", ""), &unmeasured) == Codes{"membrane_courant"});
 }
 
 TEST_CASE("warnings: implicit steps that do not converge", "[warnings]") {
@@ -414,7 +456,7 @@ TEST_CASE("warnings: what helps a stretched membrane is what the scene does not 
 }
 
 TEST_CASE("warnings: a rigidity that nothing asks for", "[warnings]") {
-  const std::string mesh = R"("mesh": {"cells": 4}, )";
+  const std::string mesh = R"("mesh": {"cells": 4, "generator": "equilateral"}, )";
   CHECK(codes_of(mesh + R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5, "stiffness": "k"})") ==
         Codes{"inert_stiffness"});
   CHECK(codes_of(mesh +

@@ -34,8 +34,8 @@ def solved(method, **settings):
 
 SCENES = {
     **{f"model {model}": {**modelled(model, k=0.5), "pins": TWO_CORNERS} for model in
-       ["none", "crossover", "k_ring", "adaptive", "lod", "sparse_lod", "dihedral", "bridson", "discrete_shells",
-        "choi_ko", "isometric"]},
+       ["none", "crossover", "k_ring", "adaptive", "lod", "sparse_lod", "dihedral", "bridson",
+        "discrete_shells", "choi_ko", "isometric"]},
     "prestressed, physical": modelled("prestressed", flexural_rigidity=1e-4),
     "pbd, double": solved("pbd", precision="double", levels=4),
     "pbd, symmetric": solved("pbd", sweep="symmetric", substeps=4, order="pins"),
@@ -45,11 +45,13 @@ SCENES = {
     "quasi_newton, single": solved("quasi_newton", precision="single"),
     "quasi_newton, double": solved("quasi_newton", precision="double", membrane="stated"),
     "vbd": {**solved("vbd"), "material": {"strain": {"compliance": 1e-3}}},
-    "ball and floor": {"effects": [GRAVITY, BALL, {"type": "plane", "point": [0, 0, -0.6]}, {"type": "friction"}],
+    "ball and floor": {"effects": [GRAVITY, BALL, {"type": "plane", "point": [0, 0, -0.6]},
+                                   {"type": "friction"}],
                        "pins": {"vertices": []}},
     "capsule, disc": {"effects": [GRAVITY, DRAG, {"type": "capsule"}, {"type": "disc"}]},
-    "wind on projections": {"effects": [GRAVITY, {"type": "wind", "gust_amplitude": 0.3}, {"type": "tethers"},
-                                        {"type": "strain_limiting"}, {"type": "rigid_damping"}],
+    "wind on projections": {"effects": [GRAVITY, {"type": "wind", "gust_amplitude": 0.3},
+                                        {"type": "tethers"}, {"type": "strain_limiting"},
+                                        {"type": "rigid_damping"}],
                             **solved("pbd", levels=2)},
     "moving pins": {"effects": [GRAVITY, {"type": "moving_pins", "times": [0, 0.2],
                                           "offsets": [0, 0, 0, 0.1, 0, 0.1]}]},
@@ -65,7 +67,8 @@ def settings_of(program, config, recipe):
     overrides = ["--set", f"/defaults={recipe}"] if recipe else []
     done = subprocess.run([program, "plan", config, "--json", "--out", "/nonexistent", *overrides],
                           capture_output=True, text=True)
-    return [json.dumps(json.loads(line)["config"], sort_keys=True) for line in done.stdout.splitlines()], done.stderr
+    lines = done.stdout.splitlines()
+    return [json.dumps(json.loads(line)["config"], sort_keys=True) for line in lines], done.stderr
 
 
 def first_difference(old, new, pointer=""):
@@ -86,7 +89,8 @@ def compare_settings(old, new):
                 continue
             differ += 1
             pair = next(((a, b) for a, b in zip(before, after) if a != b), None)
-            what = first_difference(*map(json.loads, pair)) if pair else f"{len(before)} runs → {len(after)}: {says}"
+            what = first_difference(*map(json.loads, pair)) if pair else \
+                f"{len(before)} runs → {len(after)}: {says}"
             print(f"{config.relative_to(root)}, {recipe}: {what}")
     print(f"settings: {len(configs)} configs under {len(RECIPES)} defaults, {differ} differ")
     return differ
@@ -98,8 +102,8 @@ def frames_of(program, name, scene, folder):
     config["mesh"] = {"cells": 12, **config.get("mesh", {})}
     folder.mkdir(parents=True)
     (folder / "config.json").write_text(json.dumps(config))
-    done = subprocess.run([program, "run", "config.json", "--out", "results"], cwd=folder, capture_output=True,
-                          text=True)
+    done = subprocess.run([program, "run", "config.json", "--out", "results"], cwd=folder,
+                          capture_output=True, text=True)
     files = list((folder / "results").rglob("*.vtkhdf"))
     if len(files) != 1:
         raise SystemExit(f"{name}: {program} gives no run: {done.stderr}")
@@ -121,7 +125,8 @@ def compare_bits(old, new):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    raw = argparse.RawDescriptionHelpFormatter
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=raw)
     parser.add_argument("old"), parser.add_argument("new")
     parser.add_argument("--bits", action="store_true")
     options = parser.parse_args()

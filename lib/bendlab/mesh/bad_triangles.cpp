@@ -65,6 +65,18 @@ PolygonSoup without_unusable(const PolygonSoup& soup) {
   return usable;
 }
 
+// Whether a policy takes what `refuse` does not.
+bool has_remedy(const PolygonSoup& soup) {
+  for (const BadTriangles policy :
+       {BadTriangles::repair, BadTriangles::regularise, BadTriangles::membrane_off})
+    try {
+      accept(soup, policy);
+      return true;
+    } catch (const std::invalid_argument&) {
+    }
+  return false;
+}
+
 std::string lines_of(const std::vector<MeshProblem>& problems) {
   std::string lines;
   for (const MeshProblem& problem : problems)
@@ -83,9 +95,8 @@ AcceptedMesh accept(const PolygonSoup& soup, BadTriangles policy, std::string_vi
   const std::string refusal = lines_of(problems);
   if (!refusal.empty() && policy == BadTriangles::refuse)
     throw std::invalid_argument(
-        fmt::format("can't be simulated until it is repaired, in a mesh editor for instance or {} (indices "
-                    "count from 0):{}",
-                    remedy, refusal));
+        fmt::format("can't be simulated until it is repaired, in a mesh editor{} (indices count from 0):{}",
+                    has_remedy(soup) ? fmt::format(" for instance or {}", remedy) : "", refusal));
   AcceptedMesh accepted;
   for (const MeshProblem& problem : problems)
     accepted.notes.push_back(fmt::format("{}: {}", treatment(problem.kind, policy), describe(problem)));

@@ -175,9 +175,7 @@ class PbdStep final : public TimeStep<Real> {
   const BatchOrder& element_order(std::string_view kind) const override {
     return element_order_of(constraints_, kind);
   }
-  // Levels carry a part that it does not know of.
   std::optional<EffectiveStiffness> effective_stiffness() const override {
-    if (levels_) return std::nullopt;
     const auto count = static_cast<std::size_t>(state_.vertex_count);
     const auto vectors = [&](const Point<Real>* points) {
       std::vector<Vector3> all;
@@ -198,7 +196,10 @@ class PbdStep final : public TimeStep<Real> {
       largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
     }
     const double rounding = largest * static_cast<double>(std::numeric_limits<Real>::epsilon());
-    return bendlab::effective_stiffness(constraints_, {positions, rest, is_pinned, last_substep_, rounding});
+    EffectiveStiffness stiffness =
+        bendlab::effective_stiffness(constraints_, {positions, rest, is_pinned, last_substep_, rounding});
+    if (levels_) stiffness.membrane = {};  // levels carry a part of it that multipliers do not know of
+    return stiffness;
   }
 
  private:
