@@ -112,8 +112,8 @@ def _claim(scenes):
     return Claim("ours", "Large external forces do not tear the cloth (our defaults).",
                  f"no triangle is ever more than {MOST} times as long as at rest",
                  numbers, all(ours[name] <= MOST for name in SCENES) if whole else None,
-                 note="Where pins are snatched away, inertia alone stretches the triangle at a corner to 1.245 "
-                 "times its length, so that this membrane cannot keep to the bound.")
+                 note="Where pins are snatched away, inertia alone stretches the triangle at a corner to "
+                 "1.245 times its length, so that this membrane cannot keep to the bound.")
 
 
 if __name__ == "__main__":

@@ -210,7 +210,7 @@ constexpr double most_strain = 1;
 // has 0.5, a steel sheet of 1 mm and 1 m has 0.6.
 constexpr double longest_bending_length = 5;
 
-// Stiffnesses that gravity makes a joke of. `load` is the weight per area, N/m².
+// A stiffness that does not fit the weight of the cloth. `load` is the weight per area, N/m².
 std::optional<std::string> odd_stiffness(const WarningInput& input, double load, double extent) {
   const StrainStiffness& strain = input.scene.input.strain_stiffness;
   const double weight_strain =
@@ -227,8 +227,7 @@ std::optional<std::string> odd_stiffness(const WarningInput& input, double load,
   return fmt::format(
       "with a flexural rigidity of {:.3g} N m gravity cannot bend this sheet: it would stand out by itself "
       "over {:.2g} m, and is {:.2g} m long. Is it in other units? A light cotton has 1e-5 N m; 1 gf cm²/cm "
-      "is "
-      "9.8e-5 N m",
+      "is 9.8e-5 N m",
       rigidity, length, extent);
 }
 

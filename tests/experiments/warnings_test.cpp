@@ -275,7 +275,7 @@ TEST_CASE("warnings: a gravity, a density or a stiffness that looks like another
   CHECK(codes_of(bending("248")) == Codes{"units"});
 }
 
-TEST_CASE("warnings: a stated rigidity that the mesh gives in no direction alike", "[warnings]") {
+TEST_CASE("warnings: a stated rigidity on a mesh whose triangles point one way", "[warnings]") {
   const auto on = [](const std::string& mesh) {
     return R"("bending": {"model": "dihedral", "flexural_rigidity": 1e-5}, "mesh": {"cells": 12, )" + mesh +
            "}";
