@@ -1,5 +1,5 @@
 """What each effect adds to a step, per vertex, over the size of the cloth."""
-import re
+import json
 from pathlib import Path
 
 import matplotlib.pyplot as plt
@@ -9,14 +9,15 @@ from fig_performance import COLUMNS, columns, iterations, part, per_vertex, seri
 from fig_performance_overview import whole_step
 from report import Section, Table
 
-LIST = Path(__file__).resolve().parent.parent / "lib/bendlab/effects/effects.def"
+SCHEMA = Path(__file__).resolve().parent.parent / "configs/schema.json"
 SHADES = ["#9ccbe6", "#56a5d8", "#0072b2", "#003a5c"]  # small to large cloth
 TWICE = 2
 
 
 def known_effects():
-    """Every effect of the program, in its own list."""
-    return re.findall(r"^BENDLAB_EFFECT\((\w+)\)", LIST.read_text(encoding="utf-8"), re.MULTILINE)
+    """Every effect of the program, as its schema lists them."""
+    schema = json.loads(SCHEMA.read_text(encoding="utf-8"))
+    return [kind["properties"]["type"]["const"] for kind in schema["properties"]["effects"]["items"]["oneOf"]]
 
 
 def by_effect(rows):

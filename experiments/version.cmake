@@ -60,7 +60,7 @@ endif()
 file(GLOB_RECURSE library LIST_DIRECTORIES false RELATIVE "${SOURCE}"
   "${SOURCE}/lib/bendlab/*.hpp" "${SOURCE}/lib/bendlab/*.cpp" "${SOURCE}/lib/bendlab/*.def")
 file(GLOB runner LIST_DIRECTORIES false RELATIVE "${SOURCE}"
-  "${SOURCE}/experiments/config/*.?pp" "${SOURCE}/experiments/scene/*.?pp"
+  "${SOURCE}/experiments/config/*.?pp"
   "${SOURCE}/experiments/measures/*.?pp" "${SOURCE}/experiments/measures/*.def"
   "${SOURCE}/experiments/run/*.?pp")
 set(sources ${library} ${runner})

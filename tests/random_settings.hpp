@@ -11,7 +11,7 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "experiments/config/config_tables.hpp"
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab::test {
 
@@ -43,7 +43,7 @@ inline double largest_quick(std::string_view name, double largest) {
 }
 
 /// A number that the row allows: often an end of its range; without an end, over twelve powers of ten.
-inline double random_number(const Parameter& row, Random& random) {
+inline double random_number(const Field& row, Random& random) {
   const double highest = largest_quick(row.name, row.maximum);
   const bool low = std::isfinite(row.minimum), high = std::isfinite(highest);
   const double unit = static_cast<double>(random() >> 11) * 0x1p-53;
@@ -57,7 +57,7 @@ inline double random_number(const Parameter& row, Random& random) {
 }
 
 /// A value that the row allows. null for a free text, which names a file or a change of settings.
-inline Json random_value(const Parameter& row, Random& random) {
+inline Json random_value(const Field& row, Random& random) {
   const auto entries = [&](auto entry) {
     Json list = Json::array();
     const std::size_t count = row.length > 0 ? row.length : random() % 4;
@@ -68,18 +68,19 @@ inline Json random_value(const Parameter& row, Random& random) {
     return static_cast<std::int64_t>(std::ceil(std::min(random_number(row, random), 1e15)));
   };
   switch (row.type) {
-    case ParameterType::boolean:
+    case FieldType::boolean:
       return chance(random, 0.5);
-    case ParameterType::integer:
+    case FieldType::integer:
       return whole();
-    case ParameterType::number:
+    case FieldType::number:
       return random_number(row, random);
-    case ParameterType::text:
+    case FieldType::text:
       return row.choices.empty() ? Json(nullptr) : Json(one_of(random, row.choices));
-    case ParameterType::numbers:
-      if (row.name == "indices") return entries([&] { return random() % 9; });
+    case FieldType::integers:
+      return entries([&] { return random() % 9; });
+    case FieldType::numbers:
       return entries([&] { return random_number(row, random); });
-    case ParameterType::texts:
+    case FieldType::texts:
       if (row.choices.empty()) return nullptr;
       return entries([&] { return one_of(random, row.choices); });
   }
@@ -95,11 +96,10 @@ struct Change {
 /// One effect with some of its settings. None that reads a file.
 inline Json random_effect(Random& random) {
   for (;;) {
-    const Effect& effect = *one_of(random, effects());
-    const auto reads_file = [](const Parameter& row) { return row.name == "file"; };
-    if (std::ranges::any_of(effect.parameters, reads_file)) continue;
+    const EffectKind& effect = *one_of(random, effects());
+    if (std::ranges::any_of(effect.settings.fields, &Field::names_file)) continue;
     Json entry = {{"type", effect.name}};
-    for (const Parameter& row : effect.parameters)
+    for (const Field& row : effect.settings.fields)
       if (row.required || chance(random, 0.4)) entry[std::string(row.name)] = random_value(row, random);
     return entry;
   }
@@ -113,9 +113,9 @@ inline std::vector<Change> random_changes(Random& random) {
     for (std::size_t count = random() % 3; count > 0; --count) list.push_back(random_effect(random));
     return {{"/effects", std::move(list)}};
   }
-  const ConfigSection& section = one_of(random, config_sections());
-  if (section.parameters.empty()) return {};
-  const Parameter& row = one_of(random, section.parameters);
+  const Section& section = one_of(random, config_sections());
+  if (section.rows.empty()) return {};
+  const Field& row = one_of(random, section.rows).field;
   if (section.pointer.empty() && (row.name == "name" || row.name == "description" || row.name == "allow"))
     return {};
   std::vector<Change> changes = {{child_pointer(section.pointer, row.name), random_value(row, random)}};

@@ -7,11 +7,13 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/bending/models.hpp"
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/generators.hpp"
-#include "bendlab/solver/simulation.hpp"
+#include "bendlab/solver/methods.hpp"
 
 namespace bendlab::test {
 
@@ -30,8 +32,7 @@ inline std::vector<std::array<int, 2>> plain(const PairList& pairs) {
 /// A cloth with its bending model's springs, at rest in its rest shape, without effects.
 inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string_view model,
                              double density = 0.2) {
-  const BendingModel& bending = *find_bending_model(model);
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = rest.positions();
   input.rest = rest.positions();
   input.origin = rest.centre();
@@ -39,20 +40,35 @@ inline SimulationInput sheet(const RestMesh& rest, const Pins& pins, std::string
   input.mass = lumped_masses(rest, density);
   input.is_pinned = pins.is_pinned;
   input.strain = strain_constraints(rest, pins, inverse_rest_from_warp(rest.mesh(), Vector3::UnitX()));
-  BendingConstraints constraints = bending.build({rest, pins, ParameterValues(bending.parameters)});
+  BendingConstraints constraints = constraints_of(BendingModel(*find_bending_model(model)), {rest, pins});
   input.distance = std::move(constraints.distance);
   input.elements = std::move(constraints.elements);
   return input;
+}
+
+/// A member of a family by its name, with settings changed from their defaults.
+using Changes = std::vector<std::pair<std::string, Value>>;
+template <class Kind>
+Chosen<Kind> chosen(const Kind& kind, const Changes& changes) {
+  std::shared_ptr<void> settings = kind.settings.copy(kind.settings.defaults());
+  for (const auto& [name, value] : changes) {
+    const Field* const field = kind.settings.find(name);
+    if (field == nullptr) throw std::logic_error("there is no setting " + name);
+    field->put(settings.get(), value);
+  }
+  return {kind, std::move(settings)};
+}
+inline Effect effect_of(std::string_view name, const Changes& changes = {}) {
+  return chosen(*find_effect(name), changes);
 }
 
 /// The passes of an effect on a cloth, with one setting changed from its default (or none).
 template <class Real>
 std::vector<Pass<Real>> effect_passes(std::string_view name, const RestMesh& rest, const Pins& pins,
                                       std::string_view setting = {}, Value value = {}) {
-  const Effect& effect = *find_effect(name);
-  ParameterValues values(effect.parameters);
-  if (!setting.empty()) values.set(setting, std::move(value));
-  return effect.compile<Real>({values, rest, pins, {}, effect.uses_contacts});
+  const Effect effect =
+      effect_of(name, setting.empty() ? Changes{} : Changes{{std::string(setting), std::move(value)}});
+  return bendlab::passes_of<Real>(effect, {rest, pins, {}, effect.kind().uses_contacts});
 }
 
 /// Of an effect that asks nothing of the cloth.

@@ -8,11 +8,11 @@
 #include <set>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/scene/counted.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/advise/runs.hpp"
 #include "experiments/advise/search.hpp"
-#include "experiments/config/counted.hpp"
 
 namespace bendlab {
 namespace {
@@ -79,7 +79,7 @@ class Advisor {
   // From the best so far: other models with its solver, and other meshes.
   std::vector<Setting> neighbours(const Setting& setting) const {
     std::vector<Setting> found;
-    for (const BendingModel* model : bending_models())
+    for (const BendingKind* model : bending_models())
       found.push_back(setting), found.back().model = model->name;
     const int all = question_.cells_that_may_vary(), now = setting.cells > 0 ? setting.cells : all;
     for (const double factor : {0.5, 0.75, 4.0 / 3, 2.0})

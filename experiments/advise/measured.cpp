@@ -7,9 +7,9 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/shape_error.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/measures/trajectory.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {
@@ -28,7 +28,7 @@ double steps_again(const RunConfig& config, double simulated) {
   double seconds = 0;
   int repeats = 0;
   for (; seconds < long_enough && repeats < most; ++repeats) {
-    const Scene scene = build_scene(config);
+    const BuiltScene scene = build_scene(config.scene());
     const std::unique_ptr<Simulation> simulation = simulation_of(scene);
     const double before = thread_cpu_s();
     while (simulation->time() < simulated - rounding && simulation->step()) {
@@ -101,7 +101,7 @@ Measured measured_by(const CampaignRun& run) {
     measured.why = "diverged";
     return measured;
   }
-  const bool over_time = run.config->section("/accuracy").boolean("over_time");
+  const bool over_time = run.config->settings().accuracy.over_time;
   measured.strain = measured.strain ? or_endless(*measured.strain) : strain_in(outcome.file, over_time);
   measured.stretch = stretch_in(outcome.file, over_time);
   return measured;

@@ -9,21 +9,13 @@
 #include <iterator>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/overrides.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/scene/scene.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {
-
-constexpr std::array<std::string_view, 2> damping = {"rigid_damping", "constraint_damping"};
-constexpr std::array<std::string_view, 2> bounds = {"tethers", "strain_limiting"};
-
-template <class Names>
-bool among(const Json& effect, const Names& names) {
-  return std::ranges::find(names, effect["type"].get<std::string>()) != names.end();
-}
 
 std::string set(std::string_view pointer, const Json& value) {
   return fmt::format("{}={}", pointer, value.dump());
@@ -31,7 +23,15 @@ std::string set(std::string_view pointer, const Json& value) {
 
 // Hinges for a flexural rigidity; only springs make a quartic cloth.
 std::string reference_model_of(const RunConfig& scene) {
-  return scene.section("/bending").has("flexural_rigidity") ? "dihedral" : scene.bending_model();
+  const Bending& bending = scene.scene().bending;
+  if (!bending.flexural_rigidity) return std::string(bending.model.name());
+  const auto kinds = bending_models();
+  return std::string((*std::ranges::find_if(kinds, &BendingKind::is_reference))->name);
+}
+
+std::string method_without_motion() {
+  const auto kinds = methods();
+  return std::string((*std::ranges::find_if_not(kinds, &MethodKind::has_motion))->name);
 }
 
 // The options that would choose a value of each swept setting.
@@ -54,9 +54,8 @@ void check_is_one_scene(const Experiment& experiment, const std::string& source)
 }
 
 void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
-  const ParameterValues bending = scene.section("/bending");
-  const std::string& stiffness = bending.text("stiffness");
-  if (stiffness != "physical")
+  const Bending& bending = scene.scene().bending;
+  if (bending.stiffness != Stiffness::physical)
     throw ConfigError(
         source,
         {{"/bending/stiffness",
@@ -65,8 +64,8 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
               "one; state the cloth: \"bending\": {{\"stiffness\": \"physical\", "
               "\"flexural_rigidity\": B}}, B in N m (cotton about 1e-5); springs have it at "
               "\"at_curvature\", 20/m if that is absent",
-              stiffness)}});
-  if (scene.bending_model() == "none" && !bending.has("flexural_rigidity"))
+              value_at(scene.resolved(), "/bending/stiffness")->get<std::string>())}});
+  if (!bending.model.kind().bends && !bending.flexural_rigidity)
     throw ConfigError(
         source, {{"/bending/model",
                   "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
@@ -74,8 +73,8 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
 }
 
 bool is_held(const RunConfig& scene) {
-  const ParameterValues pins = scene.section("/pins");
-  return !pins.texts("vertices").empty() || !pins.numbers("indices").empty();
+  const Pinning& pins = scene.scene().pins;
+  return !pins.vertices.empty() || !pins.indices.empty();
 }
 
 Json without(const Json& list, auto left_out) {
@@ -137,8 +136,8 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
   rigidity_is_default_ = !bending.contains("flexural_rigidity") && !bending.contains("quartic_coefficient");
   check_states_a_cloth(scene_, file_.string());
   reference_model_ = reference_model_of(scene_);
-  const ParameterValues accuracy = scene_.section("/accuracy");
-  if (accuracy.has("solver") && !accuracy.has("physical"))
+  const Accuracy& accuracy = scene_.settings().accuracy;
+  if (accuracy.solver && !accuracy.physical)
     throw ConfigError(file_.string(),
                       {{"/accuracy/physical",
                         "is missing: models are compared with one stated cloth, but /accuracy/solver "
@@ -146,10 +145,12 @@ Question::Question(std::filesystem::path file, std::vector<std::string> override
 }
 
 Setting Question::own_setting() const {
-  const ParameterValues solver = scene_.section("/solver");
-  Setting own{.model = scene_.bending_model(), .method = solver.text("method")};
-  if (solver.has("substeps")) own.substeps = static_cast<int>(solver.integer("substeps"));
-  if (solver.has("iterations")) own.iterations = static_cast<int>(solver.integer("iterations"));
+  const Solver& solver = scene_.scene().solver;
+  const Setting usual;
+  Setting own{.model = std::string(scene_.scene().bending.model.name()),
+              .method = std::string(solver.method.name()),
+              .substeps = solver.substeps.value_or(usual.substeps),
+              .iterations = solver.iterations.value_or(usual.iterations)};
   Json further = own_solver_;
   for (const char* apart : {"method", "substeps", "iterations", "dt", "threads", "precision"})
     further.erase(apart);
@@ -171,19 +172,16 @@ int Question::cells_that_may_vary() const {
 }
 
 ErrorOf Question::natural_error() const {
-  if (scene_.section("/accuracy").has("physical")) return ErrorOf::own;
+  if (scene_.settings().accuracy.physical) return ErrorOf::own;
   bool damped = false;
-  for (const Json& effect : scene_.resolved()["effects"]) {
-    const std::string type = effect["type"];
-    damped |= type == "viscous_drag" || among(effect, damping);
-    if (type != "gravity" && type != "viscous_drag" && !among(effect, damping) && !among(effect, bounds))
-      return ErrorOf::motion;
+  for (const Effect& effect : scene_.scene().effects) {
+    const EffectKind& kind = effect.kind();
+    damped |= kind.damps;
+    if (kind.acceleration == nullptr && !kind.damps && !kind.bounds_strain) return ErrorOf::motion;
   }
-  const ParameterValues initial = scene_.section("/initial");
-  const auto still = [&](const char* velocity) {
-    return std::ranges::all_of(initial.numbers(velocity), [](double v) { return v == 0; });
-  };
-  return is_held(scene_) && damped && still("velocity") && still("spin") ? ErrorOf::rest : ErrorOf::motion;
+  const Initial& initial = scene_.scene().initial;
+  const bool still = initial.velocity.isZero(0) && initial.spin.isZero(0);
+  return is_held(scene_) && damped && still ? ErrorOf::rest : ErrorOf::motion;
 }
 
 Json Question::accuracy(const Reference& reference) const {
@@ -207,20 +205,26 @@ Json Question::accuracy(const Reference& reference) const {
 }
 
 double Question::speed(double kinetic_energy) const {
-  const AcceptedMesh accepted = rest_mesh_of(scene_);
+  const AcceptedMesh accepted = rest_mesh_of(scene_.scene().mesh, scene_.folder());
   const RestMesh rest(accepted.mesh);
   double area = 0;
   for (const double each : rest.areas()) area += each;
-  const double mass = scene_.section("/material").number("density") * area;
+  const double mass = scene_.scene().material.density * area;
   return mass > 0 ? std::sqrt(2 * kinetic_energy / mass) / rest.size() : 0;
 }
 
 // A reference is the same whatever the setting of the run.
+std::string Question::method_that_projects() {
+  const auto kinds = methods();
+  return std::string((*std::ranges::find_if(kinds, &MethodKind::projects))->name);
+}
+
 std::vector<std::string> Question::own_changes() const {
   const Json& settings = scene_.resolved();
   std::vector<std::string> changes = {set("/mesh", settings["mesh"]), set("/solver", settings["solver"])};
-  if (const auto own = settings["bending"].find(scene_.bending_model()); own != settings["bending"].end())
-    changes.push_back(set("/bending/" + scene_.bending_model(), *own));
+  if (const auto own = settings["bending"].find(std::string(scene_.scene().bending.model.name()));
+      own != settings["bending"].end())
+    changes.push_back(set(fmt::format("/bending/{}", scene_.scene().bending.model.name()), *own));
   return changes;
 }
 
@@ -230,7 +234,7 @@ std::vector<std::string> Question::rest_changes() const {
   Json bending = settings["bending"];
   bending["model"] = reference_model_;
   std::vector<std::string> changes = {set("/mesh", settings["mesh"]),
-                                      R"(/solver={"method":"equilibrium"})",
+                                      set("/solver", {{"method", method_without_motion()}}),
                                       "/duration=20",
                                       "/settled_speed=0",
                                       "/output/frames_per_second=1",
@@ -241,16 +245,20 @@ std::vector<std::string> Question::rest_changes() const {
     changes.push_back(set("/material/strain/compliance", stiff_membrane));
   }
   changes.push_back(set("/effects", without(settings["effects"], [](const Json& effect) {
-                          return among(effect, damping) || among(effect, bounds);
+                          const EffectKind& kind = *find_effect(effect["type"].get<std::string>());
+                          return kind.damps || kind.bounds_strain;
                         })));
   return changes;
 }
 
 std::vector<std::string> Question::motion_changes(int substeps) const {
   const Json& settings = scene_.resolved();
-  Json bending = settings["bending"],
-       solver = {{"method", "pbd"}, {"dt", settings["solver"]["dt"]}, {"substeps", substeps},
-                 {"iterations", 1}, {"sweep", "symmetric"},           {"precision", "double"}};
+  Json bending = settings["bending"], solver = {{"method", method_that_projects()},
+                                                {"dt", settings["solver"]["dt"]},
+                                                {"substeps", substeps},
+                                                {"iterations", 1},
+                                                {"sweep", "symmetric"},
+                                                {"precision", "double"}};
   bending["model"] = reference_model_;
   return {set("/mesh", settings["mesh"]), "/settled_speed=0", set("/solver", solver),
           set("/bending", bending)};
@@ -261,7 +269,9 @@ std::vector<std::string> Question::changes(const Setting& setting) const {
   solver.update(
       {{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
   for (const char* own : {"dt", "threads", "precision"})
-    if (own_solver_.contains(own) && find_method(setting.method)->reads(own)) solver[own] = own_solver_[own];
+    if (own_solver_.contains(own) &&
+        (own != std::string_view("precision") || find_method(setting.method)->make_float))
+      solver[own] = own_solver_[own];
   std::vector<std::string> changes = {"/bending/model=" + setting.model, set("/solver", solver)};
   if (setting.cells > 0) changes.push_back(set("/mesh/cells", setting.cells));
   return changes;
@@ -274,8 +284,7 @@ RunConfig Question::run_with(const Setting& setting, const Json& accuracy, doubl
   const bool of_the_end = !accuracy.value("over_time", false);
   if (of_the_end) overrides.emplace_back("/output/frames_per_second=1");
   if (!of_the_end || times != 1) overrides.emplace_back("/settled_speed=0");
-  if (times != 1)
-    overrides.push_back(fmt::format("/duration={}", times * scene_.section("").number("duration")));
+  if (times != 1) overrides.push_back(fmt::format("/duration={}", times * scene_.scene().duration));
   RunConfig run = load_experiment(file_, overrides).runs.front();
   run.point = {{"/bending/model", setting.model},
                {"/solver/method", setting.method},

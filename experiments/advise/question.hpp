@@ -39,6 +39,8 @@ class Question {
   const RunConfig& scene() const { return scene_; }
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
+  /// The method of references in motion.
+  static std::string method_that_projects();
 
   /// Whether the config states none, so that the cloth is a light cotton.
   bool rigidity_is_default() const { return rigidity_is_default_; }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <map>
 
-#include "experiments/config/counted.hpp"
+#include "bendlab/scene/counted.hpp"
 
 namespace bendlab {
 namespace {

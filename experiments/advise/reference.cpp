@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "experiments/advise/fitness.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/run/forecast.hpp"
 
 namespace bendlab {
@@ -162,7 +164,9 @@ class ReferenceChooser {
   Measured probe(const Reference& reference) {
     std::vector<Setting> settings = {question_.own_setting()};
     for (const int substeps : {16, 64, 256})
-      settings.push_back({.model = question_.reference_model(), .method = "pbd", .substeps = substeps});
+      settings.push_back({.model = question_.reference_model(),
+                          .method = Question::method_that_projects(),
+                          .substeps = substeps});
     for (Setting& setting : settings) setting.cells = reference.cells;
     Measured found;
     for (const Setting& setting : settings) {
@@ -188,7 +192,7 @@ class ReferenceChooser {
     const RunConfig config = question_.run_with(known_.probe, known_.accuracy);
     const std::filesystem::path file = runs_.reference_file(config);
     if (!std::filesystem::exists(file)) return;
-    const bool over_time = config.section("/accuracy").boolean("over_time");
+    const bool over_time = config.settings().accuracy.over_time;
     known_.strain = strain_in(file, over_time), known_.stretch = stretch_in(file, over_time);
   }
 

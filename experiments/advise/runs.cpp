@@ -4,6 +4,7 @@
 #include <thread>
 
 #include "experiments/campaign/errors.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/run/forecast.hpp"
 
 namespace bendlab {
@@ -12,7 +13,7 @@ Runs::Runs(const Question& question, CampaignOptions campaign, double time_limit
     : question_(question), campaign_(std::move(campaign)), limit_(time_limit_s) {
   campaign_.out /= "advise";
   campaign_.stop = &limit_.over();
-  const auto threads = static_cast<unsigned>(question.scene().section("/solver").integer("threads"));
+  const auto threads = static_cast<unsigned>(question.scene().scene().solver.threads);
   jobs_ = campaign_.jobs > 0 ? campaign_.jobs
                              : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
@@ -52,7 +53,7 @@ std::optional<double> Runs::forecast_per_frame(const Setting& setting) const {
   const RunConfig config = question_.run_with(setting, Json::object());
   const std::optional<Forecast> expected = forecast(config);
   if (!expected) return std::nullopt;
-  return (expected->cpu_s - expected->set_up_s) / config.section("").number("duration") / frames_per_second;
+  return (expected->cpu_s - expected->set_up_s) / config.scene().duration / frames_per_second;
 }
 
 bool Runs::in_time(const RunConfig& config) const {
@@ -65,7 +66,7 @@ bool Runs::in_time(const RunConfig& config) const {
 std::filesystem::path Runs::reference_file(const RunConfig& config) const {
   std::optional<RunConfig> reference = reference_of(config, Against::physical);
   if (!reference) return {};
-  if (config.section("/accuracy").boolean("start_from_end")) reference->starts_at_end_of = run_id(config);
+  if (config.settings().accuracy.start_from_end) reference->starts_at_end_of = run_id(config);
   Experiment experiment;
   experiment.name = "references";
   return run_folder(campaign_.out / question_.name(), experiment, *reference) / "run.vtkhdf";

@@ -7,8 +7,8 @@
 #include <cmath>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/scene/counted.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/counted.hpp"
 
 namespace bendlab {
 

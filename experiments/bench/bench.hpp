@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

@@ -6,11 +6,11 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/families.hpp"
 #include "experiments/bench/roofline.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {
@@ -52,7 +52,7 @@ struct StepTime {
 class MovingCloth {
  public:
   explicit MovingCloth(const ClothKind& kind) : threads_(kind.threads) {
-    const Scene scene = build_scene(config_of(kind));
+    const BuiltScene scene = build_scene(config_of(kind).scene());
     vertices = scene.rest.vertex_count();
     triangles = static_cast<std::int64_t>(scene.input.strain.size());
     bending = static_cast<std::int64_t>(scene.input.distance.size() + element_count(scene.input.elements));

@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/families.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/scene/scene.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 namespace {
@@ -37,7 +37,7 @@ void do_steps(Simulation& simulation, int steps) {
 }
 
 // #V: edges to the nearest pinned vertex.
-std::vector<int> edges_from_pins(const Scene& scene) {
+std::vector<int> edges_from_pins(const BuiltScene& scene) {
   std::vector<int> distance(static_cast<std::size_t>(scene.rest.vertex_count()), -1), queue = scene.pins.all;
   for (const int pinned : queue) distance[static_cast<std::size_t>(pinned)] = 0;
   for (std::size_t next = 0; next < queue.size(); ++next)
@@ -68,7 +68,7 @@ void sort_by(const std::vector<int>& key_of_vertex, bool descending, Vertices& v
   vertices = std::move(sorted_vertices), rest = std::move(sorted_rest);
 }
 
-Scene sorted_from_pins(Scene scene, bool descending) {
+BuiltScene sorted_from_pins(BuiltScene scene, bool descending) {
   const std::vector<int> distance = edges_from_pins(scene);
   scene.input.permutation.clear();  // which would sort the lists again
   sort_by(distance, descending, scene.input.strain.vertices, scene.input.strain.inverse_rest);
@@ -78,7 +78,7 @@ Scene sorted_from_pins(Scene scene, bool descending) {
 
 BenchRow measure(const std::string& name, const ConvergenceScene& scene, int sweeps) {
   const ConvergenceError error = convergence_errors(scene, std::array{sweeps}).front();
-  const Scene built = build_scene(parse_experiment(scene.config, scene.name).runs.front());
+  const BuiltScene built = build_scene(parse_experiment(scene.config, scene.name).runs.front().scene());
   BenchRow row{
       .name = name,
       .scalar = "double",
@@ -102,7 +102,7 @@ std::span<const ConvergenceScene> convergence_scenes() {
 }
 
 std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, std::span<const int> sweeps) {
-  Scene start = build_scene(parse_experiment(scene.config, scene.name).runs.front());
+  BuiltScene start = build_scene(parse_experiment(scene.config, scene.name).runs.front().scene());
   {
     const auto before = simulation_of(start);
     do_steps(*before, steps_before);
@@ -110,9 +110,9 @@ std::vector<ConvergenceError> convergence_errors(const ConvergenceScene& scene, 
     start.input.velocities = before->velocities();
   }
   const StretchMeter meter(start.rest, start.pins);
-  const auto error_of = [&](Scene scene_now, int iterations, ConstraintOrder order) {
+  const auto error_of = [&](BuiltScene scene_now, int iterations, ConstraintOrder order) {
     scene_now.input.settings.iterations = iterations;
-    scene_now.input.settings.order = order;
+    scene_now.input.method = Pbd{.order = order};
     const auto simulation = simulation_of(scene_now);
     do_steps(*simulation, 1);
     return meter.summarise(meter.measure(simulation->positions())).mean_strain;

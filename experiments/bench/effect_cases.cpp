@@ -12,10 +12,10 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/families.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {
@@ -121,7 +121,7 @@ RunConfig config_of(const EffectScene& scene, int cells, const std::string& scal
 class CloseWatch {
  public:
   CloseWatch(const RunConfig& config, std::string_view effect) : effect_(effect) {
-    const Scene scene = build_scene(config);
+    const BuiltScene scene = build_scene(config.scene());
     vertices = scene.rest.vertex_count();
     simulation_ = simulation_of(scene);
     for (int step = 0; step < effect_warm_up; ++step) this->step();

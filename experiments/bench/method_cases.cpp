@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "bendlab/constraints/kernels.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/elastic_metric.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/one_blas_thread.hpp"
@@ -16,16 +17,15 @@
 #include "bendlab/solver/sparse_factor.hpp"
 #include "experiments/bench/families.hpp"
 #include "experiments/bench/roofline.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr int method_warm_up = 6;
 
-struct MethodKind {
+struct MethodCase {
   std::string method;
   int cells = 0, iterations = 0;
   std::string scalar;
@@ -35,7 +35,7 @@ struct MethodKind {
 // A cotton that sags between two sides: Y = 10⁴ N/m, B = 5·10⁻⁵ N m. It has hinges, and no iteration is left
 // out. vbd's few iterations leave the membrane far from its minimum: only the damping of backward Euler keeps
 // them stable.
-RunConfig config_of(const MethodKind& kind) {
+RunConfig config_of(const MethodCase& kind) {
   const bool implicit = kind.method != "pbd";
   const std::string text = fmt::format(
       R"({{"name": "bench", "defaults": "paper", "mesh": {{"cells": {}}}, "initial": {{"perturbation": 1e-6}},
@@ -57,7 +57,7 @@ std::size_t scalar_bytes(const std::string& scalar) {
 
 /// The scene of a kind, and the pose that a few steps lead to.
 struct MovedScene {
-  explicit MovedScene(const MethodKind& kind) : scene(build_scene(config_of(kind))) {
+  explicit MovedScene(const MethodCase& kind) : scene(build_scene(config_of(kind).scene())) {
     const auto simulation = simulation_of(scene);
     for (int step = 0; step < method_warm_up; ++step)
       if (!simulation->step()) throw std::runtime_error("the cloth of a benchmark diverged");
@@ -69,7 +69,7 @@ struct MovedScene {
   std::size_t triangles() const { return scene.input.strain.size(); }
   std::size_t hinges() const { return element_count(scene.input.elements); }
 
-  Scene scene;
+  BuiltScene scene;
 };
 
 // The lower triangle of quasi_newton's matrix, for BDF2.
@@ -123,7 +123,7 @@ template <class Real>
 double force_of_gradient(const MovedScene& moved, const std::string& id, const BenchOptions& options,
                          Spread& seconds) {
   const SimulationInput& input = moved.scene.input;
-  const Constraints<Real> constraints = ordered_constraints<Real>(input, nullptr, nullptr);
+  const Constraints<Real> constraints = ordered_constraints<Real>(input, nullptr);
   const auto count = static_cast<std::size_t>(moved.vertices());
   const auto slot = [&](std::size_t v) {
     return input.permutation.empty() ? v : static_cast<std::size_t>(input.permutation[v]);
@@ -145,7 +145,7 @@ double force_of_gradient(const MovedScene& moved, const std::string& id, const B
   return std::sqrt(sum);
 }
 
-BenchRow measure_gradient(const std::string& name, const MethodKind& kind, bool oracle,
+BenchRow measure_gradient(const std::string& name, const MethodCase& kind, bool oracle,
                           const BenchOptions& options) {
   const MovedScene moved(kind);
   BenchRow row{.name = name,
@@ -200,9 +200,9 @@ BenchRow solved_by_factor(BenchRow row, const Eigen::SparseMatrix<double>& matri
   return row;
 }
 
-BenchRow measure_solve(const std::string& name, const MethodKind& kind, bool oracle,
+BenchRow measure_solve(const std::string& name, const MethodCase& kind, bool oracle,
                        const BenchOptions& options) {
-  const Scene scene = build_scene(config_of(kind));
+  const BuiltScene scene = build_scene(config_of(kind).scene());
   std::vector<int> vertices;
   const Eigen::SparseMatrix<double> matrix = metric_of(scene.input, vertices);
   BenchRow row{.name = name,
@@ -227,7 +227,7 @@ BenchRow measure_solve(const std::string& name, const MethodKind& kind, bool ora
 // ---- whole steps
 
 /// Least seconds of an iteration of quasi_newton: gradient, solve, and the pairs, which are streamed.
-double least_iteration_seconds(const MethodKind& kind, const MovedScene& moved) {
+double least_iteration_seconds(const MethodCase& kind, const MovedScene& moved) {
   const std::size_t scalar = scalar_bytes(kind.scalar);
   std::vector<int> vertices;
   const std::size_t entries = SparseFactor<double>(metric_of(moved.scene.input, vertices)).entries();
@@ -240,7 +240,7 @@ double least_iteration_seconds(const MethodKind& kind, const MovedScene& moved) 
          streamed / triad_bandwidth(all);
 }
 
-BenchRow measure_method(const std::string& name, const MethodKind& kind, const BenchOptions& options) {
+BenchRow measure_method(const std::string& name, const MethodCase& kind, const BenchOptions& options) {
   BenchRow row{
       .name = name, .scalar = kind.scalar, .threads = kind.threads, .repetitions = options.repetitions};
   MovedScene moved(kind);
@@ -274,7 +274,7 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
   std::vector<BenchCase> cases;
   const int usual = options.quick ? 32 : 128;
   const Sizes sizes = options.quick ? Sizes{32} : Sizes{32, 64, 128, 256, 512};
-  const auto add_method = [&](const MethodKind& kind) {
+  const auto add_method = [&](const MethodCase& kind) {
     const std::string name = fmt::format("method/{}/{}", kind.method, kind.cells);
     cases.push_back({.id = bench_id(name, kind.scalar, kind.threads), .oracle = "", .run = [=] {
                        return measure_method(name, kind, options);
@@ -283,7 +283,7 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
   const auto add_part = [&](const char* part, auto measure, int cells, const char* scalar,
                             const std::string& oracle) {
     const std::string name = fmt::format("{}/{}", part, cells);
-    const MethodKind kind{.method = "quasi_newton", .cells = cells, .iterations = 10, .scalar = scalar};
+    const MethodCase kind{.method = "quasi_newton", .cells = cells, .iterations = 10, .scalar = scalar};
     cases.push_back({.id = bench_id(name, scalar), .oracle = oracle, .run = [=] {
                        return measure(name, kind, oracle.empty(), options);
                      }});

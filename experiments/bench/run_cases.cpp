@@ -8,7 +8,7 @@
 
 #include "experiments/bench/families.hpp"
 #include "experiments/campaign/campaign.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
 
 namespace bendlab {
@@ -32,14 +32,13 @@ class Scratch {
 
 Experiment experiment_of(int cells, double duration_s, double frames_per_second,
                          std::string_view sweep = "{}") {
-  return parse_experiment(
-      fmt::format(
-          R"({{"name": "bench", "defaults": "paper",
+  return parse_experiment(fmt::format(
+                              R"({{"name": "bench", "defaults": "paper",
           "allow": ["implausible"], "duration": {}, "mesh": {{"cells": {}}},
               "bending": {{"model": "crossover"}}, "initial": {{"perturbation": 1e-6}},
               "output": {{"frames_per_second": {}}}, "sweep": {}}})",
-          duration_s, cells, frames_per_second, sweep),
-      "bench");
+                              duration_s, cells, frames_per_second, sweep),
+                          "bench");
 }
 
 double pass_seconds(const RunOutcome& outcome, std::string_view name) {
@@ -55,11 +54,11 @@ struct Work {
 };
 
 Work work_of(const RunConfig& config) {
-  const Scene scene = build_scene(config);
+  const BuiltScene scene = build_scene(config.scene());
   const auto constraints = static_cast<std::int64_t>(scene.input.strain.size() + scene.input.distance.size());
-  const double steps = config.section("").number("duration") / scene.input.settings.dt;
+  const double steps = config.scene().duration / scene.input.settings.dt;
   return {scene.rest.vertex_count(), constraints,
-          static_cast<double>(constraints) * scene.input.settings.projections_per_substep() * steps};
+          static_cast<double>(constraints) * projections_per_substep(scene.input) * steps};
 }
 
 BenchRow row_of(const std::string& name, int threads, const Work& work, double runs, const Spread& seconds,

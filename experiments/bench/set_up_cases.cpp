@@ -9,20 +9,19 @@
 #include <memory>
 #include <stdexcept>
 
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/bench/families.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 namespace {
 
 RunConfig config_of(int cells, const char* model) {
-  return parse_experiment(
-             fmt::format(R"({{"name": "bench", "defaults": "paper",
+  return parse_experiment(fmt::format(R"({{"name": "bench", "defaults": "paper",
           "mesh": {{"cells": {}}}, "bending": {{"model": "{}"}}}})",
-                         cells, model),
-             "bench")
+                                      cells, model),
+                          "bench")
       .runs.front();
 }
 
@@ -38,8 +37,8 @@ double status_kilobytes(std::string_view key) {
 class SetUp {
  public:
   explicit SetUp(int cells)
-      : scene_(build_scene(config_of(cells, "none"))),
-        parameters_(config_of(cells, "adaptive").bending_parameters()) {}
+      : scene_(build_scene(config_of(cells, "none").scene())),
+        model_(config_of(cells, "adaptive").scene().bending.model) {}
 
   struct Times {
     double springs = 0, order = 0;  // s
@@ -47,8 +46,7 @@ class SetUp {
 
   Times run() {
     const double start = thread_cpu_s();
-    scene_.input.distance =
-        find_bending_model("adaptive")->build({scene_.rest, scene_.pins, parameters_}).distance;
+    scene_.input.distance = constraints_of(model_, {scene_.rest, scene_.pins}).distance;
     const double built = thread_cpu_s();
     const auto simulation = make_simulation<float>(scene_.input, {});
     const Times times{built - start, thread_cpu_s() - built};
@@ -85,8 +83,8 @@ class SetUp {
   std::int64_t springs() const { return springs_; }
 
  private:
-  Scene scene_;
-  ParameterValues parameters_;
+  BuiltScene scene_;
+  BendingModel model_;
   std::int64_t springs_ = 0;
 };
 

@@ -33,7 +33,7 @@ int jobs_for(const std::vector<CampaignRun>& runs, int wanted) {
   if (wanted > 0) return wanted;
   std::int64_t threads = 1;
   for (const CampaignRun& run : runs)
-    threads = std::max(threads, run.config->section("/solver").integer("threads"));
+    threads = std::max<std::int64_t>(threads, run.config->scene().solver.threads);
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
 }
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/measures/trajectory.hpp"
 
 namespace bendlab {

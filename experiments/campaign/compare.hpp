@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

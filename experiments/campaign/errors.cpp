@@ -4,7 +4,7 @@
 #include <system_error>
 
 #include "bendlab/mesh/files.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/run.hpp"
 

@@ -6,8 +6,8 @@
 
 #include "bendlab/io/disk.hpp"
 #include "experiments/campaign/errors.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {

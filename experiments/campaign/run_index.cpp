@@ -18,8 +18,8 @@
 #include "bendlab/io/disk.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/strict_json.hpp"
 #include "experiments/config/in_parallel.hpp"
-#include "experiments/config/strict_json.hpp"
 #include "experiments/run/checked_read.hpp"
 
 namespace bendlab {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 

@@ -9,14 +9,14 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/disk.hpp"
+#include "bendlab/scene/defaults.hpp"
+#include "bendlab/scene/json_text.hpp"
+#include "bendlab/scene/nearest_name.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/advise/advice.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/config/defaults.hpp"
-#include "experiments/config/json_text.hpp"
-#include "experiments/config/nearest_name.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
@@ -58,7 +58,7 @@ void check_names(const char* option, const char* what, const std::vector<std::st
 
 void check_models(const std::vector<std::string>& models) {
   std::vector<std::string_view> known;
-  for (const BendingModel* model : bending_models()) known.push_back(model->name);
+  for (const BendingKind* model : bending_models()) known.push_back(model->name);
   check_names("--models", "bending model", models, known);
 }
 
@@ -75,8 +75,9 @@ void check_methods(const std::vector<std::string>& methods) {
 std::string what_text(const Advice& advice, const Question& question) {
   const std::string gap =
       advice.reference.gap ? fmt::format(", which is known to {}", percent_text(*advice.reference.gap)) : "";
-  const char* cloth =
-      question.reference_model() == "dihedral" ? "calibrated hinges" : "the config's own springs";
+  const char* cloth = find_bending_model(question.reference_model())->is_reference
+                          ? "calibrated hinges"
+                          : "the config's own springs";
   const std::string cells =
       advice.reference.cells > 0 ? fmt::format(" on {} cells", advice.reference.cells) : "";
   switch (advice.reference.of) {
@@ -226,7 +227,7 @@ void print_advice(const Advice& advice, const Question& question, const AdviceOp
         options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
-               default_flexural_rigidity);
+               *Bending{}.flexural_rigidity);
   if (!advice.points.empty() && advice.front.empty()) print_text("{}\n", limits_text());
   print_text("\n{}", front_text(advice, question));
   constexpr double at_rest = 0.02;  // sizes per second

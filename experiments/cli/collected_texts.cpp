@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
+#include "bendlab/scene/counted.hpp"
 #include "experiments/campaign/run_labels.hpp"
-#include "experiments/config/counted.hpp"
 
 namespace bendlab {
 namespace {

@@ -16,10 +16,10 @@
 #include <utility>
 
 #include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/scene/nearest_name.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/completion.hpp"
-#include "experiments/config/nearest_name.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/export/exported_run.hpp"
 #include "experiments/measures/reference.hpp"

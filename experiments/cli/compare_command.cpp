@@ -6,12 +6,12 @@
 #include <map>
 #include <set>
 
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/compare.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/json_text.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "experiments/cli/commands.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/config/resolve.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {

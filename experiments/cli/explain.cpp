@@ -6,10 +6,10 @@
 #include <array>
 
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/scene/scene.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -26,13 +26,12 @@ bool belongs(const std::string& pass, const std::string& name) {
   return pass == name || pass.starts_with(name + ":");
 }
 
-std::string reason_of(const std::string& pass, const RunConfig& config,
-                      const std::vector<EffectSettings>& effects) {
+std::string reason_of(const std::string& pass, const RunConfig& config, const std::vector<Effect>& effects) {
   for (std::size_t index = 0; index < effects.size(); ++index)
     if (belongs(pass, pass_name(effects, index)))
-      return fmt::format("/effects/{}: {}", index, find_effect(effects[index].type)->summary);
-  if (pass == "bending") return "/bending/model: " + config.bending_model();
-  const Method& method = *find_method(config.section("/solver").text("method"));
+      return fmt::format("/effects/{}: {}", index, effects[index].kind().summary);
+  if (pass == "bending") return fmt::format("/bending/model: {}", config.scene().bending.model.name());
+  const MethodKind& method = config.scene().solver.method.kind();
   for (const std::span<const MethodPass> passes :
        {method.passes, std::span<const MethodPass>(around_the_steps)})
     if (const auto found = std::ranges::find(passes, pass, &MethodPass::name); found != passes.end())
@@ -41,7 +40,7 @@ std::string reason_of(const std::string& pass, const RunConfig& config,
 }
 
 // Effects that changed nothing: without a pass, or with passes that never acted.
-std::string idle_text(const RunOutcome& outcome, const std::vector<EffectSettings>& effects) {
+std::string idle_text(const RunOutcome& outcome, const std::vector<Effect>& effects) {
   std::string text;
   for (std::size_t index = 0; index < effects.size(); ++index) {
     std::uint64_t acted = 0;
@@ -49,7 +48,7 @@ std::string idle_text(const RunOutcome& outcome, const std::vector<EffectSetting
     for (const PassTime& pass : outcome.passes)
       if (belongs(pass.name, pass_name(effects, index))) has_pass = true, acted += pass.acted;
     if (acted > 0) continue;
-    text += fmt::format("  /effects/{} {}: {}\n", index, effects[index].type,
+    text += fmt::format("  /effects/{} {}: {}\n", index, effects[index].name(),
                         has_pass ? "ran and changed nothing" : "has no pass in this scene");
   }
   return text.empty() ? "every listed effect did something in this run\n"
@@ -60,7 +59,7 @@ std::string idle_text(const RunOutcome& outcome, const std::vector<EffectSetting
 
 std::string explain_text(const CampaignRun& run) {
   if (!run.outcome) return run_text(run) + ": no run to explain\n";
-  const std::vector<EffectSettings> effects = run.config->effects();
+  const std::vector<Effect>& effects = run.config->scene().effects;
   double all = 0;
   for (const PassTime& pass : run.outcome->passes) all += pass.seconds;
   Table table({"pass", "why it is there", "calls", "changed", "ms", "share"});

@@ -3,11 +3,11 @@
 #include <fmt/ranges.h>
 
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/json_text.hpp"
 #include "experiments/export/format.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"

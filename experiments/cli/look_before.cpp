@@ -6,11 +6,11 @@
 #include <chrono>
 #include <set>
 
+#include "bendlab/scene/counted.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/config/counted.hpp"
 #include "experiments/run/set_up.hpp"
 #include "experiments/terminal/printable.hpp"
 

@@ -32,7 +32,7 @@ double omega_of(const RestMesh& rest) {
 }
 
 Levels levels_of(const RestMesh& rest) {
-  return adaptive_levels(rest, ParameterValues(level_parameters));
+  return adaptive_levels(rest, LevelSettings{});
 }
 
 struct Count {

@@ -8,6 +8,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "bendlab/scene/nearest_name.hpp"
 #include "bendlab_places.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
@@ -15,8 +16,7 @@
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/config/nearest_name.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/terminal/printable.hpp"
 
 namespace bendlab {

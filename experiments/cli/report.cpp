@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bendlab/scene/counted.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/run_tables.hpp"
-#include "experiments/config/counted.hpp"
 #include "experiments/config/expectations.hpp"
 #include "experiments/terminal/table.hpp"
 

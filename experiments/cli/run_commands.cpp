@@ -8,6 +8,8 @@
 #include <unordered_map>
 
 #include "bendlab/io/claim.hpp"
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/plan_file.hpp"
 #include "experiments/campaign/run_index.hpp"
@@ -21,9 +23,7 @@
 #include "experiments/cli/look_before.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/cli/run_and_report.hpp"
-#include "experiments/config/counted.hpp"
 #include "experiments/config/in_parallel.hpp"
-#include "experiments/config/json_text.hpp"
 #include "experiments/run/checked_read.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/terminal/printable.hpp"

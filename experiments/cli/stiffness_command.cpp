@@ -6,11 +6,11 @@
 #include <numbers>
 #include <vector>
 
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/json_text.hpp"
 #include "experiments/measures/strip.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
@@ -64,7 +64,7 @@ std::int64_t frame_of(const RunRecord& record, std::int64_t asked) {
 
 RunConfig config_of(const RunRecord& record) {
   try {
-    return RunConfig(Json::parse(record.config));
+    return stored_run(Json::parse(record.config));
   } catch (const std::exception& error) {
     throw RunFileError(fmt::format("{}: its config can't be read: {}", record.file.string(), error.what()));
   }

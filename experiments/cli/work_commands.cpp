@@ -10,6 +10,8 @@
 #include <system_error>
 
 #include "bendlab/io/disk.hpp"
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/plan_file.hpp"
 #include "experiments/campaign/sweep_file.hpp"
@@ -17,8 +19,6 @@
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/json_text.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"

@@ -6,7 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
-#include "experiments/config/counted.hpp"
+#include "bendlab/scene/counted.hpp"
 
 namespace bendlab {
 namespace {

@@ -7,11 +7,12 @@
 #include <cmath>
 
 #include "bendlab/io/without_traps.hpp"
+#include "bendlab/scene/defaults.hpp"
+#include "bendlab/scene/fields_json.hpp"
+#include "bendlab/scene/nearest_name.hpp"
 #include "experiments/config/config_tables.hpp"
-#include "experiments/config/defaults.hpp"
-#include "experiments/config/nearest_name.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/config/resolve.hpp"
+#include "experiments/config/run_settings.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {
@@ -26,7 +27,7 @@ void check_where(const std::string& pointer, const Json& value, const std::strin
   Json with_value = settings;
   ConfigProblems found;
   if (!set_at(with_value, pointer, value)) return;
-  resolve(with_value, found);
+  read_run(with_value, found);
   for (const ConfigProblem& problem : found)
     if (lies_within(problem.pointer, pointer))
       problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
@@ -56,13 +57,9 @@ Expectation read_expectation(const Json& entry, const std::string& pointer, cons
   }
   constexpr std::array<std::string_view, 1> where = {"where"};
   const std::size_t before = problems.size();
-  const Json read = read_settings(entry, pointer, expectation_parameters(), where, problems);
+  read_fields(expectation_table(), &expectation, entry, pointer, where, problems);
   expectation.where = read_where(entry, pointer, settings, problems);
   if (problems.size() > before) return expectation;
-  expectation.metric = read["metric"];
-  expectation.why = read["why"];
-  if (read.contains("min")) expectation.minimum = read["min"].get<double>();
-  if (read.contains("max")) expectation.maximum = read["max"].get<double>();
   if (!expectation.minimum && !expectation.maximum)
     problems.push_back({pointer, "has no bound: give min, max or both"});
   if (expectation.minimum && expectation.maximum && *expectation.minimum > *expectation.maximum)
@@ -140,8 +137,8 @@ bool matches(const Expectation& expectation, const Experiment& experiment, const
     Json changed = config.resolved();
     changed["name"] = "any";
     ConfigProblems problems;
-    return set_at(changed, entry.key(), entry.value()) && resolve(changed, problems) == config.resolved() &&
-           problems.empty();
+    return set_at(changed, entry.key(), entry.value()) &&
+           to_json(read_run(changed, problems)) == config.resolved() && problems.empty();
   });
 }
 

@@ -5,24 +5,25 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/config/stiffness_settings.hpp"
 
 namespace bendlab {
 namespace {
 
 bool is_list_setting(const Json& document, const std::string& pointer) {
-  const Parameter* row = find_parameter(document, pointer);
+  const Field* row = find_setting(document, pointer);
   return pointer == "/effects" ||
-         (row != nullptr && (row->type == ParameterType::numbers || row->type == ParameterType::texts));
+         (row != nullptr && (row->type == FieldType::numbers || row->type == FieldType::integers ||
+                             row->type == FieldType::texts));
 }
 
 Json read_override_value(const Json& document, const std::string& pointer, const std::string& text) {
   ConfigProblems not_json;
   const std::optional<Json> value = read_strict_json(text, not_json);
   if (!not_json.empty()) return text;
-  const Parameter* row = find_parameter(document, pointer);
-  const bool is_text = row != nullptr && row->type == ParameterType::text;
+  const Field* row = find_setting(document, pointer);
+  const bool is_text = row != nullptr && row->type == FieldType::text;
   return is_text && (value->is_number() || value->is_boolean()) ? Json(text) : *value;
 }
 

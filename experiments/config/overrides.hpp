@@ -4,7 +4,7 @@
 #include <span>
 #include <string>
 
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

@@ -7,110 +7,64 @@
 #include <stdexcept>
 #include <variant>
 
-#include "bendlab/effects/effect.hpp"
-#include "experiments/config/config_tables.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/config/resolve.hpp"
+#include "bendlab/scene/pointers.hpp"
+#include "bendlab/scene/scene_tables.hpp"
 
 namespace bendlab {
-namespace {
 
-std::vector<EffectSettings> effects_of(const Json& resolved, const std::filesystem::path& folder) {
-  std::vector<EffectSettings> list;
-  const Json* const entries = value_at(resolved, "/effects");
-  if (entries == nullptr) return list;
-  for (const Json& entry : *entries) {
-    const std::string type = entry.value("type", "");
-    const Effect* const effect = find_effect(type);
-    if (effect == nullptr) throw std::invalid_argument(fmt::format("there is no effect '{}'", type));
-    ParameterValues values = values_of(entry, effect->parameters);
-    if (values.has("file")) values.set("file", (folder / values.text("file")).string());
-    list.push_back({type, std::move(values)});
-  }
-  return list;
-}
-
-}  // namespace
-
-struct RunConfig::Settings {
+struct RunConfig::Data {
   using Derived = std::variant<std::monostate, RunConfig, ConfigError>;
 
+  RunSettings settings;
   Json resolved = Json::object();
-  std::filesystem::path folder, mesh_file;
-  std::map<std::string_view, std::shared_ptr<const ParameterValues>> sections;
-  ParameterValues no_parameters;
-  std::vector<EffectSettings> effects;
 
   std::mutex mutex;  // guards what follows
   std::map<std::string, Derived> derived;
 };
 
-RunConfig::RunConfig() : settings_(std::make_shared<Settings>()) {}
+RunConfig::RunConfig() : data_(std::make_shared<Data>()) {}
 
-RunConfig::RunConfig(Json resolved, const std::filesystem::path& folder, const RunConfig* like)
-    : RunConfig() {
-  Settings& settings = *settings_;
-  settings.resolved = std::move(resolved);
-  settings.folder = folder;
-  for (const ConfigSection& section : config_sections()) {
-    const std::string pointer(section.pointer);
-    const Json* const values = value_at(settings.resolved, pointer);
-    if (values == nullptr) continue;
-    const Json* const alike = like != nullptr ? value_at(like->resolved(), pointer) : nullptr;
-    settings.sections[section.pointer] =
-        alike != nullptr && *alike == *values
-            ? like->settings_->sections.at(section.pointer)
-            : std::make_shared<const ParameterValues>(values_of(*values, section.parameters));
-  }
-  settings.effects = effects_of(settings.resolved, folder);
-  if (const Json* file = value_at(settings.resolved, "/mesh/file"))
-    settings.mesh_file = folder / file->get<std::string>();
+RunConfig::RunConfig(RunSettings settings, const std::filesystem::path& folder) : RunConfig() {
+  settings.scene.folder = folder;
+  data_->resolved = to_json(settings);
+  data_->settings = std::move(settings);
+}
+
+const RunSettings& RunConfig::settings() const {
+  return data_->settings;
 }
 
 const Json& RunConfig::resolved() const {
-  return settings_->resolved;
+  return data_->resolved;
 }
 
-const std::filesystem::path& RunConfig::folder() const {
-  return settings_->folder;
+std::filesystem::path RunConfig::mesh_file() const {
+  const std::optional<std::string>& file = scene().mesh.file;
+  return file ? folder() / *file : std::filesystem::path();
 }
 
-const std::filesystem::path& RunConfig::mesh_file() const {
-  return settings_->mesh_file;
-}
-
-const ParameterValues& RunConfig::section(std::string_view pointer) const {
-  const auto found = settings_->sections.find(pointer);
-  if (found == settings_->sections.end())
-    throw std::logic_error(fmt::format("a run's config has no section '{}'", pointer));
-  return *found->second;
-}
-
-const std::string& RunConfig::bending_model() const {
-  return section("/bending").text("model");
-}
-
-const ParameterValues& RunConfig::bending_parameters() const {
-  const auto found = settings_->sections.find("/bending/" + bending_model());
-  return found == settings_->sections.end() ? settings_->no_parameters : *found->second;
-}
-
-const std::vector<EffectSettings>& RunConfig::effects() const {
-  return settings_->effects;
+RunConfig stored_run(const Json& resolved, const std::filesystem::path& folder) {
+  Json settings = resolved;
+  settings["name"] = "stored";
+  ConfigProblems problems;
+  RunSettings run = read_run(settings, problems);
+  if (!problems.empty())
+    throw std::invalid_argument(fmt::format("{}: {}", problems.front().pointer, problems.front().message));
+  return RunConfig(std::move(run), folder);
 }
 
 std::optional<RunConfig> RunConfig::derived(const std::string& name,
                                             const std::function<std::optional<RunConfig>()>& make) const {
-  const std::lock_guard lock(settings_->mutex);
-  auto found = settings_->derived.find(name);
-  if (found == settings_->derived.end()) {
-    Settings::Derived made;
+  const std::lock_guard lock(data_->mutex);
+  auto found = data_->derived.find(name);
+  if (found == data_->derived.end()) {
+    Data::Derived made;
     try {
       if (std::optional<RunConfig> run = make()) made = *std::move(run);
     } catch (const ConfigError& error) {
       made = error;
     }
-    found = settings_->derived.emplace(name, std::move(made)).first;
+    found = data_->derived.emplace(name, std::move(made)).first;
   }
   if (const auto* error = std::get_if<ConfigError>(&found->second)) throw *error;
   const auto* run = std::get_if<RunConfig>(&found->second);
@@ -119,11 +73,17 @@ std::optional<RunConfig> RunConfig::derived(const std::string& name,
 
 std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {
   std::vector<std::pair<std::string, std::filesystem::path>> files;
-  if (!config.mesh_file().empty()) files.emplace_back("/mesh/file", config.mesh_file());
-  const std::vector<EffectSettings>& effects = config.effects();
-  for (std::size_t i = 0; i < effects.size(); ++i)
-    if (effects[i].values.has("file"))
-      files.emplace_back(fmt::format("/effects/{}/file", i), effects[i].values.text("file"));
+  const auto add = [&](const FieldTable& table, const void* owner, const std::string& pointer) {
+    for (const Field& field : table.fields)
+      if (field.names_file)
+        if (const Value file = field.of(owner); std::holds_alternative<std::string>(file))
+          files.emplace_back(child_pointer(pointer, field.name),
+                             config.folder() / std::get<std::string>(file));
+  };
+  const Scene& scene = config.scene();
+  for (const Part& part : scene_parts()) add(part.table, part.in(scene), std::string(part.pointer));
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    add(scene.effects[i].kind().settings, scene.effects[i].settings(), fmt::format("/effects/{}", i));
   return files;
 }
 

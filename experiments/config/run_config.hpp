@@ -10,16 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "bendlab/parameters/parameter.hpp"
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
+#include "experiments/config/run_settings.hpp"
 
 namespace bendlab {
-
-/// One effect the scene lists, with its settings.
-struct EffectSettings {
-  std::string type;
-  ParameterValues values;
-};
 
 /// One point of a sweep: every value there, only the chosen model's settings kept. The settings are read once
 /// and never change; copies share them.
@@ -27,22 +21,14 @@ class RunConfig {
  public:
   /// Without settings: a place for a run to be assigned to.
   RunConfig();
-  /// `resolved` is what resolve() returns if nothing is wrong. Files are relative to `folder`, the config's
-  /// folder; it is empty if the config came from text. Throws std::invalid_argument for a value that is
-  /// unknown, as it may be in a run file of another version. Sections that are equal to those of `like`, a
-  /// neighbour on a sweep, are shared with it.
-  explicit RunConfig(Json resolved, const std::filesystem::path& folder = {},
-                     const RunConfig* like = nullptr);
+  /// Files are relative to `folder`, the config's folder; it is empty if the config came from text.
+  explicit RunConfig(RunSettings settings, const std::filesystem::path& folder = {});
 
+  const RunSettings& settings() const;
+  const Scene& scene() const { return settings().scene; }
   const Json& resolved() const;  ///< canonical: equal runs have equal text; holds no name and no description
-  const std::filesystem::path& folder() const;
-  const std::filesystem::path& mesh_file() const;  ///< a path from here; empty: the mesh is generated
-
-  /// The settings of a fixed section ("" for the top level, "/mesh", "/solver", …).
-  const ParameterValues& section(std::string_view pointer) const;
-  const std::string& bending_model() const;
-  const ParameterValues& bending_parameters() const;   ///< of the chosen model
-  const std::vector<EffectSettings>& effects() const;  ///< a `file` as a path from here
+  const std::filesystem::path& folder() const { return scene().folder; }
+  std::filesystem::path mesh_file() const;  ///< a path from here; empty: the mesh is generated
 
   /// A run that follows from this one's settings: make() is called once for each `name`, copies included, and
   /// what it returned or threw (a ConfigError) is kept. Any thread may ask.
@@ -56,9 +42,13 @@ class RunConfig {
   std::string starts_at_end_of;
 
  private:
-  struct Settings;
-  std::shared_ptr<Settings> settings_;
+  struct Data;
+  std::shared_ptr<Data> data_;
 };
+
+/// The run of canonical settings, of a run file for example. Throws std::invalid_argument for a value that is
+/// unknown, as it may be in a run file of another version.
+RunConfig stored_run(const Json& resolved, const std::filesystem::path& folder = {});
 
 /// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects'
 /// files.

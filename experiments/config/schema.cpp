@@ -8,10 +8,10 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/scene/defaults.hpp"
+#include "bendlab/scene/fields_json.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
-#include "experiments/config/defaults.hpp"
-#include "experiments/config/resolve.hpp"
 
 namespace bendlab {
 namespace {
@@ -35,127 +35,131 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return result;
 }
 
-std::string default_text(const Parameter& row) {
-  if (row.required) return "required";
-  const Json value = json_of(default_of(row));
+std::string default_text(const SettingRow& row) {
+  if (row.field.required) return "required";
+  const Json value = json_of(row.usual);
   return value.is_null() ? "optional" : "default " + value.dump();
 }
 
-std::string unit_text(const Parameter& row) {
-  return row.unit.empty() || row.unit == "1" ? "" : fmt::format(" [{}]", row.unit);
+std::string unit_text(const SettingRow& row) {
+  return row.field.unit.empty() || row.field.unit == "1" ? "" : fmt::format(" [{}]", row.field.unit);
 }
 
 // Two lines per setting: name, unit, default and what is allowed; then the meaning.
-std::string rows_text(std::span<const Parameter> table) {
+std::string rows_text(const std::vector<SettingRow>& table) {
   std::string text;
-  for (const Parameter& row : table) {
-    text += wrapped(
-        fmt::format("{}{}: {}; {}", row.name, unit_text(row), default_text(row), expected_text(row)), 2);
-    text += wrapped(row.meaning, 6);
+  for (const SettingRow& row : table) {
+    text += wrapped(fmt::format("{}{}: {}; {}", row.field.name, unit_text(row), default_text(row),
+                                expected_text(row.field)),
+                    2);
+    text += wrapped(row.field.meaning, 6);
   }
   return text;
 }
 
-Json row_json(const Parameter& row) {
+Json row_json(const SettingRow& row) {
   Json json = Json::object();
-  json["name"] = row.name;
-  json["expected"] = expected_text(row);
-  if (!row.unit.empty()) json["unit"] = row.unit;
-  json["default"] = json_of(default_of(row));
-  json["required"] = row.required;
-  json["meaning"] = row.meaning;
+  json["name"] = row.field.name;
+  json["expected"] = expected_text(row.field);
+  if (!row.field.unit.empty()) json["unit"] = row.field.unit;
+  json["default"] = json_of(row.usual);
+  json["required"] = row.field.required;
+  json["meaning"] = row.field.meaning;
   return json;
 }
 
-Json rows_json(std::span<const Parameter> table) {
+Json rows_json(const std::vector<SettingRow>& table) {
   Json json = Json::array();
-  for (const Parameter& row : table) json.push_back(row_json(row));
+  for (const SettingRow& row : table) json.push_back(row_json(row));
   return json;
 }
 
-void add_range(Json& schema, const Parameter& row) {
-  if (std::isfinite(row.minimum)) schema[row.above ? "exclusiveMinimum" : "minimum"] = row.minimum;
-  if (std::isfinite(row.maximum)) schema["maximum"] = row.maximum;
+void add_range(Json& schema, const SettingRow& row) {
+  if (std::isfinite(row.field.minimum))
+    schema[row.field.above ? "exclusiveMinimum" : "minimum"] = row.field.minimum;
+  if (std::isfinite(row.field.maximum)) schema["maximum"] = row.field.maximum;
 }
 
 // Schema of one value of the setting, or of one entry where it is a list.
-Json entry_schema(const Parameter& row, const char* type) {
+Json entry_schema(const SettingRow& row, const char* type) {
   Json schema = Json::object();
   schema["type"] = type;
-  if (!row.choices.empty()) schema["enum"] = row.choices;
-  if (row.type == ParameterType::integer || row.type == ParameterType::number ||
-      row.type == ParameterType::numbers)
+  if (!row.field.choices.empty()) schema["enum"] = row.field.choices;
+  if (row.field.type != FieldType::boolean && row.field.type != FieldType::text &&
+      row.field.type != FieldType::texts)
     add_range(schema, row);
   return schema;
 }
 
-Json list_schema(const Parameter& row, const char* entry_type) {
+Json list_schema(const SettingRow& row, const char* entry_type) {
   Json schema = Json::object();
   schema["type"] = "array";
   schema["items"] = entry_schema(row, entry_type);
-  if (row.length != 0) {
-    schema["minItems"] = row.length;
-    schema["maxItems"] = row.length;
+  if (row.field.length != 0) {
+    schema["minItems"] = row.field.length;
+    schema["maxItems"] = row.field.length;
   }
   return schema;
 }
 
-Json value_schema(const Parameter& row) {
-  switch (row.type) {
-    case ParameterType::boolean:
+Json value_schema(const SettingRow& row) {
+  switch (row.field.type) {
+    case FieldType::boolean:
       return entry_schema(row, "boolean");
-    case ParameterType::integer:
+    case FieldType::integer:
       return entry_schema(row, "integer");
-    case ParameterType::number:
+    case FieldType::number:
       return entry_schema(row, "number");
-    case ParameterType::text:
+    case FieldType::text:
       return entry_schema(row, "string");
-    case ParameterType::numbers:
+    case FieldType::integers:
+      return list_schema(row, "integer");
+    case FieldType::numbers:
       return list_schema(row, "number");
-    case ParameterType::texts:
+    case FieldType::texts:
       return list_schema(row, "string");
   }
   throw std::logic_error("value_schema: unknown type");
 }
 
-Json setting_schema(const Parameter& row) {
+Json setting_schema(const SettingRow& row) {
   Json schema = value_schema(row);
-  const Json default_value = json_of(default_of(row));
+  const Json default_value = json_of(row.usual);
   if (!default_value.is_null()) schema["default"] = default_value;
-  if (default_value.is_null() && !row.required) {
+  if (row.field.optional) {
     schema["type"] = Json::array({schema["type"], "null"});
     if (schema.contains("enum")) schema["enum"].push_back(nullptr);
   }
-  schema["description"] = row.meaning;
-  if (!row.unit.empty()) schema["x-unit"] = row.unit;
+  schema["description"] = row.field.meaning;
+  if (!row.field.unit.empty()) schema["x-unit"] = row.field.unit;
   return schema;
 }
 
-Json object_schema(std::string_view meaning, std::span<const Parameter> table) {
+Json object_schema(std::string_view meaning, const std::vector<SettingRow>& table) {
   Json schema = Json::object();
   schema["type"] = "object";
   schema["description"] = meaning;
   schema["additionalProperties"] = false;
   schema["properties"] = Json::object();
   Json required = Json::array();
-  for (const Parameter& row : table) {
-    schema["properties"][std::string(row.name)] = setting_schema(row);
-    if (row.required) required.push_back(row.name);
+  for (const SettingRow& row : table) {
+    schema["properties"][std::string(row.field.name)] = setting_schema(row);
+    if (row.field.required) required.push_back(row.field.name);
   }
   if (!required.empty()) schema["required"] = required;
   return schema;
 }
 
-Json section_schema(const ConfigSection& section) {
-  Json schema = object_schema(section.meaning, section.parameters);
-  for (const ConfigSection* child : child_sections(section.pointer))
+Json section_schema(const Section& section) {
+  Json schema = object_schema(section.meaning, section.rows);
+  for (const Section* child : child_sections(section.pointer))
     schema["properties"][std::string(section_key(*child))] = section_schema(*child);
   return schema;
 }
 
-Json effect_schema(const Effect& effect) {
-  Json schema = object_schema(effect.summary, effect.parameters);
-  const std::string key(effect_type_parameter().name);
+Json effect_schema(const EffectKind& effect) {
+  Json schema = object_schema(effect.summary, rows_of(effect.settings));
+  const std::string key(effect_type_row().field.name);
   schema["properties"][key]["const"] = effect.name;
   schema["required"].push_back(key);
   return schema;
@@ -163,7 +167,7 @@ Json effect_schema(const Effect& effect) {
 
 Json effects_schema() {
   Json kinds = Json::array();
-  for (const Effect* effect : effects()) kinds.push_back(effect_schema(*effect));
+  for (const EffectKind* effect : effects()) kinds.push_back(effect_schema(*effect));
   Json schema = Json::object();
   schema["type"] = "array";
   schema["items"]["oneOf"] = std::move(kinds);
@@ -189,15 +193,15 @@ Json because_schema() {
 }
 
 Json cover_schema() {
-  Json strength = value_schema(cover_parameters()[0]);
+  Json strength = value_schema(rows_of(cover_table()).front());
   Json schema = Json::object();
   schema["oneOf"] =
-      Json::array({std::move(strength), object_schema("Strength and seed", cover_parameters())});
+      Json::array({std::move(strength), object_schema("Strength and seed", rows_of(cover_table()))});
   return schema;
 }
 
 Json expect_schema() {
-  Json entry = object_schema("One bound; min, max or both", expectation_parameters());
+  Json entry = object_schema("One bound; min, max or both", rows_of(expectation_table()));
   entry["properties"]["where"]["type"] = "object";
   entry["properties"]["where"]["description"] = expectation_where_meaning();
   Json schema = Json::object();
@@ -216,7 +220,7 @@ Json list_schema(std::string_view name) {
 // Name, then labelled lines; empty ones are left out.
 std::string entry_text(std::string_view name, std::string_view summary, std::string_view source,
                        std::string_view limits, std::string_view compliance,
-                       std::span<const Parameter> parameters) {
+                       const std::vector<SettingRow>& parameters) {
   std::string text = fmt::format("{}\n{}", name, wrapped(summary, 2));
   if (!source.empty()) text += wrapped(fmt::format("Source: {}", source), 2);
   if (!limits.empty()) text += wrapped(fmt::format("Limits: {}", limits), 2);
@@ -230,19 +234,19 @@ std::string schema_text() {
   std::string text =
       "A config is one JSON object, in SI units. A setting's pointer is that of its section and its name: "
       "/mesh/cells.\nAn optional setting may also be null, which means the same as leaving it out.\n";
-  for (const ConfigSection& section : config_sections())
+  for (const Section& section : config_sections())
     text += fmt::format("\n{}\n{}{}", section.pointer.empty() ? "(top level)" : section.pointer,
-                        wrapped(section.meaning, 2), rows_text(section.parameters));
+                        wrapped(section.meaning, 2), rows_text(section.rows));
   for (const ConfigList& list : config_lists()) {
     text += fmt::format("\n/{}\n{}", list.name, wrapped(list.meaning, 2));
-    if (list.name == "cover") text += rows_text(cover_parameters());
+    if (list.name == "cover") text += rows_text(rows_of(cover_table()));
     if (list.name == "expect")
-      text += rows_text(expectation_parameters()) + wrapped("where: optional; an object", 2) +
+      text += rows_text(rows_of(expectation_table())) + wrapped("where: optional; an object", 2) +
               wrapped(expectation_where_meaning(), 6);
   }
-  for (const Effect* effect : effects())
+  for (const EffectKind* effect : effects())
     text += fmt::format("\nan entry of /effects with \"type\": \"{}\"\n{}{}", effect->name,
-                        wrapped(effect->summary, 2), rows_text(effect->parameters));
+                        wrapped(effect->summary, 2), rows_text(rows_of(effect->settings)));
   return text;
 }
 
@@ -264,21 +268,21 @@ Json schema_json() {
 
 std::string models_text() {
   std::string text;
-  for (const BendingModel* model : bending_models())
+  for (const BendingKind* model : bending_models())
     text += (text.empty() ? "" : "\n") + entry_text(model->name, model->summary, model->source, model->limits,
-                                                    model->compliance, model->parameters);
+                                                    model->compliance, rows_of(model->settings));
   return text;
 }
 
 Json model_labels_json() {
   Json labels = Json::object();
-  for (const BendingModel* model : bending_models()) labels[std::string(model->name)] = model->label;
+  for (const BendingKind* model : bending_models()) labels[std::string(model->name)] = model->label;
   return labels;
 }
 
 Json models_json() {
   Json json = Json::array();
-  for (const BendingModel* model : bending_models()) {
+  for (const BendingKind* model : bending_models()) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = model->name;
     entry["label"] = model->label;
@@ -286,41 +290,37 @@ Json models_json() {
     entry["source"] = model->source;
     entry["limits"] = model->limits;
     entry["compliance"] = model->compliance;
-    entry["parameters"] = rows_json(model->parameters);
+    entry["parameters"] = rows_json(rows_of(model->settings));
   }
   return json;
 }
 
 namespace {
 
-// The shared settings of /solver that it reads.
-std::vector<std::string_view> shared_settings(const Method& method) {
-  std::vector<std::string_view> shared;
-  for (const std::string_view name : names_of(find_section("/solver")->parameters))
-    if (method.reads(name) &&
-        std::ranges::find(method.parameters, name, &Parameter::name) == method.parameters.end())
-      shared.push_back(name);
+// The shared settings of /solver that it reads, and its own defaults for them.
+std::vector<std::pair<std::string_view, int>> shared_settings(const MethodKind& method) {
+  std::vector<std::pair<std::string_view, int>> shared = {{"dt", 0}};
+  if (method.default_substeps > 0) shared.emplace_back("substeps", method.default_substeps);
+  if (method.default_iterations > 0) shared.emplace_back("iterations", method.default_iterations);
+  if (method.make_float != nullptr) shared.emplace_back("precision", 0);
+  shared.emplace_back("threads", 0);
   return shared;
 }
 
-// "dt, substeps (default 1), …": the defaults that are the method's own.
-std::string shared_text(const Method& method) {
+// "dt, substeps (default 1), …"
+std::string shared_text(const MethodKind& method) {
   std::string text;
-  for (const std::string_view name : shared_settings(method)) {
-    const int own = name == "substeps"     ? method.default_substeps
-                    : name == "iterations" ? method.default_iterations
-                                           : 0;
+  for (const auto& [name, usual] : shared_settings(method))
     text += fmt::format("{}{}{}", text.empty() ? "" : ", ", name,
-                        own > 0 ? fmt::format(" (default {})", own) : "");
-  }
+                        usual > 0 ? fmt::format(" (default {})", usual) : "");
   return text;
 }
 
 // What the method does with each effect that acts among projections.
-std::string taken_effects(const Method& method) {
+std::string taken_effects(const MethodKind& method) {
   std::vector<std::string_view> refused, idle;
-  for (const Effect* effect : effects())
-    if (!method.takes_effect(effect->name, effect->needs_projection))
+  for (const EffectKind* effect : effects())
+    if (!method.takes_effect(effect->needs_projection, effect->acts_in_iterations))
       (effect->helps_projection ? idle : refused).push_back(effect->name);
   if (refused.empty() && idle.empty()) return "Takes every effect";
   return fmt::format("Refuses the effects {}{}", fmt::join(refused, ", "),
@@ -331,51 +331,51 @@ std::string taken_effects(const Method& method) {
 
 std::string methods_text() {
   std::string text;
-  for (const Method* method : methods())
-    text +=
-        (text.empty() ? "" : "\n") +
-        entry_text(method->name, method->summary, method->source, method->limits, "", method->parameters) +
-        wrapped(fmt::format("Also reads from /solver: {}", shared_text(*method)), 2) +
-        wrapped(taken_effects(*method), 2);
+  for (const MethodKind* method : methods())
+    text += (text.empty() ? "" : "\n") +
+            entry_text(method->name, method->summary, method->source, method->limits, "",
+                       rows_of(method->settings)) +
+            wrapped(fmt::format("Also reads from /solver: {}", shared_text(*method)), 2) +
+            wrapped(taken_effects(*method), 2);
   return text;
 }
 
 Json methods_json() {
   Json json = Json::array();
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = method->name;
     entry["summary"] = method->summary;
     entry["source"] = method->source;
     entry["limits"] = method->limits;
-    entry["shared"] = shared_settings(*method);
+    for (const auto& [name, usual] : shared_settings(*method)) entry["shared"].push_back(name);
     Json& taken = entry["effects"] = Json::object();
-    for (const Effect* effect : effects())
-      taken[std::string(effect->name)] = method->takes_effect(effect->name, effect->needs_projection)
-                                             ? "takes"
-                                         : effect->helps_projection ? "nothing to do"
-                                                                    : "refuses";
-    entry["parameters"] = rows_json(method->parameters);
+    for (const EffectKind* effect : effects())
+      taken[std::string(effect->name)] =
+          method->takes_effect(effect->needs_projection, effect->acts_in_iterations) ? "takes"
+          : effect->helps_projection                                                 ? "nothing to do"
+                                                                                     : "refuses";
+    entry["parameters"] = rows_json(rows_of(method->settings));
   }
   return json;
 }
 
 std::string effects_text() {
   std::string text;
-  for (const Effect* effect : effects())
+  for (const EffectKind* effect : effects())
     text += (text.empty() ? "" : "\n") +
-            entry_text(effect->name, effect->summary, effect->source, "", "", effect->parameters);
+            entry_text(effect->name, effect->summary, effect->source, "", "", rows_of(effect->settings));
   return text;
 }
 
 Json effects_json() {
   Json json = Json::array();
-  for (const Effect* effect : effects()) {
+  for (const EffectKind* effect : effects()) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = effect->name;
     entry["summary"] = effect->summary;
     entry["source"] = effect->source;
-    entry["parameters"] = rows_json(effect->parameters);
+    entry["parameters"] = rows_json(rows_of(effect->settings));
   }
   return json;
 }

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

@@ -8,10 +8,10 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "bendlab/scene/fields_json.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/in_parallel.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/config/resolve.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {
@@ -20,7 +20,7 @@ constexpr std::size_t most_points = 10000;  // a slip in a list should be an err
 
 // 16 and 16.0 are the same value of a setting.
 Json normalised(const Json& settings, const std::string& pointer, const Json& value) {
-  const Parameter* row = find_parameter(settings, pointer);
+  const Field* row = find_setting(settings, pointer);
   if (row == nullptr) return value;
   ConfigProblems problems;  // reported when the value is checked in its place
   const std::optional<Value> read = read_value(*row, value, pointer, problems);
@@ -29,7 +29,7 @@ Json normalised(const Json& settings, const std::string& pointer, const Json& va
 
 // What is swept: the list as it stands, or for "all" every choice of the setting.
 Json listed(const Json& settings, const std::string& pointer, const Json& values) {
-  const Parameter* row = values == "all" ? find_parameter(settings, pointer) : nullptr;
+  const Field* row = values == "all" ? find_setting(settings, pointer) : nullptr;
   if (row == nullptr || row->choices.empty()) return values;
   Json all = Json::array();
   for (const std::string_view choice : row->choices) all.push_back(choice);
@@ -49,7 +49,7 @@ void check_value(const Json& settings, const Axis& axis, std::size_t index, cons
   if (!set_at(with_value, pointer, values[index]))
     return;  // the settings are wrong there, which is a problem already
   ConfigProblems found;
-  resolve(with_value, found);
+  read_run(with_value, found);
   for (const ConfigProblem& problem : found) {
     if (lies_within(problem.pointer, pointer))
       problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
@@ -89,19 +89,19 @@ std::string point_text(const std::vector<Axis>& axes, const std::vector<std::siz
 // The run at one combination, which shares what it can with the run `like`; its problems are those of values
 // that do not go together.
 RunConfig make_run(Json settings, const std::filesystem::path& folder, const std::vector<Axis>& axes,
-                   const std::vector<std::size_t>& indices, const RunConfig* like, ConfigProblems& problems) {
+                   const std::vector<std::size_t>& indices, ConfigProblems& problems) {
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (!set_at(settings, axes[a].first, axes[a].second[indices[a]]))
       problems.push_back(
           {axis_pointer(axes[a].first), "there is no such place at " + point_text(axes, indices)});
   ConfigProblems found;
-  Json resolved = resolve(settings, found);
+  RunSettings read = read_run(settings, found);
   for (const ConfigProblem& problem : found)
     problems.push_back({problem.pointer, axes.empty() ? problem.message
                                                       : fmt::format("{} (at {})", problem.message,
                                                                     point_text(axes, indices))});
   if (!problems.empty()) return {};
-  RunConfig run(std::move(resolved), folder, like);
+  RunConfig run(std::move(read), folder);
   for (std::size_t a = 0; a < axes.size(); ++a)
     if (depends_on(run.resolved(), axes[a].first))
       run.point.emplace_back(axes[a].first, axes[a].second[indices[a]]);
@@ -170,7 +170,7 @@ void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigPro
   if (values > most_points) return;  // a problem already
   const Json base = with_first_values(settings, axes);
   ConfigProblems known;
-  resolve(base, known);
+  read_run(base, known);
   for (const Axis& axis : axes)
     for (std::size_t i = 0; i < axis.second.size(); ++i) check_value(base, axis, i, known, problems);
 }
@@ -184,12 +184,10 @@ std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
     return std::nullopt;
   }
   ConfigProblems found;
-  const ParameterValues values =
-      values_of(read_settings(given, "/cover", cover_parameters(), {}, found), cover_parameters());
+  Cover read;
+  read_fields(cover_table(), &read, given, "/cover", {}, found);
   problems.insert(problems.end(), found.begin(), found.end());
-  if (!found.empty()) return std::nullopt;
-  return Cover{.strength = static_cast<int>(values.integer("strength")),
-               .seed = static_cast<std::uint64_t>(values.integer("seed"))};
+  return found.empty() ? std::optional(read) : std::nullopt;
 }
 
 Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {
@@ -210,11 +208,9 @@ std::vector<RunConfig> expand_sweep(const Json& settings, const std::filesystem:
   std::vector<std::size_t> indices(axes.size(), 0);
   do points.push_back({indices, {}, {}});
   while (advance(indices, axes));
-  const auto make = [&](Point& point, const RunConfig* like) {
-    point.run = make_run(settings, folder, axes, point.indices, like, point.problems);
-  };
-  make(points.front(), nullptr);
-  in_parallel(points.size() - 1, 200, [&](std::size_t i) { make(points[i + 1], &points.front().run); });
+  in_parallel(points.size(), 200, [&](std::size_t i) {
+    points[i].run = make_run(settings, folder, axes, points[i].indices, points[i].problems);
+  });
   std::vector<RunConfig> runs;
   for (Point& point : points) {
     problems.insert(problems.end(), point.problems.begin(), point.problems.end());
@@ -233,7 +229,7 @@ std::vector<RunConfig> expand_cover(const Json& settings, const std::filesystem:
   std::vector<RunConfig> allowed_runs;
   const auto allowed = [&](const CoverRow& row) {
     ConfigProblems found;
-    RunConfig run = make_run(settings, folder, axes, row, nullptr, found);
+    RunConfig run = make_run(settings, folder, axes, row, found);
     if (found.empty()) allowed_runs.push_back(std::move(run));
     for (std::size_t a = 0; a < axes.size() && !found.empty(); ++a) why[{{a, row[a]}}] = found.front();
     return found.empty();

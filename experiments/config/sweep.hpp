@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "experiments/config/config.hpp"
 #include "experiments/config/cover.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 

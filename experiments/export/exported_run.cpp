@@ -12,12 +12,12 @@
 #include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/single_precision.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/gravity.hpp"
 #include "experiments/campaign/errors.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/pointers.hpp"
 #include "experiments/config/run_config.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/export/obstacle_surfaces.hpp"
-#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -99,7 +99,7 @@ TextureCoordinates texture_in_file(const RunConfig& config, const std::vector<In
                                    const Triangles& triangles) {
   const auto file = std::ranges::find(inputs, "/mesh/file", &InputFile::pointer);
   if (file == inputs.end()) return {};
-  const auto policy = named<BadTriangles>(config.section("/mesh").text("bad_triangles"), bad_triangles_names);
+  const auto policy = config.scene().mesh.bad_triangles;
   TriangleMesh mesh = accept(parse_polygon_soup(file->name, file->bytes), policy).mesh;
   if (mesh.triangles.rows() != triangles.rows() || mesh.triangles != triangles) return {};
   return std::move(mesh.texture_coordinates);
@@ -122,16 +122,16 @@ void take_flat_coordinates(Surface& cloth) {
 
 // What only the settings tell: texture, obstacles, the direction of gravity.
 void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>& gravity_up) try {
-  const RunConfig config(json);
+  const RunConfig config = stored_run(json);
   const std::vector<InputFile> inputs = read_inputs(run.record.file);
-  const Vector3 down = direction_of_gravity(config.effects());
+  const Vector3 down = direction_of_gravity(config.scene().effects);
   gravity_up = -down.y() > std::abs(down.z()) ? UpAxis::y : UpAxis::z;
   Surface& cloth = run.surfaces.front();
   const TextureCoordinates texture = texture_in_file(config, inputs, cloth.triangles);
   if (texture.rows() == 3 * cloth.triangles.rows()) take_texture(cloth, texture);
   const Vector3 low = cloth.positions.colwise().minCoeff(), high = cloth.positions.colwise().maxCoeff();
   for (Surface& obstacle :
-       obstacle_surfaces(config.effects(), inputs, (low + high) / 2, (high - low).norm(), run.notes))
+       obstacle_surfaces(config.scene().effects, inputs, (low + high) / 2, (high - low).norm(), run.notes))
     run.surfaces.push_back(std::move(obstacle));
 } catch (const RunFileError&) {
   throw;

@@ -14,7 +14,7 @@ namespace bendlab {
 /// lie on their surface. A plane is a square of 4 `size` below or beside `centre`, those of the cloth's rest
 /// box. Mesh obstacles are read from `inputs`, the files in the run file. A spin is not there: it turns a
 /// round shape into itself. `notes` receives why an obstacle is left out.
-std::vector<Surface> obstacle_surfaces(const std::vector<EffectSettings>& effects,
+std::vector<Surface> obstacle_surfaces(const std::vector<Effect>& effects,
                                        const std::vector<InputFile>& inputs, const Vector3& centre,
                                        double size, std::vector<std::string>& notes);
 

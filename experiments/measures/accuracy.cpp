@@ -5,16 +5,17 @@
 #include <optional>
 
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/energy.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/strip_doubts.hpp"
 #include "experiments/measures/trajectory.hpp"
-#include "experiments/scene/energy.hpp"
 
 namespace bendlab {
 namespace {
 
 // The middle of the places that the scene pins, or of the rest box.
-Vector3 middle_of_pins(const Scene& scene) {
+Vector3 middle_of_pins(const BuiltScene& scene) {
   if (scene.pins.seeds.empty()) return scene.rest.centre();
   Vector3 sum = Vector3::Zero();
   for (const int seed : scene.pins.seeds) sum += scene.input.positions.row(seed).transpose();
@@ -23,16 +24,16 @@ Vector3 middle_of_pins(const Scene& scene) {
 
 // With over_time it has all frames, and the energies of its own scene.
 Trajectory trajectory_of(const RunConfig& config, const std::filesystem::path& file, bool over_time) {
-  return over_time ? read_motion(file, build_scene(config)) : read_last_pose(file);
+  return over_time ? read_motion(file, build_scene(config.scene())) : read_last_pose(file);
 }
 
-class Accuracy final : public Measurement {
+class Errors final : public Measurement {
  public:
-  Accuracy(const RunConfig& config, const Scene& scene)
+  Errors(const RunConfig& config, const BuiltScene& scene)
       : config_(config),
         scene_(scene),
-        settings_(config.section("/accuracy")),
-        over_time_(settings_.boolean("over_time")) {}
+        settings_(config.settings().accuracy),
+        over_time_(settings_.over_time) {}
 
   void complete(const MeasuredFrame& frame, std::span<double>, std::span<std::vector<float>>) override {
     if (!over_time_) return;
@@ -75,7 +76,7 @@ class Accuracy final : public Measurement {
   }
 
   Comparing comparing(Against against) const {
-    return {.align = named<AlignBy>(settings_.text("align"), align_by_names),
+    return {.align = settings_.align,
             .centre = middle_of_pins(scene_),
             .down = scene_.down,
             .over_time = over_time_,
@@ -93,7 +94,7 @@ class Accuracy final : public Measurement {
     try {
       std::optional<RunConfig> config = reference_of(config_, against, coarser);
       if (!config) return std::nullopt;
-      const bool starts_here = settings_.boolean("start_from_end");
+      const bool starts_here = settings_.start_from_end;
       if (starts_here) config->starts_at_end_of = end.id;
       const StartingPose start{scene_.rest, last};
       const OtherRun other = end.other_run(*config, starts_here ? &start : nullptr);
@@ -125,8 +126,8 @@ class Accuracy final : public Measurement {
   }
 
   const RunConfig& config_;
-  const Scene& scene_;
-  ParameterValues settings_;
+  const BuiltScene& scene_;
+  const Accuracy& settings_;
   bool over_time_;
   std::vector<double> time_, kinetic_energy_;  // of each recorded frame, with over_time only
   std::vector<Positions> poses_;               // the same
@@ -170,16 +171,13 @@ extern const Measure accuracy{
     .name = "accuracy",
     .summary = "errors against references, which are other runs: of the solver, and against the stated cloth",
     .cost = "the references, computed once for all runs that share them; over time, memory for every pose",
-    .applies =
-        [](const RunConfig& config, const Scene&) {
-          const ParameterValues settings = config.section("/accuracy");
-          return settings.has("solver") || settings.has("physical");
-        },
+    .applies = [](const RunConfig& config,
+                  const BuiltScene&) { return config.settings().accuracy.compares(); },
     .when = "if /accuracy names a reference",
     .gives = accuracy_quantities,
     .makes_runs = true,
-    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Accuracy>(config, scene);
+    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Errors>(config, scene);
     }};
 }  // namespace measure
 }  // namespace bendlab

@@ -7,7 +7,7 @@ namespace {
 
 class Draping final : public Measurement {
  public:
-  explicit Draping(const Scene& scene) : scene_(scene) {}
+  explicit Draping(const BuiltScene& scene) : scene_(scene) {}
 
   void finish(const RunEnd& end, Findings& findings) override {
     if (end.status == RunStatus::diverged) return;
@@ -17,7 +17,7 @@ class Draping final : public Measurement {
   }
 
  private:
-  const Scene& scene_;
+  const BuiltScene& scene_;
 };
 
 }  // namespace
@@ -31,7 +31,7 @@ extern const Measure drape{
       return {{"drape_coefficient", "1", "(shadow - table) / (specimen - table), areas: 1 for a stiff board"},
               {"drape_folds", "1", "number of folds around the table"}};
     },
-    .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
+    .begin = [](const RunConfig&, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
       try {
         drape_of(scene.rest, scene.pins, scene.rest.positions(), scene.down);
       } catch (const std::invalid_argument& error) {

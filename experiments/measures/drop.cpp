@@ -8,7 +8,7 @@ namespace bendlab {
 namespace {
 
 // Coordinate along `down` of the highest pin; without pins, of the lowest vertex at the start.
-double highest_level(const Scene& scene) {
+double highest_level(const BuiltScene& scene) {
   const Positions& start = scene.input.positions;
   double highest = std::numeric_limits<double>::infinity();  // along `down`: the smallest
   for (const int seed : scene.pins.seeds) highest = std::min(highest, start.row(seed).dot(scene.down));
@@ -17,7 +17,7 @@ double highest_level(const Scene& scene) {
 
 class Drop final : public Measurement {
  public:
-  explicit Drop(const Scene& scene) : down_(scene.down), level_(highest_level(scene)) {}
+  explicit Drop(const BuiltScene& scene) : down_(scene.down), level_(highest_level(scene)) {}
 
   void complete(const MeasuredFrame& frame, std::span<double> values,
                 std::span<std::vector<float>>) override {
@@ -53,7 +53,7 @@ extern const Measure drop{
       return {{"drop", "m", "median over the last second; with equilibrium, of its last step"},
               {"drop_last", "m", "of the last frame"}};
     },
-    .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
+    .begin = [](const RunConfig&, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
       return std::make_unique<Drop>(scene);
     }};
 }  // namespace measure

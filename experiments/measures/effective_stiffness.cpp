@@ -131,8 +131,8 @@ extern const Measure effective_stiffness{
                "if that is below 0.5: about how many substeps, each of as many iterations, would give 0.9"},
               {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
     },
-    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Meter>(config.section("").number("duration"), scene.input.settings.substeps);
+    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Meter>(config.scene().duration, scene.input.settings.substeps);
     }};
 }  // namespace measure
 }  // namespace bendlab

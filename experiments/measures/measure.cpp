@@ -9,7 +9,7 @@
 #include <set>
 #include <stdexcept>
 
-#include "bendlab/parameters/registry.hpp"
+#include "bendlab/parameters/family.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/measures/metrics.hpp"
 
@@ -40,8 +40,8 @@ constexpr std::array listed = {
 #undef BENDLAB_MEASURE_ON_REQUEST
 };
 
-Registry<const Measure*>& registry() {
-  static Registry<const Measure*> all("measure", listed);
+Registry<Measure>& registry() {
+  static Registry<Measure> all("measure", listed);
   return all;
 }
 
@@ -107,7 +107,7 @@ double FrameHistory::median(std::string_view column, std::size_t first) const {
 }
 
 std::span<const Measure* const> measures() {
-  return registry().rows();
+  return registry().all();
 }
 
 void register_measure(const Measure& measure) {
@@ -116,7 +116,7 @@ void register_measure(const Measure& measure) {
         fmt::format("the measure '{}' cannot be registered: it has no begin()", measure.name));
   check_names(measure, &Measure::columns), check_names(measure, &Measure::fields);
   check_names(measure, &Measure::gives);
-  registry().add(&measure);
+  registry().add(measure);
   if (measure.applies == nullptr) add_measure_on_request(measure.name);
 }
 
@@ -124,13 +124,13 @@ std::span<const Measure* const> added_measures() {
   return registry().added();
 }
 
-bool applies(const Measure& measure, const RunConfig& config, const Scene& scene) {
+bool applies(const Measure& measure, const RunConfig& config, const BuiltScene& scene) {
   if (measure.applies) return measure.applies(config, scene);
-  const std::vector<std::string> asked = config.section("/output").texts("measures");
+  const std::vector<std::string> asked = config.settings().output.measures;
   return std::ranges::find(asked, measure.name) != asked.end();
 }
 
-bool always(const RunConfig&, const Scene&) {
+bool always(const RunConfig&, const BuiltScene&) {
   return true;
 }
 

@@ -15,8 +15,9 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/stretch.hpp"
-#include "experiments/scene/scene.hpp"
-#include "experiments/scene/start_after.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/start_after.hpp"
+#include "experiments/config/run_config.hpp"
 
 namespace bendlab {
 
@@ -133,7 +134,7 @@ struct Measure {
   std::string_view summary;  ///< a line: what it finds out
   std::string_view cost;     ///< a line: what that takes
   /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
-  bool (*applies)(const RunConfig&, const Scene&) = nullptr;
+  bool (*applies)(const RunConfig&, const BuiltScene&) = nullptr;
   std::string_view when = "where it applies";  ///< a few words, unless that is always or on request
   std::vector<Column> (*columns)() = nullptr;  ///< of every frame: names, units, meanings
   std::vector<Column> (*fields)() = nullptr;   ///< of every triangle of every frame
@@ -141,7 +142,7 @@ struct Measure {
   /// It makes other runs, whose time is not this run's.
   bool makes_runs = false;
   /// Config and scene outlive the measurement. Throws ConfigError if the scene cannot be measured like this.
-  std::unique_ptr<Measurement> (*begin)(const RunConfig&, const Scene&) = nullptr;
+  std::unique_ptr<Measurement> (*begin)(const RunConfig&, const BuiltScene&) = nullptr;
 };
 
 /// All, in the order of measures.def; then those that the program added.
@@ -157,9 +158,9 @@ void register_measure(const Measure&&) = delete;
 std::span<const Measure* const> added_measures();
 
 /// Whether a run of `config` on `scene` has the measure.
-bool applies(const Measure& measure, const RunConfig& config, const Scene& scene);
+bool applies(const Measure& measure, const RunConfig& config, const BuiltScene& scene);
 
 /// `applies` of a measure that every run has.
-bool always(const RunConfig&, const Scene&);
+bool always(const RunConfig&, const BuiltScene&);
 
 }  // namespace bendlab

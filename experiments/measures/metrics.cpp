@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "experiments/config/nearest_name.hpp"
+#include "bendlab/scene/nearest_name.hpp"
 #include "experiments/measures/measure.hpp"
 
 namespace bendlab {
@@ -46,7 +46,7 @@ std::vector<std::string> known_metrics() {
 }
 
 bool asked_for(const Measure& measure, const RunConfig& run) {
-  const std::vector<std::string> asked = run.section("/output").texts("measures");
+  const std::vector<std::string> asked = run.settings().output.measures;
   return std::ranges::find(asked, measure.name) != asked.end();
 }
 

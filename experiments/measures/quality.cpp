@@ -49,12 +49,12 @@ std::vector<Column> columns() {
 
 class Quality final : public Measurement {
  public:
-  explicit Quality(const Scene& scene) : scene_(scene) {}
+  Quality(const RunConfig& config, const BuiltScene& scene)
+      : scene_(scene), thresholds_(config.settings().quality) {}
 
   void complete(const MeasuredFrame& frame, std::span<double> values,
                 std::span<std::vector<float>>) override {
-    const MeshQuality quality =
-        measure_quality(frame.positions(), scene_.rest.triangles(), scene_.thresholds);
+    const MeshQuality quality = measure_quality(frame.positions(), scene_.rest.triangles(), thresholds_);
     std::size_t next = 0;
     for (const int count : {quality.degenerate_triangles, quality.needles, quality.caps, quality.collinear,
                             quality.small_angles})
@@ -69,8 +69,7 @@ class Quality final : public Measurement {
     findings.summary["degenerate_triangles"] = end.frames.last("degenerate_triangles");
     findings.summary["degenerate_triangles_median"] = end.frames.last_second_median("degenerate_triangles");
     findings.summary["degenerate_triangles_worst"] = end.frames.largest("degenerate_triangles");
-    const MeshQuality rest =
-        measure_quality(scene_.rest.positions(), scene_.rest.triangles(), scene_.thresholds);
+    const MeshQuality rest = measure_quality(scene_.rest.positions(), scene_.rest.triangles(), thresholds_);
     findings.summary["rest_degenerate_triangles"] = rest.degenerate_triangles;
     std::set<std::string> infinite;
     for_quality_columns(
@@ -87,7 +86,8 @@ class Quality final : public Measurement {
   }
 
  private:
-  const Scene& scene_;
+  const BuiltScene& scene_;
+  QualityThresholds thresholds_;
 };
 
 }  // namespace
@@ -115,8 +115,8 @@ extern const Measure quality{
           });
           return all;
         },
-    .begin = [](const RunConfig&, const Scene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Quality>(scene);
+    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Quality>(config, scene);
     }};
 }  // namespace measure
 }  // namespace bendlab

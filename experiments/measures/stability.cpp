@@ -9,9 +9,9 @@
 #include <numeric>
 
 #include "bendlab/metrics/motion.hpp"
+#include "bendlab/scene/energy.hpp"
+#include "bendlab/scene/gravity.hpp"
 #include "experiments/measures/measure.hpp"
-#include "experiments/scene/energy.hpp"
-#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -22,10 +22,9 @@ constexpr double spin_rounding = 1e-6;    // of mass, size and speed: rounding i
 constexpr double shut = 170;              // degrees
 constexpr double alignments_per_second = 10;  // an alignment costs as much as a step of a small sheet
 
-bool nothing_acts_but_gravity(const Scene& scene) {
-  constexpr std::array<std::string_view, 3> allowed = {"gravity", "rigid_damping", "constraint_damping"};
-  return scene.pins.all.empty() && std::ranges::all_of(scene.effects, [&](const EffectSettings& effect) {
-           return std::ranges::find(allowed, effect.type) != allowed.end();
+bool nothing_acts_but_gravity(const BuiltScene& scene) {
+  return scene.pins.all.empty() && std::ranges::all_of(scene.effects, [](const Effect& effect) {
+           return effect.kind().keeps_angular_momentum;
          });
 }
 
@@ -43,7 +42,7 @@ double fold(const Hinge& hinge, const Positions& positions) {
 
 }  // namespace
 
-StabilityMeter::StabilityMeter(const Scene& scene, double duration)
+StabilityMeter::StabilityMeter(const BuiltScene& scene, double duration)
     : scene_(scene),
       alignment_(scene.rest),
       free_(nothing_acts_but_gravity(scene)),
@@ -143,7 +142,7 @@ namespace {
 
 class Stability final : public Measurement {
  public:
-  Stability(const Scene& scene, double duration) : meter_(scene, duration) {}
+  Stability(const BuiltScene& scene, double duration) : meter_(scene, duration) {}
 
   void step(const Simulation& simulation, const Moment&) override { meter_.look(simulation); }
   void finish(const RunEnd&, Findings& findings) override { findings.summary.merge(meter_.summary()); }
@@ -197,8 +196,8 @@ extern const Measure stability{
         "shape",
     .cost = "positions, velocities and energies after every step; ten alignments a simulated second",
     .gives = stability_quantities,
-    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Stability>(scene, config.section("").number("duration"));
+    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
+      return std::make_unique<Stability>(scene, config.scene().duration);
     }};
 }  // namespace measure
 }  // namespace bendlab

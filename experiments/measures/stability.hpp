@@ -7,14 +7,14 @@
 #include <string>
 
 #include "bendlab/metrics/alignment.hpp"
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
 
 namespace bendlab {
 
 class StabilityMeter {
  public:
   /// Of a run of `duration` s; `scene` must outlive the meter.
-  StabilityMeter(const Scene& scene, double duration);
+  StabilityMeter(const BuiltScene& scene, double duration);
 
   /// To be called at time 0 and after every step; a step that diverged is left out.
   void look(const Simulation& simulation);
@@ -33,7 +33,7 @@ class StabilityMeter {
   void look_at_energy(const Positions& positions, const Positions& velocities);
   double shut_hinges() const;
 
-  const Scene& scene_;
+  const BuiltScene& scene_;
   Alignment alignment_;
   bool free_;  // nothing acts but gravity
   Vector3 gravity_ = Vector3::Zero();

@@ -34,7 +34,8 @@ extern const Measure step_residual{
     .name = "step_residual",
     .summary = "what the iterations of a step leave of its forces",
     .cost = "as long as an iteration, for each frame",
-    .applies = [](const RunConfig&, const Scene& scene) { return scene.input.method->steps_implicitly; },
+    .applies = [](const RunConfig&,
+                  const BuiltScene& scene) { return scene.input.method.kind().steps_implicitly; },
     .when = "with newton, quasi_newton and vbd",
     .columns = []() -> std::vector<Column> {
       return {{"step_residual", "1",
@@ -47,7 +48,7 @@ extern const Measure step_residual{
                "unbalanced forces relative to those of the effects or, without such, of inertia, both summed "
                "over the last substeps of all frames"}};
     },
-    .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
+    .begin = [](const RunConfig&, const BuiltScene&) -> std::unique_ptr<Measurement> {
       return std::make_unique<StepResidualMeasurement>();
     }};
 }  // namespace measure

@@ -6,9 +6,9 @@
 namespace bendlab {
 namespace {
 
-class Stiffness final : public Measurement {
+class StripReadings final : public Measurement {
  public:
-  explicit Stiffness(RunStrip strip) : strip_(std::move(strip)) {}
+  explicit StripReadings(RunStrip strip) : strip_(std::move(strip)) {}
 
   void finish(const RunEnd& end, Findings& findings) override {
     if (end.status == RunStatus::diverged) return;
@@ -43,12 +43,12 @@ extern const Measure stiffness{
               {"stiffness_fit_B", "N m", "B fitted to the whole shape"},
               {"stiffness_fit_C", "N m³", "C fitted to the whole shape"}};
     },
-    .begin = [](const RunConfig& config, const Scene& scene) -> std::unique_ptr<Measurement> {
+    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
       try {
         RunStrip strip = strip_of(config, scene.rest, scene.pins);
         // Throws if the clamp is turned or folded at the start.
         strip.meter.height_over_width(scene.input.positions, 0);
-        return std::make_unique<Stiffness>(std::move(strip));
+        return std::make_unique<StripReadings>(std::move(strip));
       } catch (const std::invalid_argument& error) {
         throw ConfigError("stiffness", {{"/output/measures", error.what()}});
       }

@@ -64,7 +64,7 @@ extern const Measure stretch{
           all.push_back({"worst_stretch", "1", "largest σ₁ of all frames"});
           return all;
         },
-    .begin = [](const RunConfig&, const Scene&) -> std::unique_ptr<Measurement> {
+    .begin = [](const RunConfig&, const BuiltScene&) -> std::unique_ptr<Measurement> {
       return std::make_unique<Stretches>();
     }};
 }  // namespace measure

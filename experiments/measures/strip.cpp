@@ -7,7 +7,7 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/single_precision.hpp"
-#include "experiments/scene/gravity.hpp"
+#include "bendlab/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -47,9 +47,7 @@ class Reach {
 
 double reach_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                 std::span<const double> along) {
-  const ParameterValues parameters = config.bending_parameters();
-  const BendingConstraints bending =
-      find_bending_model(config.bending_model())->build({rest, pins, parameters});
+  const BendingConstraints bending = constraints_of(config.scene().bending.model, {rest, pins});
   Reach reach(pins, along);
   reach.add(bending.distance);
   for_each_kind(bending.elements, [&](const auto& list) { reach.add(list); });
@@ -60,7 +58,7 @@ double reach_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
 
 RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
                   const StripSettings& settings) {
-  const StripLoad load{config.section("/material").number("density"), gravity_of(config.effects())};
+  const StripLoad load{config.scene().material.density, gravity_of(config.scene().effects)};
   RunStrip strip{StiffnessMeter(rest, pins.is_pinned, load), {}};
   const double reach = reach_of(config, rest, pins, strip.meter.along());
   // The solver's positions are relative to the middle of the strip; those that are stored in single precision
@@ -68,8 +66,8 @@ RunStrip strip_of(const RunConfig& config, const RestMesh& rest, const Pins& pin
   const bool stored_in_double = needs_double(rest.positions(), rest.triangles());
   const double largest =
       stored_in_double ? rest.size() : std::max(rest.size(), rest.positions().cwiseAbs().maxCoeff());
-  const bool wide = config.section("/solver").text("precision") == "double";
-  const bool calibrated = config.section("/bending").text("stiffness") == "physical";
+  const bool wide = config.scene().solver.precision == ChosenPrecision::double_precision;
+  const bool calibrated = config.scene().bending.stiffness == Stiffness::physical;
   strip.options = {.clamp_offset = settings.clamp_offset.value_or(calibrated ? 0 : reach / 4),
                    .exclude = settings.exclude.value_or(reach),
                    .rounding = largest * (wide ? 0x1p-53 : 0x1p-24)};

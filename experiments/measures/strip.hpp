@@ -9,7 +9,7 @@
 
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/metrics/stiffness.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 

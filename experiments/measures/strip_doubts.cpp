@@ -10,8 +10,8 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/metrics/elastica.hpp"
+#include "bendlab/scene/gravity.hpp"
 #include "experiments/measures/strip.hpp"
-#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -19,13 +19,13 @@ namespace {
 constexpr int enough_edges = 12;  // along a strip: with H/W = 1 its two readings agree within 3 % (tried)
 
 bool measures_stiffness(const RunConfig& config) {
-  const std::vector<std::string> names = config.section("/output").texts("measures");
+  const std::vector<std::string> names = config.settings().output.measures;
   return std::ranges::find(names, "stiffness") != names.end();
 }
 
-std::optional<StiffnessMeter> meter_of(const RunConfig& config, const Scene& scene) try {
+std::optional<StiffnessMeter> meter_of(const RunConfig& config, const BuiltScene& scene) try {
   return StiffnessMeter(scene.rest, scene.pins.is_pinned,
-                        {config.section("/material").number("density"), gravity_of(config.effects())});
+                        {config.scene().material.density, gravity_of(config.scene().effects)});
 } catch (const std::invalid_argument&) {  // the measure says so itself
   return std::nullopt;
 }
@@ -38,19 +38,16 @@ struct Law {
 
 // The law that the config states, physically.
 std::optional<Law> stated_law(const RunConfig& config) {
-  const ParameterValues& bending = config.section("/bending");
-  if (bending.text("stiffness") != "physical") return std::nullopt;
-  const BendingModel& model = *find_bending_model(config.bending_model());
+  const Bending& bending = config.scene().bending;
+  if (bending.stiffness != Stiffness::physical) return std::nullopt;
+  const BendingKind& model = bending.model.kind();
   const bool cubic = model.springs_only && !model.prestressed;
   if (!cubic)
-    return bending.has("flexural_rigidity")
-               ? std::optional(Law{BendingLaw::linear, bending.number("flexural_rigidity")})
-               : std::nullopt;
-  if (bending.has("quartic_coefficient"))
-    return Law{BendingLaw::cubic, bending.number("quartic_coefficient")};
-  if (!bending.has("flexural_rigidity") || !bending.has("at_curvature")) return std::nullopt;
-  const double curvature = bending.number("at_curvature");
-  return Law{BendingLaw::cubic, bending.number("flexural_rigidity") / (curvature * curvature)};
+    return bending.flexural_rigidity ? std::optional(Law{BendingLaw::linear, *bending.flexural_rigidity})
+                                     : std::nullopt;
+  if (bending.quartic_coefficient) return Law{BendingLaw::cubic, *bending.quartic_coefficient};
+  if (!bending.flexural_rigidity || !bending.at_curvature) return std::nullopt;
+  return Law{BendingLaw::cubic, *bending.flexural_rigidity / (*bending.at_curvature * *bending.at_curvature)};
 }
 
 // "a strip of 0.17 m": one of which H/W is 1.
@@ -64,12 +61,12 @@ std::string strip_that_would_do(const Law& law, double weight) {
 }
 
 double weight_of(const RunConfig& config) {
-  return config.section("/material").number("density") * gravity_of(config.effects()).norm();
+  return config.scene().material.density * gravity_of(config.scene().effects).norm();
 }
 
 }  // namespace
 
-std::optional<std::string> unreadable_strip(const RunConfig& config, const Scene& scene) {
+std::optional<std::string> unreadable_strip(const RunConfig& config, const BuiltScene& scene) {
   if (!measures_stiffness(config)) return std::nullopt;
   const std::optional<Law> law = stated_law(config);
   const std::optional<StiffnessMeter> meter = meter_of(config, scene);
@@ -129,7 +126,7 @@ std::optional<std::string> doubtful_reference(const RunConfig& config,
   return std::nullopt;
 }
 
-std::optional<std::string> doubtful_reading(const RunConfig& config, const Scene& scene,
+std::optional<std::string> doubtful_reading(const RunConfig& config, const BuiltScene& scene,
                                             const std::map<std::string, double>& summary) {
   const auto found = summary.find("stiffness_height_over_width");
   const std::optional<StiffnessMeter> meter = meter_of(config, scene);
@@ -166,7 +163,7 @@ std::optional<std::string> doubtful_reading(const RunConfig& config, const Scene
                           "stretching. "
                           "Let edges lie along it (equilateral: /mesh/rows), or take a finer mesh",
                           meter->clamp_depth());
-  const bool moves = scene.input.method->has_motion;
+  const bool moves = scene.input.method.kind().has_motion;
   return readings + fmt::format("{}its mesh is coarse or its membrane soft. Take {}twice the /mesh/cells",
                                 moves ? "it has not come to rest, " : "",
                                 moves ? "the method equilibrium, and " : "");

@@ -7,17 +7,18 @@
 #include <optional>
 #include <string>
 
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/run_config.hpp"
 
 namespace bendlab {
 
 /// Why the strip of a run with the measure `stiffness` cannot show the stiffness that the config states, and
 /// which strip would; nothing if it can, or if the config states no physical stiffness.
-std::optional<std::string> unreadable_strip(const RunConfig& config, const Scene& scene);
+std::optional<std::string> unreadable_strip(const RunConfig& config, const BuiltScene& scene);
 
 /// Why the numbers that the measure `stiffness` put into a run's summary are no stiffness, and what to do;
 /// nothing if they are.
-std::optional<std::string> doubtful_reading(const RunConfig& config, const Scene& scene,
+std::optional<std::string> doubtful_reading(const RunConfig& config, const BuiltScene& scene,
                                             const std::map<std::string, double>& summary);
 
 /// The stiffness by the free end over that by the whole shape, of the law that the whole shape shows. Nothing

@@ -9,8 +9,8 @@
 #include "bendlab/constraints/build.hpp"
 #include "bendlab/metrics/alignment.hpp"
 #include "bendlab/metrics/shape_error.hpp"
-#include "experiments/scene/energy.hpp"
-#include "experiments/scene/pose_transfer.hpp"
+#include "bendlab/scene/energy.hpp"
+#include "bendlab/scene/pose_transfer.hpp"
 
 namespace bendlab {
 namespace {
@@ -124,7 +124,7 @@ Trajectory read_motion(const std::filesystem::path& file) {
   return trajectory;
 }
 
-Trajectory read_motion(const std::filesystem::path& file, const Scene& scene) {
+Trajectory read_motion(const std::filesystem::path& file, const BuiltScene& scene) {
   Trajectory trajectory = read_motion(file);
   trajectory.energy = read_metric(file, "kinetic_energy");
   for (std::size_t f = 0; f < trajectory.time.size(); ++f)

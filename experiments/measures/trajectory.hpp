@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/run_config.hpp"
 
 namespace bendlab {
 
@@ -37,6 +38,6 @@ std::map<std::string, double> errors_between(const Trajectory& run, const Trajec
 /// RunFileError.
 Trajectory read_last_pose(const std::filesystem::path& file);
 Trajectory read_motion(const std::filesystem::path& file);
-Trajectory read_motion(const std::filesystem::path& file, const Scene& scene);
+Trajectory read_motion(const std::filesystem::path& file, const BuiltScene& scene);
 
 }  // namespace bendlab

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 #include "experiments/run/correction.hpp"
 
 namespace bendlab {

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "bendlab/io/run_file.hpp"
-#include "experiments/config/strict_json.hpp"
+#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

@@ -73,7 +73,7 @@ std::string set_aside(const std::filesystem::path& file, const std::string& why,
                      aside.filename().string());
 }
 
-void adopt_finished(const Place& place) {
+void adopt_finished(const RunPlace& place) {
   for (const std::filesystem::path& part : unfinished_files(place.folder)) try {
       if (seal_of(part) != Seal::whole) continue;
       const RunRecord record = read_run(part);
@@ -82,7 +82,7 @@ void adopt_finished(const Place& place) {
     }
 }
 
-void find_checkpoint(Place& place) {
+void find_checkpoint(RunPlace& place) {
   place.saved = read_checkpoint(place.folder, place.id);
   if (!place.saved) return;
   std::vector<std::filesystem::path> files = unfinished_files(place.folder);

@@ -13,7 +13,7 @@
 namespace bendlab {
 
 /// What a run writes, where, and from where it goes on, while it owns its folder.
-struct Place {
+struct RunPlace {
   std::filesystem::path folder, file, part;
   std::string id;
   std::unique_ptr<Claim> claim{};
@@ -40,9 +40,9 @@ void keep_changes(const std::filesystem::path& folder);
 std::string set_aside(const std::filesystem::path& file, const std::string& why, const std::string& token);
 
 /// A run that was killed between its last byte and the renaming of its file is complete: renames it.
-void adopt_finished(const Place& place);
+void adopt_finished(const RunPlace& place);
 
 /// Finds the checkpoint and a file with all its frames, if there are both.
-void find_checkpoint(Place& place);
+void find_checkpoint(RunPlace& place);
 
 }  // namespace bendlab

@@ -15,10 +15,11 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/single_precision.hpp"
+#include "bendlab/scene/rules.hpp"
+#include "bendlab/scene/start_after.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/run/expected_mesh.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/expected_mesh.hpp"
-#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 namespace {
@@ -89,7 +90,7 @@ std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted)
     return "choose fewer /mesh/cells, or a method without a matrix";
   if (parts.bending < parts.mesh) return "choose fewer /mesh/cells";
   std::string advice = fmt::format("choose fewer /mesh/cells, a smaller radius or level of {}, or sparse_lod",
-                                   config.bending_model());
+                                   config.scene().bending.model.name());
   if (fitted)
     advice +=
         "; /bending/stiffness \"compliance\" or \"k\" needs less than \"physical\", which fits each spring";
@@ -122,10 +123,9 @@ double left_in_limit() {
 double disk_bytes(const RunConfig& config, const ExpectedMesh& mesh, double frames, double cpu_s,
                   bool in_double) {
   double farthest = mesh.size / 2;  // from the origin, unless a mesh file is far from it
-  for (const double way : config.section("/mesh").numbers("offset"))
-    farthest = std::max(farthest, std::abs(way));
+  farthest = std::max(farthest, config.scene().mesh.offset.cwiseAbs().maxCoeff());
   in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * mesh.mean_edge;
-  const bool regular = config.mesh_file().empty() && config.section("/mesh").text("generator") != "delaunay";
+  const bool regular = config.mesh_file().empty() && config.scene().mesh.generator != Generator::delaunay;
   const double points = mesh.vertices * bytes::frame_per_vertex * (in_double ? 2 : 1);
   const double fields = mesh.triangles * bytes::frame_per_triangle;
   // Positions are doubles until they are written.
@@ -141,44 +141,43 @@ double disk_bytes(const RunConfig& config, const ExpectedMesh& mesh, double fram
 
 std::optional<Forecast> forecast(const RunConfig& config) {
   const std::optional<ExpectedMesh> mesh = expected_mesh(config);
-  const BendingModel* const model = find_bending_model(config.bending_model());
-  const Method* const method = find_method(config.section("/solver").text("method"));
-  if (!mesh || !model || !method) return std::nullopt;
-  const ExpectedConstraints bending = model->expect ? model->expect(*mesh, config.bending_parameters())
-                                                    : ExpectedConstraints{.hinges = mesh->hinges};
+  if (!mesh) return std::nullopt;
+  const Scene& scene = config.scene();
+  const BendingModel& model = scene.bending.model;
+  const MethodKind& method = scene.solver.method.kind();
+  const ExpectedConstraints bending = model.kind().expect ? model.kind().expect(model.settings(), *mesh)
+                                                          : ExpectedConstraints{.hinges = mesh->hinges};
   const double vertices = mesh->vertices, pairs = bending.springs + bending.arcs;
-  const bool fitted = config.section("/bending").text("stiffness") == "physical";
-  const ParameterValues& solver = config.section("/solver");
-  const double steps = static_cast<double>(step_count(config));
-  const double frames = 1 + std::min(steps, config.section("").number("duration") *
-                                                config.section("/output").number("frames_per_second"));
+  const bool fitted = config.scene().bending.stiffness == Stiffness::physical;
+  const double steps = static_cast<double>(step_count(scene));
+  const double frames =
+      1 + std::min(steps, config.scene().duration * config.settings().output.frames_per_second);
 
   Forecast needs{.constraints = pairs + bending.hinges};
   Parts parts{.program = bytes::of_program, .mesh = vertices * bytes::per_vertex};
-  const bool in_double = method->make_float == nullptr || solver.text("precision") == "double";
+  const bool in_double =
+      method.make_float == nullptr || scene.solver.precision == ChosenPrecision::double_precision;
   parts.bending = bending.springs * (in_double ? bytes::per_spring_in_double : bytes::per_spring) +
                   bending.arcs * bytes::per_arc + bending.hinges * bytes::per_hinge;
-  if (method->factorised == Factorised::scalars)
+  if (method.factorised == Factorised::scalars)
     parts.factor = vertices * (bytes::metric_per_vertex + bytes::metric_growth * std::log2(vertices));
-  if (method->factorised == Factorised::blocks)
+  if (method.factorised == Factorised::blocks)
     parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
                    fill(bending, vertices);
   if (fitted && pairs > 0)  // the fit is over before anything is factorised
     parts.bending = std::max({parts.bending, bent_sheet_bytes(vertices) - parts.factor,
                               pairs * fitted_bytes(bending.reach) - parts.factor});
-  const bool levels = method->reads("levels") && solver.integer("levels") > 0;
+  const bool levels =
+      method.carries_stretch != nullptr && method.carries_stretch(scene.solver.method.settings());
   if (levels) parts.mesh += vertices * bytes::levels_per_vertex;
   needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
   needs.advice = advice_for(parts, config, fitted && pairs > 0);
 
-  const auto count = [&](const char* name) {
-    return method->reads(name) ? static_cast<double>(solver.integer(name)) : 1.0;
-  };
   const double projection =
       mesh->triangles * seconds::triangle + pairs * seconds::pair + bending.hinges * seconds::hinge;
   double vertex = seconds::vertex;
-  for (const EffectSettings& effect : config.effects()) vertex += find_effect(effect.type)->vertex_seconds;
-  const double substep = count("iterations") * projection + vertices * vertex;
+  for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;
+  const double substep = iterations_of(scene.solver) * projection + vertices * vertex;
   needs.set_up_s = vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
                    bending.chosen * bending.reach * seconds::choice_by_reach;
   if (fitted && pairs > 0)
@@ -186,20 +185,22 @@ std::optional<Forecast> forecast(const RunConfig& config) {
                       pairs * bending.reach * seconds::fitted_by_reach;
   else if (fitted)
     needs.set_up_s += bending.hinges * seconds::fitted_hinge;
-  double step = count("substeps") * substep;
+  double step = substeps_of(scene.solver) * substep;
   if (levels)
     needs.set_up_s += vertices * seconds::levels_per_vertex,
-        step += count("substeps") * count("iterations") * vertices * seconds::spans_per_vertex;
-  step += count("substeps") * count("iterations") * vertices * method->vertex_seconds;
-  if (method->factorised == Factorised::scalars)
+        step +=
+        substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * seconds::spans_per_vertex;
+  step += substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * method.vertex_seconds;
+  if (method.factorised == Factorised::scalars)
     needs.set_up_s += vertices * seconds::metric_per_vertex,
-        step += count("substeps") * count("iterations") * vertices * seconds::iteration_per_vertex;
-  if (method->factorised == Factorised::blocks)
-    step += count("substeps") * count("iterations") * vertices * fill(bending, vertices) *
+        step +=
+        substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * seconds::iteration_per_vertex;
+  if (method.factorised == Factorised::blocks)
+    step += substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * fill(bending, vertices) *
             (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
   needs.cpu_s = seconds::of_run + needs.set_up_s + frames * mesh->triangles * seconds::frame_per_triangle +
-                (method->has_motion ? steps * step
-                                    : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices));
+                (method.has_motion ? steps * step
+                                   : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices));
   needs.disk_bytes = disk_bytes(config, *mesh, std::ceil(frames), needs.cpu_s, in_double);
   return needs;
 }

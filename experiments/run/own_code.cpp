@@ -12,14 +12,14 @@ namespace bendlab {
 namespace {
 
 bool has_added_model(const RunConfig& config) {
-  return std::ranges::any_of(added_bending_models(), [&](const BendingModel* model) {
-    return model->name == config.bending_model();
+  return std::ranges::any_of(added_bending_models(), [&](const BendingKind* model) {
+    return model->name == config.scene().bending.model.name();
   });
 }
 
 // Whether a measure applies is known only when there is a scene: here it counts if it may.
 bool may_have_added_measure(const RunConfig& config) {
-  const std::vector<std::string>& asked = config.section("/output").texts("measures");
+  const std::vector<std::string>& asked = config.settings().output.measures;
   return std::ranges::any_of(added_measures(), [&](const Measure* measure) {
     return measure->applies != nullptr || std::ranges::find(asked, measure->name) != asked.end();
   });

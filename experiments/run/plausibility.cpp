@@ -10,10 +10,10 @@
 #include "bendlab/mesh/geodesics.hpp"
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/scene/energy.hpp"
+#include "bendlab/scene/gravity.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/run/remedies.hpp"
-#include "experiments/scene/energy.hpp"
-#include "experiments/scene/gravity.hpp"
 
 namespace bendlab {
 namespace {
@@ -67,57 +67,36 @@ const Positions& or_zero(const Positions& velocities, const Positions& zero) {
   return velocities.rows() > 0 ? velocities : zero;
 }
 
-bool moves(const EffectSettings& obstacle) {
-  const auto nonzero = [&](const char* name) {
-    if (!obstacle.values.has(name)) return false;
-    return std::ranges::any_of(obstacle.values.numbers(name), [](double x) { return x != 0; });
-  };
-  return nonzero("velocity") || (obstacle.values.has("spin") && obstacle.values.number("spin") != 0);
-}
-
-double epsilon_of(const Scene& scene) {
+double epsilon_of(const BuiltScene& scene) {
   return scene.precision == Precision::double_precision ? std::numeric_limits<double>::epsilon()
                                                         : double{std::numeric_limits<float>::epsilon()};
 }
 
-// Does work on the cloth besides gravity. Wind of air at rest only takes energy.
-bool drives(const EffectSettings& effect) {
-  if (effect.type == "moving_pins") return true;
-  if (effect.type == "wind") return moves(effect) || effect.values.number("gust_amplitude") != 0;
-  return find_effect(effect.type)->is_obstacle && moves(effect);
+// Does work on the cloth besides gravity.
+bool drives(const Effect& effect) {
+  return effect.kind().drives != nullptr && effect.kind().drives(effect.settings());
 }
 
-bool keeps_momentum(const EffectSettings& effect) {
-  constexpr std::array<std::string_view, 5> keepers = {"gravity", "rigid_damping", "constraint_damping",
-                                                       "strain_limiting", "tethers"};
-  return std::ranges::find(keepers, effect.type) != keepers.end();
-}
-
-// The largest force of the wind, N: drag and lift on the whole cloth.
-double wind_force(const Scene& scene) {
-  constexpr double highest_gust = 3.5;  // 2.01 times the amplitude in each of three components
-  double force = 0;
+// The largest force of effects on the whole cloth, of those that state one, N.
+double largest_force(const BuiltScene& scene) {
   const double area = std::accumulate(scene.rest.areas().begin(), scene.rest.areas().end(), 0.0);
-  for (const EffectSettings& effect : scene.effects) {
-    if (effect.type != "wind") continue;
-    const double speed = Vector3(effect.values.numbers("velocity").data()).norm() *
-                         (1 + highest_gust * effect.values.number("gust_amplitude"));
-    force += 0.5 * effect.values.number("air_density") * speed * speed * area *
-             (effect.values.number("drag_coefficient") + effect.values.number("lift_coefficient"));
-  }
+  double force = 0;
+  for (const Effect& effect : scene.effects)
+    if (effect.kind().largest_force != nullptr) force += effect.kind().largest_force(effect.settings(), area);
   return force;
 }
 
 // The share of a strain constraint's error that a step removes.
-double share_per_step(const StrainStiffness& strain, double k, const SolverSettings& solver) {
-  const int rounds =
-      strain.kind == StiffnessKind::k ? solver.substeps * solver.projections_per_substep() : solver.substeps;
+double share_per_step(const StrainStiffness& strain, double k, const SimulationInput& input) {
+  const int rounds = strain.kind == StiffnessKind::k
+                         ? input.settings.substeps * projections_per_substep(input)
+                         : input.settings.substeps;
   return 1 - std::pow(1 - k, rounds);
 }
 
 }  // namespace
 
-Plausibility::Plausibility(const Scene& scene)
+Plausibility::Plausibility(const BuiltScene& scene)
     : scene_(scene),
       gravity_(gravity_of(scene.effects)),
       mass_(std::accumulate(scene.input.mass.begin(), scene.input.mass.end(), 0.0)) {
@@ -126,14 +105,14 @@ Plausibility::Plausibility(const Scene& scene)
   find_start();
   find_stretch_limits();
   find_reach();
-  if (std::ranges::any_of(scene.effects, [](const auto& each) { return each.type == "moving_pins"; }))
+  if (std::ranges::any_of(scene.effects, [](const Effect& each) { return each.kind().moves_pins; }))
     find_pin_pairs();
 }
 
 void Plausibility::find_what_drives() {
   driven_ = std::ranges::any_of(scene_.effects, drives);
-  free_ = scene_.pins.all.empty() && scene_.input.method->keeps_momentum &&
-          std::ranges::all_of(scene_.effects, keeps_momentum);
+  free_ = scene_.pins.all.empty() && scene_.input.method.kind().keeps_momentum &&
+          std::ranges::all_of(scene_.effects, [](const Effect& each) { return each.kind().keeps_momentum; });
 }
 
 // The energy at the start: kinetic, and elastic of constraints with a compliance. k states no energy, so that
@@ -180,15 +159,15 @@ void Plausibility::find_stretch_limits() {
   const double area = std::accumulate(scene_.rest.areas().begin(), scene_.rest.areas().end(), 0.0);
   double softer = 0, softer_mean = 0, share = 1, shear_share = 1;
   if (strain.kind == StiffnessKind::compliance || input.edges.size() > 0) {
-    const double load = mass_ * gravity_.norm() + wind_force(scene_);
-    const double energy = energy_scale_ + wind_force(scene_) * scene_.rest.size();
+    const double load = mass_ * gravity_.norm() + largest_force(scene_);
+    const double energy = energy_scale_ + largest_force(scene_) * scene_.rest.size();
     const double speed = std::sqrt(2 * energy / mass_);
     softer = sudden_and_uneven * (strain.compliance * load / scene_.rest.mean_edge_length() +
                                   speed * std::sqrt(strain.compliance * mass_ / area));
     softer_mean = std::sqrt(2 * strain.compliance * energy / area);
   } else {
-    share = share_per_step(strain, std::min(strain.warp, strain.weft), input.settings);
-    shear_share = share_per_step(strain, strain.shear, input.settings);
+    share = share_per_step(strain, std::min(strain.warp, strain.weft), input);
+    shear_share = share_per_step(strain, strain.shear, input);
   }
   if (!(share > 0)) return;  // warp or weft is free to stretch
   // Sheared flat, a triangle whose warp and weft keep their lengths is √2 times as long and has no width.
@@ -287,7 +266,7 @@ void Plausibility::look(double time, const Positions& positions, const Positions
   const WithoutTraps traps_are_off;
   std::optional<BrokenBound> found = look_at_numbers(positions, velocities);
   if (!found) found = look_at_reach(positions);
-  const bool has_motion = scene_.input.method->has_motion;
+  const bool has_motion = scene_.input.method.kind().has_motion;
   if (!found && has_motion) found = look_at_momentum(time, positions, velocities);
   if (!found && has_motion) found = look_at_speed(positions, velocities);
   if (!found && has_motion) found = look_at_energy(positions, velocities);
@@ -355,7 +334,7 @@ std::optional<BrokenBound> Plausibility::look_at_energy(const Positions& positio
     energy += input.mass[v] * (0.5 * velocities.row(vertex).squaredNorm() -
                                (positions.row(vertex) - input.positions.row(vertex)).dot(gravity_));
   }
-  const double share = input.method->projects ? largest_energy_gain : largest_implicit_gain;
+  const double share = input.method.kind().projects ? largest_energy_gain : largest_implicit_gain;
   const double gain = energy - energy_at_start_, limit = share * energy_scale_;
   if (!(gain > limit)) return std::nullopt;
   Eigen::Index fastest = 0;
@@ -381,7 +360,8 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
   const double substeps = time / solver.dt * solver.substeps, vertices = scene_.rest.vertex_count();
   const double constraints =
       static_cast<double>(input.strain.size() + input.distance.size() + element_count(input.elements));
-  const double walk = std::sqrt(4 * constraints * substeps * solver.projections_per_substep()) / vertices;
+  const double walk =
+      std::sqrt(4 * constraints * substeps * projections_per_substep(scene_.input)) / vertices;
   const double rounding = epsilon_of(scene_) * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);
   const double fallen = gravity_.norm() * time;
   const double fastest = std::sqrt(velocities.rowwise().squaredNorm().maxCoeff());

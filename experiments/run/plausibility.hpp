@@ -9,15 +9,15 @@
 #include <vector>
 
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "experiments/run/broken_bound.hpp"
-#include "experiments/scene/scene.hpp"
 
 namespace bendlab {
 
 class Plausibility {
  public:
   /// The limits that follow from the scene, which must outlive this.
-  explicit Plausibility(const Scene& scene);
+  explicit Plausibility(const BuiltScene& scene);
 
   /// To be called after every step. Checks positions and velocities, but only after so many projections that
   /// copying them costs less than 1 % of the time; with `always` it checks now, as at every recorded frame.
@@ -62,7 +62,7 @@ class Plausibility {
   void keep(std::optional<BrokenBound>& kept, BrokenBound found, double time,
             const Positions& positions) const;
 
-  const Scene& scene_;
+  const BuiltScene& scene_;
   Vector3 gravity_ = Vector3::Zero();  // m/s²
   double mass_ = 0;                    // kg
   bool driven_ = false;                // wind, moving pins or obstacles do work on the cloth

@@ -11,8 +11,8 @@
 
 namespace bendlab {
 
-Recorder::Recorder(const RunConfig& config, const Scene& scene)
-    : stretch_(scene.rest, scene.pins), has_motion_(scene.input.method->has_motion) {
+Recorder::Recorder(const RunConfig& config, const BuiltScene& scene)
+    : stretch_(scene.rest, scene.pins), has_motion_(scene.input.method.kind().has_motion) {
   const auto append = [](std::vector<Column>& all, std::vector<Column> (*own)()) {
     const std::size_t before = all.size();
     for (Column& column : own ? own() : std::vector<Column>{}) all.push_back(std::move(column));
@@ -84,7 +84,7 @@ Findings Recorder::findings(const RunEnd& end, bool of_those_that_make_runs) {
   return findings;
 }
 
-std::map<std::string, double> facts_of(const Scene& scene, const Simulation& simulation) {
+std::map<std::string, double> facts_of(const BuiltScene& scene, const Simulation& simulation) {
   std::map<std::string, double> facts = {
       {"size", scene.rest.size()},
       {"edge_length", scene.rest.mean_edge_length()},

@@ -15,7 +15,7 @@ class Recorder {
  public:
   /// Begins the measures that the run has. Both arguments must outlive the recorder. Throws ConfigError if
   /// the scene cannot be measured as the config asks.
-  Recorder(const RunConfig& config, const Scene& scene);
+  Recorder(const RunConfig& config, const BuiltScene& scene);
 
   const std::vector<Column>& metrics() const { return columns_; }     ///< of Frame::metrics
   const std::vector<Column>& cell_fields() const { return fields_; }  ///< of Frame::cell_fields
@@ -58,6 +58,6 @@ class Recorder {
 };
 
 /// Numbers that every run's summary has, of the scene and of what the solver did.
-std::map<std::string, double> facts_of(const Scene& scene, const Simulation& simulation);
+std::map<std::string, double> facts_of(const BuiltScene& scene, const Simulation& simulation);
 
 }  // namespace bendlab

@@ -18,6 +18,7 @@
 #include "bendlab/io/frame_writer.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/folder.hpp"
 #include "experiments/run/forecast.hpp"
@@ -67,8 +68,8 @@ void judge_summary(double time, RunOutcome& outcome) {
 }
 
 // Leaves out the effects that cannot act. Returns the scene as it was.
-Scene take_idle_effects_out(Scene& scene) {
-  Scene whole = scene;
+BuiltScene take_idle_effects_out(BuiltScene& scene) {
+  BuiltScene whole = scene;
   const std::vector<std::size_t> idle = idle_effects(scene);
   for (auto index = idle.rbegin(); index != idle.rend(); ++index)
     scene.effects.erase(scene.effects.begin() + static_cast<std::ptrdiff_t>(*index));
@@ -80,10 +81,10 @@ struct Comparison {
   std::string text;
   bool differs = false;
 };
-Comparison compare_to_whole(const Simulation& minimal, const Scene& whole) {
+Comparison compare_to_whole(const Simulation& minimal, const BuiltScene& whole) {
   std::vector<std::string> names;
   for (const std::size_t index : idle_effects(whole))
-    names.push_back(fmt::format("/effects/{} ({})", index, whole.effects[index].type));
+    names.push_back(fmt::format("/effects/{} ({})", index, whole.effects[index].name()));
   if (names.empty()) return {"minimal: every listed effect may act, none was left out"};
   const std::unique_ptr<Simulation> simulation = simulation_of(whole);
   while (simulation->time() < minimal.time())
@@ -150,7 +151,7 @@ void add_findings(Findings findings, RunOutcome& outcome) {
 // An equilibrium's bits depend on the kernels that the BLAS chose for the processor, and so do those of a run
 // that begins at one, or is compared with one. All else has the same bits on every processor.
 bool depends_on_blas(const RunConfig& config) {
-  if (!find_method(config.section("/solver").text("method"))->has_motion) return true;
+  if (!config.scene().solver.method.kind().has_motion) return true;
   if (const std::optional<RunConfig> before = run_before(config); before && depends_on_blas(*before))
     return true;
   for (const Against against : references)
@@ -206,12 +207,12 @@ std::filesystem::path run_folder(const std::filesystem::path& out, const Experim
 namespace {
 
 RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
-                   const RunControl& control, const StartingPose* start, const Place& place) {
+                   const RunControl& control, const StartingPose* start, const RunPlace& place) {
   RunClock clock;
-  Scene scene = build_scene(config);
-  std::optional<Scene> whole;
+  BuiltScene scene = build_scene(config.scene());
+  std::optional<BuiltScene> whole;
   if (control.minimal) whole = take_idle_effects_out(scene);
-  start_after(config, scene, control.stop);
+  start_after(config.scene(), scene, control.stop);
   if (start) start_from(scene, *start, "/accuracy/start_from_end");
   Recorder recorder(config, scene);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
@@ -288,7 +289,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   return outcome;
 }
 
-RunOutcome stopped_while_waiting(const Place& place) {
+RunOutcome stopped_while_waiting(const RunPlace& place) {
   return {.id = place.id,
           .status = RunStatus::interrupted,
           .file = place.file,
@@ -300,7 +301,7 @@ RunOutcome stopped_while_waiting(const Place& place) {
 RunOutcome execute_run(const Experiment& experiment, const RunConfig& config,
                        const std::filesystem::path& out, const RunControl& control,
                        const StartingPose* start) {
-  Place place{.id = run_id(config)};
+  RunPlace place{.id = run_id(config)};
   place.folder = run_folder(out, experiment, config, place.id);
   place.file = place.folder / "run.vtkhdf";
   if (!control.force)

@@ -10,11 +10,11 @@
 
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/run_file.hpp"
-#include "experiments/config/config.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/start_after.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/broken_bound.hpp"
 #include "experiments/run/warnings.hpp"
-#include "experiments/scene/scene.hpp"
-#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 

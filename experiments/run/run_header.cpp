@@ -13,8 +13,8 @@
 #include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
-#include "experiments/config/pointers.hpp"
 #include "experiments/config/schema.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/own_code.hpp"
 #include "experiments/run/version.hpp"
@@ -69,10 +69,10 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
 }  // namespace
 
 RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
-                    const Scene& scene, const Simulation& simulation, const Recorder& recorder) {
+                    const BuiltScene& scene, const Simulation& simulation, const Recorder& recorder) {
   const BuildInfo& build = build_info();
   const RestMesh& rest = scene.rest;
-  const bool in_full = config.section("/output").boolean("constraints");
+  const bool in_full = config.settings().output.constraints;
   RunHeader header;
   header.id = id;
   header.name = experiment.name;
@@ -82,16 +82,15 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   header.pin_seeds = scene.pins.seeds;
   header.metrics = recorder.metrics();
   header.cell_fields = recorder.cell_fields();
-  header.constraints = {
-      record_of(
-          "strain", scene.input.strain, simulation.strain_order(), in_full,
-          [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
-            const InverseRest& q = scene.input.strain.inverse_rest[c];
-            return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
-          },
-          [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
-      record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
-                [&](std::size_t c) { return std::array{scene.input.distance.rest(c)}; })};
+  header.constraints = {record_of(
+                            "strain", scene.input.strain, simulation.strain_order(), in_full,
+                            [&](std::size_t c) {  // rest area: 1 / (2 |det Q⁻¹|)
+                              const InverseRest& q = scene.input.strain.inverse_rest[c];
+                              return std::array{0.5 / std::abs(q[0] * q[3] - q[1] * q[2])};
+                            },
+                            [&](std::size_t c) { return scene.input.strain.inverse_rest[c]; }),
+                        record_of("distance", scene.input.distance, simulation.distance_order(), in_full,
+                                  [&](std::size_t c) { return std::array{scene.input.distance.rest(c)}; })};
   if (const DistanceConstraints& edges = scene.input.edges; edges.size() > 0)
     header.constraints.push_back(record_of("edge", edges, list_order(edges.size()), in_full,
                                            [&](std::size_t c) { return std::array{edges.rest(c)}; }));

@@ -11,6 +11,6 @@
 namespace bendlab {
 
 RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
-                    const Scene& scene, const Simulation& simulation, const Recorder& recorder);
+                    const BuiltScene& scene, const Simulation& simulation, const Recorder& recorder);
 
 }  // namespace bendlab

@@ -9,10 +9,9 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
-#include "experiments/config/defaults.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/scene/gravity.hpp"
-#include "experiments/scene/inside.hpp"
+#include "bendlab/scene/gravity.hpp"
+#include "bendlab/scene/inside.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 
@@ -37,76 +36,51 @@ Message piece_without_pin(const WarningInput& input) {
 
 // ---- effect_without_pins
 
-// Tethers are a default, and then nobody has asked for them.
 Message effect_without_pins(const WarningInput& input) {
   if (!input.scene.pins.all.empty()) return std::nullopt;
-  const Json* const effects = value_at(input.experiment.settings, "/effects");
-  const bool by_default = effects == nullptr || *effects == default_effects(input.experiment.settings);
-  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
-    const std::string& type = input.scene.effects[index].type;
-    if (type == "moving_pins" || (type == "tethers" && !by_default))
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index)
+    if (const Effect& effect = input.scene.effects[index]; effect.kind().needs_pins)
       return fmt::format(
           "/effects/{} ({}) does nothing, because no vertex is pinned. Name pins in /pins/vertices or "
           "/pins/indices, or remove the effect",
-          index, type);
-  }
+          index, effect.name());
   return std::nullopt;
 }
 
 // ---- friction_without_obstacle
 
 Message friction_without_obstacle(const WarningInput& input) {
-  const std::vector<EffectSettings>& effects = input.scene.effects;
-  const auto friction = std::ranges::find(effects, "friction", &EffectSettings::type);
+  const std::vector<Effect>& effects = input.scene.effects;
+  const auto friction =
+      std::ranges::find_if(effects, [](const Effect& each) { return each.kind().uses_contacts; });
   if (friction == effects.end() || has_obstacle(input.scene)) return std::nullopt;
-  return fmt::format("/effects/{} (friction) does nothing, because it acts on obstacles and there is none",
-                     friction - effects.begin());
+  return fmt::format("/effects/{} ({}) does nothing, because it acts on obstacles and there is none",
+                     friction - effects.begin(), friction->name());
 }
 
-// ---- kinetic_above_static
+// ---- doubtful_effect
 
-Message kinetic_above_static(const WarningInput& input) {
-  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
-    const EffectSettings& effect = input.scene.effects[index];
-    if (effect.type != "friction" || effect.values.number("kinetic") <= effect.values.number("static"))
-      continue;
-    return fmt::format(
-        "/effects/{} (friction): kinetic, {:.3g}, is above static, {:.3g}, so that what slides is held more "
-        "than what rests. Set static to at least {:.3g}",
-        index, effect.values.number("kinetic"), effect.values.number("static"),
-        effect.values.number("kinetic"));
-  }
-  return std::nullopt;
-}
-
-// ---- coarse_wind
-
-// The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth
-// at the speed u with respect to the air is slowed within τ = ρ / (½ ρ_air C_D u): a substep h of more than τ
-// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster, by 23 % at h = 1.2 τ.
-Message coarse_wind(const WarningInput& input) {
-  const std::vector<EffectSettings>& effects = input.scene.effects;
-  const auto wind = std::ranges::find(effects, "wind", &EffectSettings::type);
-  if (wind == effects.end() || !input.scene.input.method->has_motion) return std::nullopt;
+// What an effect itself says of its settings in this scene; the largest of them.
+Message doubtful_effect(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const std::vector<double>& areas = input.scene.rest.areas();
-  const double density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
-                         std::accumulate(areas.begin(), areas.end(), 0.0),
-               drag = 0.5 * wind->values.number("air_density") * wind->values.number("drag_coefficient"),
-               falling = gravity_of(effects).norm(), terminal = std::sqrt(density * falling / drag),
-               blowing = Vector3(wind->values.numbers("velocity").data()).norm(),
-               substep = scene.settings.dt / scene.settings.substeps;
-  if (!(drag > 0)) return std::nullopt;
-  const double slowed_within = density / (drag * std::max(blowing, terminal));  // s
-  if (!(substep > slowed_within)) return std::nullopt;
-  constexpr double wanted = 0.5;  // substeps
-  return WarningText(
-      fmt::format(
-          "a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed within "
-          "{:.2g} s: its force is cut. Take about {} /solver/substeps",
-          substep, slowed_within,
-          static_cast<long>(std::ceil(scene.settings.substeps * substep / (wanted * slowed_within)))),
-      substep / slowed_within, fmt::format("{:.2g} times", substep / slowed_within));
+  if (!scene.method.kind().has_motion) return std::nullopt;
+  std::optional<Doubt> largest;
+  for (std::size_t index = 0; index < input.scene.effects.size(); ++index) {
+    const Effect& effect = input.scene.effects[index];
+    if (effect.kind().doubt == nullptr) continue;
+    std::optional<Doubt> doubt = effect.kind().doubt(
+        effect.settings(), {.rest = input.scene.rest,
+                            .density = std::accumulate(scene.mass.begin(), scene.mass.end(), 0.0) /
+                                       std::accumulate(areas.begin(), areas.end(), 0.0),
+                            .gravity = gravity_of(input.scene.effects).norm(),
+                            .substep = scene.settings.dt / scene.settings.substeps,
+                            .substeps = scene.settings.substeps,
+                            .where = fmt::format("/effects/{} ({})", index, effect.name())});
+    if (doubt && (!largest || doubt->size > largest->size)) largest = std::move(doubt);
+  }
+  if (!largest) return std::nullopt;
+  return WarningText(largest->text, largest->size, largest->shown);
 }
 
 // ---- starts_inside
@@ -118,30 +92,11 @@ Message starts_inside(const WarningInput& input) {
     return WarningText(
         fmt::format("{} of {} vertices start inside /effects/{} ({}), vertex {} by {:.3g} m: the first step "
                     "throws them out. Move the obstacle, or the cloth by /mesh/offset",
-                    inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].type,
+                    inside->count, input.scene.rest.vertex_count(), index, input.scene.effects[index].name(),
                     inside->deepest, inside->depth),
         inside->depth, fmt::format("{:.3g} m", inside->depth));
   }
   return std::nullopt;
-}
-
-// ---- thick_cloth
-
-// Each element is near all that lie within the thickness, and is compared with them in each substep.
-Message thick_cloth(const WarningInput& input) {
-  const std::vector<EffectSettings>& effects = input.scene.effects;
-  const auto collision = std::ranges::find(effects, "self_collision", &EffectSettings::type);
-  if (collision == effects.end()) return std::nullopt;
-  constexpr double most = 2;  // edges
-  const double thickness = collision->values.number("thickness"), edge = input.scene.rest.mean_edge_length();
-  if (!(thickness > most * edge)) return std::nullopt;
-  return WarningText(
-      fmt::format(
-          "/effects/{} (self_collision): a thickness of {:.3g} m is {:.2g} times the mean edge, so that each "
-          "triangle is compared with many others in every step (with 2.3 edges a sheet took 4 times as long "
-          "as with 0.6). Set thickness to about {:.2g} m, half an edge, or take fewer cells",
-          collision - effects.begin(), thickness, thickness / edge, 0.5 * edge),
-      thickness / edge, fmt::format("{:.2g} edges", thickness / edge));
 }
 
 // ---- far_vertex
@@ -220,9 +175,9 @@ std::optional<std::string> odd_stiffness(const WarningInput& input, double load,
         "a membrane of {:.3g} N/m is stretched to {:.2g} times its length by the cloth's own weight: is "
         "/material/strain in other units? A thin cotton has about 1e4 N/m",
         1 / strain.compliance, 1 + weight_strain);
-  const ParameterValues& bending = input.config.section("/bending");
-  if (!bending.has("flexural_rigidity")) return std::nullopt;
-  const double rigidity = bending.number("flexural_rigidity"), length = std::cbrt(rigidity / load);
+  const Bending& bending = input.config.scene().bending;
+  if (bending.stiffness != Stiffness::physical || !bending.flexural_rigidity) return std::nullopt;
+  const double rigidity = *bending.flexural_rigidity, length = std::cbrt(rigidity / load);
   if (!(length > longest_bending_length * extent)) return std::nullopt;
   return fmt::format(
       "with a flexural rigidity of {:.3g} N m gravity cannot bend this sheet: it would stand out by itself "
@@ -237,7 +192,7 @@ Message units(const WarningInput& input) {
   const RestMesh& rest = input.scene.rest;
   const double g = gravity_of(input.scene.effects).norm();
   const double extent = (rest.box_max() - rest.box_min()).maxCoeff();
-  const double density = input.config.section("/material").number("density");
+  const double density = input.config.scene().material.density;
   if (density > heaviest)
     return fmt::format(
         "a density of {:.3g} kg/m² is more than any cloth has: is it in g/m²? 200 g/m² is 0.2 kg/m²",

@@ -1,17 +1,18 @@
 #include "experiments/run/set_up.hpp"
 
+#include "bendlab/scene/start_after.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/recorder.hpp"
-#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 namespace {
 
 // The pose in which a run ends is not known yet. The one in which it starts has the same mesh.
-void start_after_unknown(const RunConfig& config, Scene& scene) {
+void start_after_unknown(const RunConfig& config, BuiltScene& scene) {
   const std::optional<RunConfig> before = run_before(config);
   if (!before) return;
-  Scene first = build_scene(*before);
+  BuiltScene first = build_scene(before->scene());
   start_after_unknown(*before, first);
   simulation_of(first);
   start_from(scene, {first.rest, first.input.positions}, "/initial/after");
@@ -21,7 +22,7 @@ void start_after_unknown(const RunConfig& config, Scene& scene) {
 
 std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& config) {
   require_memory(config);
-  Scene scene = build_scene(config);
+  BuiltScene scene = build_scene(config.scene());
   const Recorder recorder(config, scene);
   simulation_of(scene);
   std::vector<Warning> warnings = warnings_of(WarningInput{experiment, config, scene});

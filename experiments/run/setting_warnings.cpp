@@ -8,8 +8,9 @@
 #include <array>
 #include <iterator>
 
+#include "bendlab/parameters/names.hpp"
 #include "experiments/config/config_tables.hpp"
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/config/stiffness_settings.hpp"
 
 namespace bendlab {
@@ -39,19 +40,17 @@ namespace {
 
 // Whether other runs follow from this one's settings, which may use what this one does not.
 bool has_derived_runs(const RunConfig& config) {
-  const ParameterValues& accuracy = config.section("/accuracy");
-  return config.section("/initial").has("after") || accuracy.has("solver") || accuracy.has("physical");
+  return config.scene().initial.after || config.settings().accuracy.compares();
 }
 
 }  // namespace
 
 Message inert_seed(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
-  const ParameterValues initial = input.config.section("/initial"), mesh = input.config.section("/mesh");
-  const bool initial_used = initial.number("perturbation") > 0 || initial.number("random") > 0,
-             jittered = mesh.has("jitter") && mesh.number("jitter") > 0,
-             mesh_used =
-                 jittered || (input.config.mesh_file().empty() && mesh.text("generator") == "delaunay");
+  const Initial& initial = input.config.scene().initial;
+  const Mesh& mesh = input.config.scene().mesh;
+  const bool initial_used = initial.perturbation > 0 || initial.random > 0,
+             mesh_used = mesh.jitter.value_or(0) > 0 || (!mesh.file && mesh.generator == Generator::delaunay);
   std::string inert;
   if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
   if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
@@ -107,7 +106,7 @@ std::vector<std::string> unread_of_generator(const WarningInput& input) {
     return lies_within("/mesh/generator", axis.first) || axis.first == "/mesh/file";
   });
   if (swept || !input.config.mesh_file().empty()) return pointers;
-  const std::string& generator = input.config.section("/mesh").text("generator");
+  const std::string_view generator = name_in(generator_names, input.config.scene().mesh.generator);
   for (const GeneratorSetting& setting : generator_settings)
     if (std::string pointer = child_pointer("/mesh", setting.name);
         is_chosen(input, pointer) && std::ranges::find(setting.readers, generator) == setting.readers.end())
@@ -127,10 +126,10 @@ Message inert_setting(const WarningInput& input) {
     if (std::ranges::any_of(input.experiment.axes,
                             [&](const Axis& axis) { return lies_within(chosen_by, axis.first); }))
       return pointers;
-    for (const ConfigSection& section : config_sections())
+    for (const Section& section : config_sections())
       if (lies_within(section.pointer, in))
-        for (const Parameter& row : section.parameters)
-          if (std::string pointer = child_pointer(section.pointer, row.name);
+        for (const SettingRow& row : section.rows)
+          if (std::string pointer = child_pointer(section.pointer, row.field.name);
               is_chosen(input, pointer) && value_at(resolved, pointer) == nullptr &&
               std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer) ==
                   stiffness_settings.end())
@@ -142,7 +141,7 @@ Message inert_setting(const WarningInput& input) {
     return fmt::format("{} change{} nothing here, because {}. Remove {}, or choose another ",
                        fmt::join(pointers, ", "), one ? "s" : "", because, one ? "it" : "them");
   };
-  const std::string& method = input.config.section("/solver").text("method");
+  const std::string_view method = input.config.scene().solver.method.name();
   std::vector<std::string> of_methods = unread("/solver", "/solver/method");
   std::ranges::move(unread("/material/strain", "/solver/method"), std::back_inserter(of_methods));
   if (!of_methods.empty())
@@ -152,14 +151,14 @@ Message inert_setting(const WarningInput& input) {
            "/solver/method";
   if (const std::vector<std::string> of_generators = unread_of_generator(input); !of_generators.empty())
     return text(of_generators, fmt::format("the generator {} does not read {}",
-                                           input.config.section("/mesh").text("generator"),
+                                           name_in(generator_names, input.config.scene().mesh.generator),
                                            of_generators.size() == 1 ? "it" : "them")) +
            "/mesh/generator";
   std::vector<std::string> of_models;
-  for (const ConfigSection* section : child_sections("/bending"))
+  for (const Section* section : child_sections("/bending"))
     std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));
   if (of_models.empty()) return std::nullopt;
-  return text(of_models, fmt::format("/bending/model is {}", input.config.bending_model())) +
+  return text(of_models, fmt::format("/bending/model is {}", input.config.scene().bending.model.name())) +
          "/bending/model";
 }
 
@@ -191,7 +190,7 @@ Message replaced_setting(const WarningInput& input) {
     const std::string& pointer = swept.first;
     const Json& value = swept.second;
     const Json* const stated = value_at(input.experiment.settings, pointer);
-    const bool of_no_model = pointer == "/bending" && input.config.bending_model() == "none";
+    const bool of_no_model = pointer == "/bending" && !input.config.scene().bending.model.kind().bends;
     if (stated == nullptr || !stated->is_object() || !value.is_object() || of_no_model) continue;
     std::vector<std::string> here;
     add_replaced(input.config.resolved(), pointer, *stated, value, here);

@@ -8,14 +8,14 @@
 #include <cmath>
 #include <numeric>
 
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/gravity.hpp"
+#include "bendlab/scene/membrane.hpp"
+#include "bendlab/scene/precision.hpp"
 #include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/counted.hpp"
-#include "experiments/config/pointers.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
-#include "experiments/scene/gravity.hpp"
-#include "experiments/scene/membrane.hpp"
-#include "experiments/scene/precision.hpp"
 
 namespace bendlab {
 
@@ -48,9 +48,8 @@ std::string remedy_of_unconverged(const WarningInput& input) {
                 "where 1 × 10 left 1.59",
                 counted(solver.substeps * solver.iterations, "/solver/substep"))
           : std::string("Twice the /solver/substeps leave about a third of the strain, as tests have shown");
-  const Json* const effects = value_at(input.config.resolved(), "/effects");
-  const bool tethered =
-      std::ranges::any_of(*effects, [](const Json& effect) { return effect.value("type", "") == "tethers"; });
+  const bool tethered = std::ranges::any_of(
+      input.scene.effects, [](const Effect& effect) { return effect.kind().helps_projection; });
   if (!tethered && !input.scene.pins.all.empty())
     remedy += ". The effect tethers holds what hangs from pins: 1 × 10 then left 1.22";
   return remedy;
@@ -69,7 +68,7 @@ Message unconverged(const WarningInput& input) {
   // A run of less than a second may end when it only begins to stretch, which medians do not show.
   const double mean = std::max(number("mean_strain"), number("mean_strain_last")),
                most = std::max(number("max_stretch"), number("max_stretch_last"));
-  if (!rigid || !input.scene.input.method->projects ||
+  if (!rigid || !input.scene.input.method.kind().projects ||
       !(mean > unconverged_strain || most > unconverged_stretch))
     return std::nullopt;
   return WarningText(
@@ -95,15 +94,14 @@ double softening_by(double excess, bool levels) {
 }
 
 // Whether the cloth has tethers, which then hold it instead of its membrane.
-bool has_tethers(const Scene& scene) {
+bool has_tethers(const BuiltScene& scene) {
   return !scene.pins.all.empty() && !membrane_needs_no_tethers(scene) &&
-         std::ranges::any_of(scene.effects, [](const EffectSettings& effect) {
-           return find_effect(effect.type)->helps_projection;
-         });
+         std::ranges::any_of(scene.effects,
+                             [](const Effect& effect) { return effect.kind().helps_projection; });
 }
 
 // Cloth in free fall loads no membrane.
-bool is_held(const Scene& scene) {
+bool is_held(const BuiltScene& scene) {
   return !scene.pins.all.empty() || has_obstacle(scene);
 }
 
@@ -122,21 +120,21 @@ Message membrane_courant(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
   const SolverSettings& solver = scene.settings;
   const double compliance = scene.strain_stiffness.compliance;
-  if (!scene.method->projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
+  if (!scene.method.kind().projects || scene.strain_stiffness.kind != StiffnessKind::compliance ||
       compliance == 0 || !is_held(input.scene) || has_tethers(input.scene) ||
       (input.summary && !stretches_unmeasured(*input.summary)))
     return std::nullopt;
   const double courant = courant_number(input.scene), excess = excess_stretch(input.scene);
   if (!(excess > softened)) return std::nullopt;
   const bool reach = levels_are_worthwhile(scene),
-             levels = reach && own_settings(scene).integer("levels") > 0;
+             levels = reach && scene.method.kind().carries_stretch(scene.method.settings());
   constexpr double wanted = 0.1;
   const double softening = softening_by(excess, levels);
   return WarningText(
       fmt::format("with {} in a substep, in which a wave of stretch crosses {:.2g} cells (the membrane's "
                   "Courant number), the membrane stretches about {:.2g} times as far as stated. About {} "
                   "/solver/substeps make that 1.1 times{}",
-                  counted(solver.projections_per_substep(), "projection"), courant, softening,
+                  counted(projections_per_substep(input.scene.input), "projection"), courant, softening,
                   static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess / wanted))),
                   reach && !levels && softening_by(excess, true) < 0.5 * softening
                       ? fmt::format(", /solver/levels: 12 makes it about {:.2g}", softening_by(excess, true))
@@ -147,7 +145,7 @@ Message membrane_courant(const WarningInput& input) {
 // ---- tethers_for_membrane
 
 Message tethers_for_membrane(const WarningInput& input) {
-  const Scene& scene = input.scene;
+  const BuiltScene& scene = input.scene;
   const double excess = excess_stretch(scene);
   if (!(excess > 0) || !has_tethers(scene)) return std::nullopt;
   const SolverSettings& solver = scene.input.settings;
@@ -158,67 +156,44 @@ Message tethers_for_membrane(const WarningInput& input) {
           "{} in a substep. With {} /solver/substeps it holds by itself, and tethers then do nothing; "
           "\"method\": \"quasi_newton\", \"membrane\": \"stated\" in /solver keeps the membrane without them",
           1 / scene.input.strain_stiffness.compliance, 1 + excess,
-          counted(solver.projections_per_substep(), "projection"),
+          counted(projections_per_substep(input.scene.input), "projection"),
           static_cast<long>(std::ceil(solver.substeps * std::sqrt(excess)))),
       1 + excess, fmt::format("{:.2g} times", 1 + excess));
 }
 
 // ---- vbd_reach
 
-namespace {
-
-// A vertex goes by 1 / (1 + C²) of its way while its neighbours hold it, with the Courant number C of the
-// membrane. Sheets of 8 and 16 cells, Y = 10 to 10⁵ N/m, n iterations: how far they were from newton's
-// motion, in sizes, mean over 1 and 2 s.
-//
-//   n/C²       0.0005-0.005   0.014      0.018         0.045   0.054   0.18          0.54 and more
-//   distance   0.31-0.50      0.12-0.19  0.012, lost   0.03    0.005   0.001-0.003   0.001, 0.01 at C² = 6
-constexpr double enough_reach = 0.1;
-
-}  // namespace
-
 Message vbd_reach(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
-  if (scene.method->name != "vbd" || scene.strain.size() == 0) return std::nullopt;
-  const double courant = courant_number(input.scene), needed = std::ceil(enough_reach * courant * courant);
+  const double share = scene.method.kind().iterations_per_courant;
+  if (share == 0 || scene.strain.size() == 0) return std::nullopt;
+  const double courant = courant_number(input.scene), needed = std::ceil(share * courant * courant);
   if (!(scene.settings.iterations < needed)) return std::nullopt;
   return WarningText(
       fmt::format(
-          "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): vbd "
-          "then needs about C²/10 = {:.2g} iterations to follow the motion, and has {}. With fewer "
+          "a wave of stretch crosses {:.2g} cells in a substep (the membrane's Courant number C): {} "
+          "then needs about {:.2g} C² = {:.2g} iterations to follow the motion, and has {}. With fewer "
           "cloth was behind by 1 to 80 % of its size in tests. quasi_newton and newton need few",
-          courant, needed, scene.settings.iterations),
+          courant, scene.method.name(), share, needed, scene.settings.iterations),
       needed / scene.settings.iterations, fmt::format("{:.2g} iterations needed", needed));
 }
 
 // ---- k_overshoot
 
-// With k only prestressed pushes a sound sheet out of its shape: its springs, longer than at rest by an
-// excess e, stretch it. Mean strain of a sheet of 20 cells pinned at two corners, 4 × 10 (without bending
-// 0.007):
-//
-//   e              0.02    0.05    0.1     0.2     0.5
-//   k = 0.1        0.016   0.032   0.060   0.117   0.293
-//   k = 0.5        0.028   0.060   0.114   0.227   0.627
-//   k = 1          0.031   0.068   0.129   0.257   0.684
-//
 // dihedral, isometric, choi_ko, crossover, k_ring (1, 4 and 8 rings), adaptive and lod at k of 0.01 to 1
-// leave it as it is or less strained, at 4 × 10 and at 1 × 10.
+// leave a sheet of 20 cells pinned at two corners as it is or less strained, at 4 × 10 and at 1 × 10.
 Message k_overshoot(const WarningInput& input) {
-  if (input.config.bending_model() != "prestressed") return std::nullopt;
-  const ParameterValues bending = input.config.section("/bending");
-  const std::string& stiffness = bending.text("stiffness");
-  if (stiffness != "k" && stiffness != "k_per_step") return std::nullopt;
-  const double k = bending.number("k"), excess = input.config.bending_parameters().number("excess");
-  constexpr double weak = 0.3, share_of_weak = 0.6, share = 1.2;  // of the excess: the columns of the table
-  const double strain = excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
+  const Bending& bending = input.config.scene().bending;
+  if (bending.stiffness != Stiffness::k && bending.stiffness != Stiffness::k_per_step) return std::nullopt;
+  const BendingKind& model = bending.model.kind();
+  if (model.strain_of_k == nullptr) return std::nullopt;
+  const double strain = model.strain_of_k(bending.model.settings(), bending.k);
   if (!(strain > unconverged_strain)) return std::nullopt;
   return WarningText(
       fmt::format(
-          "the springs of prestressed, with an excess of {:.2g} and k = {:.2g}, stretch the sheet to a "
-          "mean strain of about {:.2g}, which its membrane cannot undo. A smaller "
-          "/bending/prestressed/excess helps: in tests 0.02 left a mean strain of 0.03",
-          excess, k, strain),
+          "with k = {:.2g} the springs of {} stretch the sheet to a mean strain of about {:.2g}, which its "
+          "membrane cannot undo. {}",
+          bending.k, model.name, strain, model.strain_of_k_remedy),
       strain, fmt::format("a strain of {:.2g}", strain));
 }
 
@@ -226,7 +201,7 @@ Message k_overshoot(const WarningInput& input) {
 
 // A sheet on tethers, or on a plane, in single precision: see precision.cpp.
 Message single_precision(const WarningInput& input) {
-  if (input.config.section("/solver").text("precision") != "single") return std::nullopt;
+  if (input.config.scene().solver.precision != ChosenPrecision::single_precision) return std::nullopt;
   const RoundingStrain strain = rounding_strain(input.scene);
   if (!strain.single_suffices())
     return fmt::format(
@@ -264,13 +239,14 @@ Message softened_membrane(const WarningInput& input) {
   if (!is_chosen(input, "/material/strain/membrane_stiffness") &&
       !is_chosen(input, "/material/strain/compliance"))
     return std::nullopt;  // nobody stated a stiffness, and the summary has the number
+  const Method& method = input.scene.input.method;
   return WarningText(
       fmt::format(
           "/solver/membrane is auto: away from pins the membrane is up to {:.3g} times as soft as stated, "
           "{:.3g} N/m, which moves the cloth at rest by at most {:.2g} of its size. \"stated\" keeps the "
           "stiffness",
           found->second, 1 / (found->second * input.scene.input.strain_stiffness.compliance),
-          input.config.section("/solver").number("membrane_error")),
+          method.kind().membrane_error(method.settings())),
       found->second, fmt::format("{:.3g} times as soft", found->second));
 }
 
@@ -288,37 +264,20 @@ namespace {
 //   newton          0-0.0003      0.001-0.046   none          0.025-0.051   0.03-0.07   0.05-0.49
 //   quasi_newton    0.001-0.006   0.004-0.044   0.012-0.090   0.026-0.21    0.06-0.48   0.11-0.54
 //   vbd             none          0.030         0.034-0.12    0.19-0.50     0.51        none
-constexpr double residual_of_lag = 2;
+//
 // Where cloth touches something, friction may move it, with a share of its weight. quasi_newton slid 0.05 to
-// 0.11 m instead of 0.02 at 0.3 to 1.1. On a spinning plane vbd turned by 4, 21, 55, 74 and 94 % of the angle
-// at 0.38, 0.35, 0.32, 0.20 and 0.04.
-constexpr double residual_of_lag_on_obstacle = 1, of_vbd_on_obstacle = 0.1;
-
+// 0.11 m instead of 0.02 at 0.3 to 1.1. So methods say what is too much (MethodKind::residual_of_lag).
 double most_residual(const WarningInput& input) {
-  if (!has_obstacle(input.scene)) return residual_of_lag;
-  return input.scene.input.method->name == "vbd" ? of_vbd_on_obstacle : residual_of_lag_on_obstacle;
+  const MethodKind& method = input.scene.input.method.kind();
+  return has_obstacle(input.scene) ? method.residual_of_lag_on_obstacle : method.residual_of_lag;
 }
 
-// The numbers are of the same sheets.
-std::string remedy_of_lagging(const WarningInput& input) {
-  const SimulationInput& scene = input.scene.input;
-  // A ball, and a capsule that turns; 1 × 20, and 1 × 10.
-  if (has_obstacle(input.scene) && scene.method->name == "newton")
-    return "More /solver/substeps help where cloth touches something: in tests 1 left up to 35 times the "
-           "effects' forces, and 8 left at most 0.1 times";
-  if (has_obstacle(input.scene) && scene.method->name == "quasi_newton")
-    return "More /solver/substeps and iterations help where cloth touches something: in tests 1 substep of "
-           "10 iterations left 14 to 66 times the effects' forces, and 8 of 30 left 0.8 to 1.3 times";
-  if (scene.method->name == "newton")
-    return "More /solver/iterations help: in tests at 10⁵ N/m 3 iterations left 32 times the effects' "
-           "forces, 10 iterations 0.01 times";
-  if (scene.method->name != "quasi_newton")
+std::string_view remedy_of_lagging(const WarningInput& input) {
+  const Method& method = input.scene.input.method;
+  if (method.kind().remedy_of_lag == nullptr)
     return "More /solver/iterations help, and quasi_newton needs fewer";
-  const Json& solver = *value_at(input.config.resolved(), "/solver");
-  if (solver.value("membrane", "") == "stated" && scene.strain.size() > 0)
-    return "In tests 10 iterations left at most 1.3 times the effects' forces with /solver/membrane: auto. "
-           "With the stated membrane, at 10⁴ N/m, 10 left 9 times and 40 left 1.6 times";
-  return "More /solver/iterations help: in tests 2 left 4.3 times the effects' forces, 20 left 0.43 times";
+  return method.kind().remedy_of_lag(method.settings(), {.touches = has_obstacle(input.scene),
+                                                         .has_strain = input.scene.input.strain.size() > 0});
 }
 
 }  // namespace
@@ -333,7 +292,7 @@ Message lagging(const WarningInput& input) {
           "there are no effects): {} × {} do not converge, and the cloth lags behind. In tests {}. {}",
           found->second, counted(scene.settings.substeps, "substep"),
           counted(scene.settings.iterations, "iteration"),
-          found->second > residual_of_lag
+          found->second > scene.method.kind().residual_of_lag
               ? "it lagged by 1 to 12 % of its size where they were 2 to 5 times, and by 3 to 50 % at 5 to 20"
               : "cloth that friction moves went 4 to 74 % of its way with vbd at 0.2 to 0.4 times, or slid "
                 "up "
@@ -348,8 +307,8 @@ Message no_equilibrium(const WarningInput& input) {
   const auto found = input.summary->find("unbalanced");
   const bool ended = input.status == RunStatus::complete || input.status == RunStatus::implausible;
   if (!ended || found == input.summary->end() || input.summary->contains("settled_at")) return std::nullopt;
-  const bool blows =
-      std::ranges::find(input.scene.effects, "wind", &EffectSettings::type) != input.scene.effects.end();
+  const bool blows = std::ranges::any_of(
+      input.scene.effects, [](const Effect& effect) { return effect.kind().force_follows_pose; });
   const std::string_view remedy =
       !is_held(input.scene) ? "Nothing holds the cloth: pin vertices, or let it fall with another method"
       : blows               ? "The wind's force follows the pose, which Newton's method does not know: let "

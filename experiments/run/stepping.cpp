@@ -4,10 +4,10 @@
 
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/parameters/archive.hpp"
-#include "experiments/config/counted.hpp"
+#include "bendlab/scene/counted.hpp"
+#include "bendlab/scene/start_after.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/remedies.hpp"
-#include "experiments/scene/start_after.hpp"
 
 namespace bendlab {
 namespace {
@@ -23,7 +23,7 @@ std::string worst_triangle_text(const Divergence& divergence, const Triangles& t
   return "";
 }
 
-std::string divergence_message(const Divergence& divergence, const Scene& scene) {
+std::string divergence_message(const Divergence& divergence, const BuiltScene& scene) {
   const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
   const std::string remedies = remedies_for_divergence(scene);
   return fmt::format(
@@ -98,7 +98,7 @@ void RunClock::archive(Archive& state, double recording_now) {
   if (state.reads()) earlier_wall_s_ = wall, earlier_thread_s_ = thread, earlier_recording_s_ = recording;
 }
 
-Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& config,
+Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved) {
   // No structured bindings: clang before 16 has lambdas that cannot capture them.
   Simulation& simulation = run.simulation;
@@ -107,15 +107,15 @@ Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& 
   FrameWriter& writer = run.writer;
   Checkpoints& checkpoints = run.checkpoints;
   RunClock& run_clock = run.clock;
-  const double duration = config.section("").number("duration"), dt = config.section("/solver").number("dt");
-  const double frame_interval = 1 / config.section("/output").number("frames_per_second");
+  const double duration = config.scene().duration, dt = config.scene().solver.dt;
+  const double frame_interval = 1 / config.settings().output.frames_per_second;
   constexpr double rounding = 1e-6;  // of a step: a step that ends on a frame's time by rounding records it
-  const std::int64_t steps = step_count(config);
+  const std::int64_t steps = step_count(config.scene());
 
   std::int64_t done = 0;
   std::uint64_t frames = 0;
   double next_frame = frame_interval;
-  Calm calm(config.section("").number("settled_speed"));
+  Calm calm(config.settings().settled_speed);
   StepClock clock(simulation);
   const auto archive = [&](Archive& state) {
     state(done, next_frame, calm, clock, simulation, recorder, plausibility);

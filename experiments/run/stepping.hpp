@@ -60,7 +60,7 @@ struct RunAtWork {
 /// Records the first pose and then /output/frames_per_second; measures and verdict look at every step.
 /// `saved`: where to go on, or null; frames up to there are in the writer's file. Throws RunFileError if
 /// frames can't be written, Unresumable if `saved` does not fit the run.
-Stepping step_to_end(const RunAtWork& run, const Scene& scene, const RunConfig& config,
+Stepping step_to_end(const RunAtWork& run, const BuiltScene& scene, const RunConfig& config,
                      const RunControl& control, const Checkpoint* saved);
 
 }  // namespace bendlab

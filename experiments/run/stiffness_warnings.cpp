@@ -46,7 +46,7 @@ Message uneven_stiffness(const WarningInput& input) {
 // With pbd the springs' excess is lowered instead (weaker_push).
 Message pushed_membrane(const WarningInput& input) {
   const SimulationInput& scene = input.scene.input;
-  if (scene.method->projects || scene.strain.size() == 0 ||
+  if (scene.method.kind().projects || scene.strain.size() == 0 ||
       scene.strain_stiffness.kind != StiffnessKind::compliance)
     return std::nullopt;
   return push_on_membrane_warning(scene.push_tension, scene.strain_stiffness.compliance);

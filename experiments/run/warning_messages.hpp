@@ -25,10 +25,8 @@ Message replaced_setting(const WarningInput& input);
 Message piece_without_pin(const WarningInput& input);
 Message effect_without_pins(const WarningInput& input);
 Message friction_without_obstacle(const WarningInput& input);
-Message kinetic_above_static(const WarningInput& input);
-Message coarse_wind(const WarningInput& input);
+Message doubtful_effect(const WarningInput& input);
 Message starts_inside(const WarningInput& input);
-Message thick_cloth(const WarningInput& input);
 Message far_vertex(const WarningInput& input);
 Message all_pinned(const WarningInput& input);
 Message units(const WarningInput& input);
@@ -52,9 +50,8 @@ Message doubtful_stiffness(const WarningInput& input);
 Message uneven_stiffness(const WarningInput& input);
 Message pushed_membrane(const WarningInput& input);
 
-inline bool has_obstacle(const Scene& scene) {
-  return std::ranges::any_of(
-      scene.effects, [](const EffectSettings& effect) { return find_effect(effect.type)->is_obstacle; });
+inline bool has_obstacle(const BuiltScene& scene) {
+  return std::ranges::any_of(scene.effects, [](const Effect& effect) { return effect.kind().is_obstacle; });
 }
 
 }  // namespace bendlab

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 
@@ -37,7 +37,7 @@ struct WarningText {
 struct WarningInput {
   const Experiment& experiment;
   const RunConfig& config;
-  const Scene& scene;
+  const BuiltScene& scene;
   const std::map<std::string, double>* summary = nullptr;  ///< of the run; null before it
   RunStatus status = RunStatus::running;                   ///< how it ended
 };

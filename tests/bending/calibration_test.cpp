@@ -313,7 +313,7 @@ TEST_CASE("denser springs around pins are as stiff as the rest", "[bending][cali
   // its angle: C κ³.
   const RestMesh rest(equilateral(0.24, 0.24, 24));
   constexpr std::size_t clamp = 4, rows = 28;  // 0.24 / (√3/2 · 0.01)
-  const Pins pins = make_pins(rest, select_vertices(rest, "bottom"), clamp);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::bottom), clamp);
   const double height = std::numbers::sqrt3 / 2 * rest.mean_edge_length(), turn = 0.02;
   std::vector<double> angles(rows, turn);
   std::fill_n(angles.begin(), clamp, 0.0);

@@ -13,12 +13,8 @@ namespace {
 
 using Catch::Matchers::WithinRel;
 
-BendingConstraints choi_ko(const RestMesh& rest, int ring, std::string force = "exact") {
-  const BendingModel& model = *find_bending_model("choi_ko");
-  ParameterValues values(model.parameters);
-  values.set("ring", ring);
-  values.set("force", std::move(force));
-  return model.build({rest, make_pins(rest, {}, 0), values});
+BendingConstraints choi_ko(const RestMesh& rest, int ring, ArcSpring::Law force = ArcSpring::Law::exact) {
+  return constraints_of(ChoiKo{.ring = ring, .force = force}, {rest, make_pins(rest, {}, 0)});
 }
 
 // Folded along lattice lines `angle` from x, a height h = √3/2 a apart, so that each strip between two stays
@@ -41,7 +37,7 @@ Positions folded_in_strips(const RestMesh& rest, double curvature, double angle)
 
 // 2 U / (κ² area) of the pairs in the middle of the lattice, times a / k_b; `per_vertex` of them to each
 // vertex.
-double rigidity(int ring, double per_vertex, double angle, const std::string& force = "exact") {
+double rigidity(int ring, double per_vertex, double angle, ArcSpring::Law force = ArcSpring::Law::exact) {
   const RestMesh rest(equilateral(1, 1, 48));
   const BendingConstraints constraints = choi_ko(rest, ring, force);
   const auto& all = std::get<ElementList<ArcSpring>>(constraints.elements);
@@ -86,7 +82,7 @@ TEST_CASE("choi_ko's flexural rigidity on the equilateral lattice", "[bending]")
     // The next order is (κ L)² / 40 or so: 10⁻⁴ at κ L = 0.06.
     CHECK_THAT(rigidity(2, 6, angle), WithinRel(ring_2, 2e-4));
     CHECK_THAT(rigidity(3, 9, angle), WithinRel(ring_3, 2e-4));
-    CHECK_THAT(rigidity(2, 6, angle, "polynomial"), WithinRel(12.112 / 12 * ring_2, 2e-4));
+    CHECK_THAT(rigidity(2, 6, angle, ArcSpring::Law::polynomial), WithinRel(12.112 / 12 * ring_2, 2e-4));
   }
 }
 
@@ -111,7 +107,7 @@ TEST_CASE("choi_ko resists closing a curved rest shape, not opening it", "[bendi
   TriangleMesh mesh = flat.mesh();
   mesh.positions = folded_in_strips(flat, 0.5 / flat.mean_edge_length(), 0);
   const RestMesh rest(mesh);
-  for (const std::string force : {"exact", "polynomial"}) {
+  for (const ArcSpring::Law force : {ArcSpring::Law::exact, ArcSpring::Law::polynomial}) {
     const auto energy = [&](const Positions& positions) {
       return elastic_energy(choi_ko(rest, 2, force).elements, positions);
     };

@@ -182,7 +182,7 @@ TEST_CASE("a curved rest shape stays still", "[bending]") {
        {std::pair("quarter", quarter), std::pair("cylinder", tube(0.3, 0.3, 1, 14)),
         std::pair("cone", tube(0.6, 0.15, 0.8, 16))}) {
     const RestMesh rest(mesh);
-    for (const BendingModel* model : bending_models())
+    for (const BendingKind* model : bending_models())
       for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
         if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
         INFO(model->name << ", " << shape);

@@ -20,7 +20,7 @@ Pins no_pins(const RestMesh& rest) {
   return make_pins(rest, {}, 0);
 }
 Pins corner_pin(const RestMesh& rest, int ring) {
-  return make_pins(rest, select_vertices(rest, "upper_right"), ring);
+  return make_pins(rest, select_vertices(rest, Place::upper_right), ring);
 }
 
 std::set<std::array<int, 2>> pair_set(const DistanceConstraints& springs) {
@@ -38,10 +38,9 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
     const RestMesh rest(mesh);
     for (const int ring : {0, 1}) {
       const Pins pins = corner_pin(rest, ring);
-      for (const BendingModel* model : bending_models()) {
+      for (const BendingKind* model : bending_models()) {
         INFO(model->name);
-        const ParameterValues values(model->parameters);
-        const BendingConstraints constraints = model->build({rest, pins, values});
+        const BendingConstraints constraints = constraints_of(BendingModel(*model), {rest, pins});
         const DistanceConstraints& springs = constraints.distance;
         CHECK(pair_set(springs).size() == springs.size());  // no pair twice
         for (std::size_t s = 0; s < springs.size(); ++s) {
@@ -56,7 +55,8 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
               Catch::Matchers::WithinRel(
                   (model->prestressed ? 1.02 : 1) * (rest.position(a) - rest.position(b)).norm(), 1e-14));
         }
-        CHECK(model->build({rest, pins, values}).distance.vertices == springs.vertices);  // a pure function
+        CHECK(constraints_of(BendingModel(*model), {rest, pins}).distance.vertices ==
+              springs.vertices);  // a pure function
         CHECK_FALSE(model->summary.empty());
         CHECK_FALSE(model->source.empty());
         CHECK_FALSE(model->limits.empty());
@@ -68,7 +68,7 @@ TEST_CASE("every model keeps its contract on every shape", "[bending]") {
 TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
   const RestMesh rest(delaunay(1, 1, 9, 7));
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(2, Vector3(1, 2, 3).normalized()).toRotationMatrix();
-  for (const BendingModel* model : bending_models())
+  for (const BendingKind* model : bending_models())
     for (const StiffnessKind kind : {StiffnessKind::k, StiffnessKind::compliance}) {
       if (model->prestressed) continue;  // pushes the sheet apart as far as the membrane lets it
       INFO(model->name);
@@ -84,10 +84,9 @@ TEST_CASE("no model corrects anything after a rigid motion", "[bending]") {
 
 TEST_CASE("a model says whether it is made of springs alone, and whether they only push", "[bending]") {
   const RestMesh rest(grid(1, 1, 6, 6));
-  for (const BendingModel* model : bending_models()) {
+  for (const BendingKind* model : bending_models()) {
     INFO(model->name);
-    const BendingConstraints built =
-        model->build({rest, make_pins(rest, {0}, 0), ParameterValues(model->parameters)});
+    const BendingConstraints built = constraints_of(BendingModel(*model), {rest, make_pins(rest, {0}, 0)});
     CHECK(model->springs_only == (element_count(built.elements) == 0));
     std::size_t one_sided = 0;
     for_each_kind(built.elements, [&]<class Kind>(const ElementList<Kind>& list) {
@@ -99,7 +98,7 @@ TEST_CASE("a model says whether it is made of springs alone, and whether they on
 
 TEST_CASE("a model whose constraints differ in softness is refused with k, unless it says so", "[bending]") {
   const RestMesh rest(grid(1, 1, 2, 2));
-  const BendingModel own{.name = "own"}, told{.name = "own", .softness_needs_compliance = true};
+  const BendingKind own{.name = "own"}, told{.name = "own", .softness_needs_compliance = true};
   BendingConstraints constraints;
   constraints.distance.vertices.push_back({0, 1});
   constraints.distance.rest_length = {0.5};
@@ -112,7 +111,7 @@ TEST_CASE("a model whose constraints differ in softness is refused with k, unles
   CHECK_FALSE(unknown_to_k(told, constraints));
   // Every registered model can be had with k, which is the paper's stiffness.
   const Pins pins = no_pins(rest);
-  for (const BendingModel* model : bending_models()) {
+  for (const BendingKind* model : bending_models()) {
     INFO(model->name);
     CHECK_FALSE(unknown_to_k(*model, built(model->name, rest, pins)));
   }
@@ -184,7 +183,7 @@ TEST_CASE("levels follow their settings", "[bending]") {
 TEST_CASE("ring options change what they say", "[bending]") {
   const RestMesh rest(grid(1, 1, 8, 8));
   const Pins pins = corner_pin(rest, 1);
-  const auto k = std::pair<std::string_view, Value>{"k", std::int64_t{2}};
+  const auto k = std::pair<std::string, Value>{"k", std::int64_t{2}};
   const DistanceConstraints plain = built("k_ring", rest, pins, {k}).distance;
 
   const DistanceConstraints twice =
@@ -223,7 +222,7 @@ TEST_CASE("LOD with ring 1 has the mesh's edges besides its ring t, each once", 
   const RestMesh rest(grid(1, 1, 8, 8));
   const Pins pins = no_pins(rest);
   const int t = GENERATE(1, 2, 3, 5);
-  const auto level = std::pair<std::string_view, Value>{"t", std::int64_t{t}};
+  const auto level = std::pair<std::string, Value>{"t", std::int64_t{t}};
   const DistanceConstraints alone = built("lod", rest, pins, {level}).distance;
   const DistanceConstraints both = built("lod", rest, pins, {level, {"ring_1", true}}).distance;
   auto expected = pair_set(alone);

@@ -89,7 +89,7 @@ TEST_CASE("a sheet grows by what its membrane gives way to the push", "[bending]
     virial += (longer - length) * length / (bending * input.distance.softness[s]);
   }
   for (const double a : rest.areas()) area += a;
-  input.method = find_method("equilibrium");
+  input.method = Equilibrium{};
   const auto simulation = make_simulation<double>(input, {});
   for (int step = 0; step < 40 && !simulation->settled(); ++step) REQUIRE(simulation->step());
   const Positions x = simulation->positions();

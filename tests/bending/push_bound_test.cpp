@@ -144,17 +144,15 @@ TEST_CASE("a method that softens the membrane leaves it stiff enough for springs
   // A strip of 0.3 m without gravity's help: its own weight asks for 5 ρ g A / (L error) = 100 N/m, its
   // springs for T / error.
   const RestMesh rest(grid(0.3, 0.03, 30, 3));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
   BendingConstraints constraints = test::built("prestressed", rest, pins, {{"excess", 1.0}});
   calibrate(constraints, rest, pins, {.flexural_rigidity = rigidity});
   SimulationInput input = test::sheet(rest, pins, "none", density);
   input.distance = constraints.distance;
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-7};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
-  input.method = find_method("quasi_newton");
+  input.method = QuasiNewton{.membrane_error = 3e-3};
   input.settings = {.dt = dt, .substeps = 2, .iterations = 20};
-  input.settings.own = ParameterValues(input.method->parameters);
-  input.settings.own.set("membrane_error", 3e-3);
   input.push_tension = push_tension(input.distance, rest, 1);
   const auto simulation = make_simulation<double>(input, {});
   for (int step = 0; step < 30; ++step) REQUIRE(simulation->step());

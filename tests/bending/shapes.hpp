@@ -10,19 +10,12 @@
 
 namespace bendlab::test {
 
-using Changed = std::vector<std::pair<std::string_view, Value>>;
-
-inline ParameterValues settings(std::string_view model, const Changed& changed) {
-  ParameterValues values(find_bending_model(model)->parameters);
-  for (const auto& [name, value] : changed) values.set(name, value);
-  return values;
-}
+using Changed = Changes;
 
 /// What a model builds with some settings changed from their defaults.
 inline BendingConstraints built(std::string_view model, const RestMesh& rest, const Pins& pins,
                                 const Changed& changed = {}) {
-  const ParameterValues values = settings(model, changed);
-  return find_bending_model(model)->build({rest, pins, values});
+  return constraints_of(chosen(*find_bending_model(model), changed), {rest, pins});
 }
 inline BendingConstraints built(std::string_view model, const RestMesh& rest, const Changed& changed = {}) {
   return built(model, rest, make_pins(rest, {}, 0), changed);

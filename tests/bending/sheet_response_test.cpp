@@ -59,12 +59,12 @@ struct Strip {
   static constexpr double density = 0.2, stated = 1e-3;
   RestMesh rest;
   Pins pins;
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   double length = 0;
 
   Strip(const TriangleMesh& mesh, Deflection deflection)
       : rest(mesh),
-        pins(make_pins(rest, select_vertices(rest, "left"), 0, 0.02)),
+        pins(make_pins(rest, select_vertices(rest, Place::left), 0, 0.02)),
         input(test::sheet(rest, pins, "none", density)) {
     BendingConstraints bending = calibrated("dihedral", rest, pins, stated, deflection);
     input.elements = std::move(bending.elements);
@@ -88,7 +88,7 @@ struct Strip {
 
   Positions equilibrium() const {
     SimulationInput still = input;
-    still.method = find_method("equilibrium");
+    still.method = Equilibrium{};
     const auto simulation = make_simulation<double>(
         still, test::effect_passes<double>("gravity", "acceleration", std::vector<double>{0, 0, -gravity()}));
     for (int step = 0; step < 400 && !simulation->settled(); ++step) REQUIRE(simulation->step());
@@ -211,7 +211,8 @@ TEST_CASE("a clamped strip vibrates at the frequency of its static rigidity", "[
   const Positions still = strip.equilibrium();
   strip.input.positions = still;
   constexpr int substeps = 512;
-  strip.input.settings = {.dt = 1e-3 * 16, .substeps = substeps, .iterations = 1, .sweep = Sweep::symmetric};
+  strip.input.settings = {.dt = 1e-3 * 16, .substeps = substeps, .iterations = 1};
+  strip.input.method = Pbd{.sweep = Sweep::symmetric};
   const auto simulation = make_simulation<double>(strip.input, {});
   const auto part = [&](const Positions& positions) {
     double sum = 0;

@@ -119,7 +119,7 @@ TEST_CASE("sparse_lod has the same number of springs per vertex at any resolutio
   std::vector<double> per_vertex;
   for (const int cells : {32, 64, 128, 256}) {
     const RestMesh rest(grid(1, 1, cells, cells));
-    const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+    const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
     const DistanceConstraints springs = test::built("sparse_lod", rest, pins).distance;
     per_vertex.push_back(static_cast<double>(springs.size()) / rest.vertex_count());
   }

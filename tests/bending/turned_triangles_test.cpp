@@ -63,7 +63,7 @@ TEST_CASE("turned triangles: models are calibrated as without", "[bending][turne
         const auto softness = [&](const TriangleMesh& of) {
           const RestMesh rest(of);
           std::vector<int> seeds;
-          if (clamped > 0) seeds = select_vertices(rest, "left");
+          if (clamped > 0) seeds = select_vertices(rest, Place::left);
           return calibrated_softness(model, rest, make_pins(rest, seeds, 0, clamped));
         };
         const auto largest_change = [](const std::vector<double>& before, const std::vector<double>& after) {

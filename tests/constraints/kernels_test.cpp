@@ -62,9 +62,8 @@ struct Crumpled {
   ElementBatch<Real, Kind> elements(std::string_view model, StiffnessKind kind,
                                     typename Kind::Law law) const {
     const Pins none = make_pins(rest, {}, 0);
-    const BendingModel& bending = *find_bending_model(model);
     auto list = std::get<ElementList<Kind>>(
-        bending.build({rest, none, ParameterValues(bending.parameters)}).elements);
+        constraints_of(BendingModel(*find_bending_model(model)), {rest, none}).elements);
     for (std::size_t c = 0; c < list.size(); ++c) bend_at_rest(list.rest[c], c);
     list.law = law;
     ElementBatch<Real, Kind> batch =

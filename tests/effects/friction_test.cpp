@@ -183,11 +183,9 @@ TEST_CASE("friction without contact, or of no strength, changes nothing", "[effe
   const Settings none = {{"static", 0.0}, {"kinetic", 0.0}}, some = {{"static", 0.3}, {"kinetic", 0.3}};
   CHECK(end(&none) == end(nullptr));
   CHECK(end(&some) != end(nullptr));
-  const Effect& friction = *find_effect("friction");
-  ParameterValues values(friction.parameters);
-  CHECK_FALSE(friction.idle(values));
-  values.set("static", 0.0), values.set("kinetic", 0.0);
-  CHECK(friction.idle(values));
+  const Friction usual, no_friction{.at_rest = 0, .kinetic = 0};
+  CHECK_FALSE(Friction::kind.idle(&usual));
+  CHECK(Friction::kind.idle(&no_friction));
 }
 
 }  // namespace bendlab

@@ -8,7 +8,7 @@
 
 namespace bendlab::test {
 
-using Settings = std::vector<std::pair<std::string, Value>>;
+using Settings = Changes;
 
 inline std::vector<double> list(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
@@ -18,11 +18,9 @@ inline std::vector<double> list(const Vector3& v) {
 template <class Real>
 void add_effect(std::vector<Pass<Real>>& passes, std::string_view name, const RestMesh& rest,
                 const Settings& settings, bool contacts_used = true) {
-  const Effect& effect = *find_effect(name);
-  ParameterValues values(effect.parameters);
-  for (const auto& [key, value] : settings) values.set(key, value);
   const Pins none = make_pins(rest, {}, 0);
-  for (Pass<Real>& pass : effect.compile<Real>({values, rest, none, {}, contacts_used}))
+  for (Pass<Real>& pass :
+       bendlab::passes_of<Real>(effect_of(name, settings), {rest, none, {}, contacts_used}))
     passes.push_back(std::move(pass));
 }
 
@@ -32,7 +30,7 @@ inline RestMesh vertices(int count) {
 }
 
 inline SimulationInput loose(const RestMesh& rest) {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = rest.positions();
   input.origin = Vector3::Zero();
   input.size = 10;  // m

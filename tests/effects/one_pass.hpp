@@ -8,16 +8,12 @@
 
 namespace bendlab::test {
 
-using Settings = std::initializer_list<std::pair<std::string_view, Value>>;
-
 /// The passes of an effect with some settings changed from their defaults.
 template <class Real>
 std::vector<Pass<Real>> passes_of(std::string_view name, const RestMesh& rest, const Pins& pins,
-                                  Settings settings = {}) {
-  const Effect& effect = *find_effect(name);
-  ParameterValues values(effect.parameters);
-  for (const auto& [setting, value] : settings) values.set(setting, value);
-  return effect.compile<Real>({values, rest, pins, {}, effect.uses_contacts});
+                                  const Changes& settings = {}) {
+  const Effect effect = effect_of(name, settings);
+  return bendlab::passes_of<Real>(effect, {rest, pins, {}, effect.kind().uses_contacts});
 }
 
 /// A cloth in its rest shape, at rest; masses of 0.2 kg/m².

@@ -24,10 +24,7 @@ void append(std::vector<Pass<Real>>& passes, std::vector<Pass<Real>> more) {
 template <class Real>
 std::vector<Pass<Real>> collision(const RestMesh& rest, double h = thickness,
                                   std::vector<int> permutation = {}) {
-  const Effect& effect = *find_effect("self_collision");
-  ParameterValues values(effect.parameters);
-  values.set("thickness", h);
-  return effect.compile<Real>({values, rest, make_pins(rest, {}, 0), permutation});
+  return passes_of<Real>(SelfCollision{.thickness = h}, {rest, make_pins(rest, {}, 0), permutation});
 }
 
 // Two triangles far from each other at rest.
@@ -163,7 +160,7 @@ TEMPLATE_TEST_CASE("a vertex shot at a triangle at 50 m/s stays on its side", "[
         Eigen::Quaterniond(test::uniform(random, -1, 1), test::uniform(random, -1, 1),
                            test::uniform(random, -1, 1), test::uniform(random, -1, 1))
             .normalized();
-    SimulationInput input;
+    SimulationInput input{.method = Pbd{}};
     input.size = rest.size();
     input.is_pinned.assign(6, 0);
     input.positions = rest.positions();
@@ -258,8 +255,6 @@ TEMPLATE_TEST_CASE("a pair comes apart from where it is at the start of each sub
 TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
   const RestMesh rest(delaunay(1, 1, 10, 4));
   const auto pairs = all_pairs(rest);
-  const Effect& effect = *find_effect("self_collision");
-  const ParameterValues values(effect.parameters);
   // Of thick cloth, most pairs are nearer than the thickness at rest, and have smaller targets.
   const double thick = thickness * GENERATE(1, 40);
   std::size_t near = 0, listed = 0;
@@ -272,7 +267,7 @@ TEST_CASE("no pair that can come near is missed", "[effects][self_collision]") {
       to.row(v) += (shared + test::random_vector(random, 0.01)).transpose();
     const State<double> state =
         state_on_the_way<double>(from, to, std::vector<double>(static_cast<std::size_t>(to.rows()), 1.0));
-    NearPairs<double> found({values, rest, make_pins(rest, {}, 0), {}}, thick);
+    NearPairs<double> found({rest, make_pins(rest, {}, 0), {}}, thick);
     CHECK_FALSE(found.cover(state.position));
     found.begin(state, 0.001);
     CHECK(found.cover(state.position));

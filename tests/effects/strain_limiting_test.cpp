@@ -165,7 +165,7 @@ TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "
   std::mt19937_64 random(2);
   for (const bool held : {false, true})
     for (const double stretch : {1.5, 0.6}) {
-      const Pins pins = make_pins(rest, held ? select_vertices(rest, "left") : std::vector<int>{}, 0);
+      const Pins pins = make_pins(rest, held ? select_vertices(rest, Place::left) : std::vector<int>{}, 0);
       auto passes = test::passes_of<TestType>("strain_limiting", rest, pins);
       State<TestType> state = test::state_of<TestType>(rest, pins);
       const double left = rest.box_min().x();
@@ -185,7 +185,7 @@ TEMPLATE_TEST_CASE("strain limiting: a sheet out of bounds comes within them", "
 
 TEST_CASE("strain limiting takes energy from a hanging sheet", "[effects]") {
   const RestMesh rest(grid(1, 1, 16, 16));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const SimulationInput input = test::sheet(rest, pins, "crossover");
   const double weight = 9.81;
   // Kinetic energy of what the step would now end with, and potential energy, J.

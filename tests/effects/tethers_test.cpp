@@ -24,8 +24,8 @@ Positions after_a_step(const RestMesh& rest, const Pins& pins, std::vector<Pass<
 }
 
 Pins two_corners(const RestMesh& rest) {
-  std::vector<int> seeds = select_vertices(rest, "upper_right");
-  seeds.push_back(select_vertices(rest, "upper_left").front());
+  std::vector<int> seeds = select_vertices(rest, Place::upper_right);
+  seeds.push_back(select_vertices(rest, Place::upper_left).front());
   return make_pins(rest, seeds, 0);
 }
 
@@ -50,7 +50,7 @@ double farthest(const RestMesh& rest, const Pins& pins, const Positions& positio
 
 TEMPLATE_TEST_CASE("no vertex gets farther from its pin than the cloth is long", "[effects]", float, double) {
   const RestMesh rest(delaunay(1, 1, 16, 5));
-  const Pins one = make_pins(rest, select_vertices(rest, "upper_right"), 0);
+  const Pins one = make_pins(rest, select_vertices(rest, Place::upper_right), 0);
   for (const double slack : {0.0, 0.1}) {
     const Positions positions = after_a_step<TestType>(
         rest, one, test::effect_passes<TestType>("tethers", rest, one, "slack", slack), 3);
@@ -115,7 +115,7 @@ TEST_CASE("a curved rest shape needs the way along the surface", "[effects]") {
 TEST_CASE("tethers keep a heavy sheet from stretching, with any bending model", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 24, 2));  // no vertex as near to one corner as to the other
   const Pins pins = two_corners(rest);
-  for (const BendingModel* model : bending_models()) {
+  for (const BendingKind* model : bending_models()) {
     const auto longest = [&](bool tethered) {
       SimulationInput input = test::sheet(rest, pins, model->name);
       input.settings.iterations = 3;

@@ -185,7 +185,7 @@ TEST_CASE("wind: a triangle's lightest corner bounds its impulse, whichever it i
 
 TEST_CASE("wind: a gust of a hundred times the weight leaves a flag whole", "[effects]") {
   const RestMesh rest(delaunay(1, 1, 10, 4));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   // ½ ρ C_D U² = 100 ρ_s g
   const double speed = 10 * std::sqrt(2 * density * gravity / (air_density * drag_of_plate));
   auto passes = test::passes_of<double>(

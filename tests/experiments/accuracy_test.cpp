@@ -11,8 +11,9 @@
 
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/generators.hpp"
+#include "bendlab/scene/pose_transfer.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/pose_transfer.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;
@@ -42,7 +43,8 @@ class Results {
 
   std::vector<RunOutcome> run(const std::string& settings) const {
     const Experiment experiment = parse_experiment(R"({"name": "errors", "defaults": "paper",
-          )" + settings + "}", "test");
+          )" + settings + "}",
+                                                   "test");
     std::vector<RunOutcome> outcomes;
     for (const RunConfig& config : experiment.runs)
       outcomes.push_back(execute_run(experiment, config, folder));
@@ -186,7 +188,8 @@ TEST_CASE(
   const std::string settings = strip + xpbd + R"(, "accuracy": {"solver": ["/solver/substeps=200"]},
                                                   "sweep": {"/solver/substeps": [1, 2, 3, 4]})";
   const Experiment experiment = parse_experiment(R"({"name": "errors", "defaults": "paper",
-          )" + settings + "}", "test");
+          )" + settings + "}",
+                                                 "test");
   std::vector<RunOutcome> outcomes(experiment.runs.size());
   {
     std::vector<std::jthread> threads;
@@ -367,10 +370,11 @@ TEST_CASE("accuracy: a sheet that turns about its pin is the same sheet") {
 
 TEST_CASE("accuracy: a run's id follows its references, and only where it has some") {
   const auto id = [](const std::string& accuracy) {
-    return run_id(
-        parse_experiment(R"({"name": "id", "defaults": "paper",
-          "mesh": {"cells": 4}, "accuracy": {)" + accuracy + "}}", "test")
-            .runs.front());
+    return run_id(parse_experiment(R"({"name": "id", "defaults": "paper",
+          "mesh": {"cells": 4}, "accuracy": {)" +
+                                       accuracy + "}}",
+                                   "test")
+                      .runs.front());
   };
   CHECK(id("") == id(R"("align": "rigid", "solver": [])"));
   CHECK(id("") != id(R"("solver": ["/solver/dt=0.01"])"));
@@ -385,8 +389,9 @@ TEST_CASE("accuracy: what the solver holds is counted") {
   // apart: 64 substeps), the rest shape, and masses of double precision, and that is less than all.
   const auto bytes = [](const std::string& settings) {
     const std::string config = R"({"name": "memory", "defaults": "paper",
-          "bending": {"model": "crossover"}, )" + settings + "}";
-    const Scene scene = build_scene(parse_experiment(config, "test").runs.front());
+          "bending": {"model": "crossover"}, )" +
+                               settings + "}";
+    const BuiltScene scene = build_scene(parse_experiment(config, "test").runs.front().scene());
     return static_cast<double>(simulation_of(scene)->memory_bytes());
   };
   CHECK(bytes(R"("mesh": {"cells": 2})") > 9 * (7 * 16 + 8));

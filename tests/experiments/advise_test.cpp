@@ -11,6 +11,7 @@
 #include "experiments/advise/front.hpp"
 #include "experiments/advise/reasons.hpp"
 #include "experiments/advise/search.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 

@@ -144,7 +144,7 @@ TEST_CASE("the roofline's model counts what a constraint moves", "[bench]") {
 
 TEST_CASE("bench measures every effect in a scene where it acts", "[bench][effects]") {
   const nlohmann::json rows = rows_of("^effect/");
-  for (const Effect* effect : effects()) {
+  for (const EffectKind* effect : effects()) {
     INFO(effect->name);
     const std::string name = "effect/" + std::string(effect->name) + "/32";
     const auto row = std::ranges::find_if(rows, [&](const auto& each) { return each.at("name") == name; });

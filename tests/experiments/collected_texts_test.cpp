@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "experiments/cli/run_tables.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {

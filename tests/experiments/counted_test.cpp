@@ -1,4 +1,4 @@
-#include "experiments/config/counted.hpp"
+#include "bendlab/scene/counted.hpp"
 
 #include <cstddef>
 

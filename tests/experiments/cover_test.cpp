@@ -11,7 +11,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/config/schema.hpp"
 #include "tests/catch.hpp"
 
@@ -216,7 +216,7 @@ TEST_CASE("cover: the limit is on what is run, and an override narrows an axis",
   CHECK(experiment(rest).runs.size() < 200);  // of 393 216
   const Experiment narrow = experiment(rest, {"/bending/model=none", "/mesh/cells=2"});
   CHECK(narrow.runs.size() < 130);
-  for (const RunConfig& run : narrow.runs) CHECK(run.bending_model() == "none");
+  for (const RunConfig& run : narrow.runs) CHECK(run.scene().bending.model.name() == "none");
   CHECK(narrow.cover.missing == 0);
 }
 

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/config.hpp"
 #include "experiments/config/expectations.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/scene/scene.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
@@ -80,9 +80,9 @@ TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
                       "where": {"/defaults": "paper"}}]})",
       "test");
   REQUIRE(both.runs.size() == 2);
-  CHECK(both.runs[0].bending_model() == "adaptive");
+  CHECK(both.runs[0].scene().bending.model.name() == "adaptive");
   CHECK(effects_of(both.runs[0].resolved()) == std::vector<std::string>{"gravity"});
-  CHECK(both.runs[1].bending_model() == "discrete_shells");
+  CHECK(both.runs[1].scene().bending.model.name() == "discrete_shells");
   CHECK(effects_of(both.runs[1].resolved()) == std::vector<std::string>{"gravity", "viscous_drag"});
   CHECK(check_expectations(both, both.runs[0], {{"springs", 4}}).size() == 1);
   CHECK(check_expectations(both, both.runs[1], {{"springs", 4}}).empty());
@@ -180,7 +180,7 @@ TEST_CASE("defaults: with a method that does not project tethers do nothing, and
                        "test")
           .runs.at(0);
   CHECK(effects_of(still.resolved()) == std::vector<std::string>{"gravity", "tethers"});
-  CHECK(idle_effects(build_scene(still)) == std::vector<std::size_t>{1});
+  CHECK(idle_effects(build_scene(still.scene())) == std::vector<std::size_t>{1});
   CHECK_THAT(problem_of(R"({"name": "t", )" + membrane + ", " + method +
                         R"(, "effects": [{"type": "tethers"}, {"type": "plane"}]})"),
              ContainsSubstring("/effects/1") && ContainsSubstring("plane acts between iterations"));
@@ -200,7 +200,7 @@ TEST_CASE("defaults: a method that has no substeps takes one step at a time", "[
       R"({"name": "t", "mesh": {"cells": 4}, "solver": {"method": "equilibrium"},
           "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
       "test");
-  const Scene scene = build_scene(experiment.runs.at(0));
+  const BuiltScene scene = build_scene(experiment.runs.at(0).scene());
   CHECK(scene.input.settings.substeps == 1);
   CHECK(scene.input.settings.iterations == 1);
 }
@@ -215,27 +215,27 @@ TEST_CASE("every recipe runs with every model, and a config's own method keeps i
         .runs.front();
   };
   for (const std::string_view recipe : {"fast", "reference", "paper"})
-    for (const BendingModel* model : bending_models()) {
+    for (const BendingKind* model : bending_models()) {
       if (model->one_sided && recipe == "fast") continue;  // quasi_newton refuses forces that jump
       CAPTURE(recipe, model->name);
       const auto simulation = simulation_of(
-          build_scene(config(recipe, fmt::format(R"("bending": {{"model": "{}"}})", model->name))));
+          build_scene(config(recipe, fmt::format(R"("bending": {{"model": "{}"}})", model->name)).scene()));
       CHECK(simulation->step());
     }
   const RunConfig fast = config("fast", R"("effects": [])");
-  CHECK(fast.section("/solver").text("method") == "quasi_newton");
-  CHECK(fast.section("/solver").integer("iterations") == 2);
-  CHECK(fast.section("/material/strain").number("membrane_stiffness") == 1e4);
+  CHECK(fast.scene().solver.method.name() == "quasi_newton");
+  CHECK(fast.scene().solver.iterations.value() == 2);
+  CHECK(fast.scene().material.strain.membrane_stiffness == 1e4);
   const RunConfig other = config("fast", R"("solver": {"method": "newton"})");
-  CHECK(other.section("/solver").integer("iterations") == 20);  // newton's own
-  CHECK(config("reference", R"("effects": [])").section("/solver").text("method") == "newton");
+  CHECK(other.scene().solver.iterations.value() == 20);  // newton's own
+  CHECK(config("reference", R"("effects": [])").scene().solver.method.name() == "newton");
 }
 
 TEST_CASE("any method takes the default config by one word, with any model that it can have",
           "[experiments]") {
   constexpr std::string_view text = R"({"name": "t", "mesh": {"cells": 3}, "duration": 0.1})";
-  for (const Method* method : methods())
-    for (const BendingModel* model : bending_models()) {
+  for (const MethodKind* method : methods())
+    for (const BendingKind* model : bending_models()) {
       CAPTURE(method->name, model->name);
       const std::array overrides = {"/solver/method=" + std::string(method->name),
                                     "/bending/model=" + std::string(model->name)};
@@ -250,7 +250,8 @@ TEST_CASE("any method takes the default config by one word, with any model that 
         }
         continue;
       }
-      CHECK(simulation_of(build_scene(parse_experiment(text, "test", overrides).runs.front()))->step());
+      CHECK(
+          simulation_of(build_scene(parse_experiment(text, "test", overrides).runs.front().scene()))->step());
     }
 }
 

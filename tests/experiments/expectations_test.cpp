@@ -3,6 +3,7 @@
 #include <cmath>
 #include <string>
 
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;
@@ -12,7 +13,9 @@ namespace {
 
 Experiment with_expect(const std::string& expect, const std::string& rest = "") {
   return parse_experiment(R"({"name": "t", "defaults": "paper",
-          )" + rest + R"("expect": )" + expect + "}", "test");
+          )" + rest + R"("expect": )" +
+                              expect + "}",
+                          "test");
 }
 
 void check_problem(const std::string& expect, const std::string& pointer, const std::string& message) {

@@ -17,6 +17,7 @@
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"
+#include "tests/support.hpp"
 
 using namespace bendlab;
 using bendlab::test::Workplace;
@@ -150,21 +151,12 @@ double volume_of(const Surface& surface) {
   return six / 6;
 }
 
-EffectSettings effect_of(const std::string& type) {
-  return {type, ParameterValues(find_effect(type)->parameters)};
-}
-
 TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of their shape", "[export]") {
-  EffectSettings sphere = effect_of("sphere"), capsule = effect_of("capsule"), disc = effect_of("disc");
-  sphere.values.set("radius", 0.5);
-  capsule.values.set("a", std::vector<double>{1, 2, 3});
-  capsule.values.set("b", std::vector<double>{1, 5, 7});
-  capsule.values.set("radius", 0.5);
-  disc.values.set("radius", 1.25);
-  disc.values.set("height", 0.5);
-  disc.values.set("axis", std::vector<double>{0, 3, 4});
+  const Sphere ball{.radius = 0.5};
+  const Capsule pill{.a = {1, 2, 3}, .b = {1, 5, 7}, .radius = 0.5};
+  const Disc table{.axis = {0, 3, 4}, .radius = 1.25, .height = 0.5};
   std::vector<std::string> notes;
-  const auto surfaces = obstacle_surfaces({sphere, capsule, disc, sphere}, {}, Vector3::Zero(), 1, notes);
+  const auto surfaces = obstacle_surfaces({ball, pill, table, ball}, {}, Vector3::Zero(), 1, notes);
   REQUIRE(surfaces.size() == 4);
   CHECK(notes.empty());
   constexpr double pi = 3.14159265358979323846, r = 0.25, flat = 1;
@@ -182,15 +174,14 @@ TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of 
 }
 
 TEST_CASE("Every obstacle that there is is exported", "[export]") {
-  for (const Effect* effect : effects()) {
-    if (!effect->summary.starts_with("an obstacle")) continue;
+  for (const EffectKind* effect : effects()) {
+    if (!effect->is_obstacle) continue;
     INFO(effect->name);
-    EffectSettings settings = effect_of(std::string(effect->name));
+    const bool reads_file = effect->settings.find("file") != nullptr;
+    const Effect settings = test::effect_of(
+        effect->name, reads_file ? test::Changes{{"file", std::string("ramp.obj")}} : test::Changes{});
     std::vector<InputFile> inputs;
-    if (std::ranges::find(effect->parameters, "file", &Parameter::name) != effect->parameters.end()) {
-      settings.values.set("file", std::string("ramp.obj"));
-      inputs.push_back({"/effects/0/file", "ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n"});
-    }
+    if (reads_file) inputs.push_back({"/effects/0/file", "ramp.obj", "v 0 0 0\nv 1 0 0\nv 0 1 2\nf 1 2 3\n"});
     std::vector<std::string> notes;
     const auto surfaces = obstacle_surfaces({settings}, inputs, Vector3::Zero(), 1, notes);
     CHECK(notes.empty());

@@ -1,6 +1,7 @@
 // A sheet that starts folded: layers where they should be, as long as at rest, nothing crossed.
 #include "bendlab/mesh/self_intersections.hpp"
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -8,20 +9,21 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-Scene folded_scene(const std::string& initial) {
+BuiltScene folded_scene(const std::string& initial) {
   return build_scene(parse_experiment(R"({"name": "folds", "defaults": "paper",
           "description": "d", "duration": 1,
     "mesh": {"cells": 128}, "bending": {"model": "crossover"}, "initial": )" +
                                           initial + "}",
                                       "test")
-                         .runs.front());
+                         .runs.front()
+                         .scene());
 }
 
 }  // namespace
 
 TEST_CASE("a folded sheet lies in layers, unstretched and without intersections", "[experiments]") {
   const double gap = 0.02;
-  const Scene scene = folded_scene(R"({"folds": 4, "fold_gap": 0.02})");
+  const BuiltScene scene = folded_scene(R"({"folds": 4, "fold_gap": 0.02})");
   const Positions& folded = scene.input.positions;
   CHECK(self_intersections(folded, scene.rest.triangles()).empty());
   const double height = folded.col(2).maxCoeff() - folded.col(2).minCoeff();

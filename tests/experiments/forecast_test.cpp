@@ -6,10 +6,10 @@
 
 #include <cmath>
 
-#include "experiments/config/config.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/run/expected_mesh.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/expected_mesh.hpp"
-#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -47,7 +47,7 @@ TEST_CASE("forecast: what is expected of a mesh is near what it has") {
   const RunConfig config = config_of(mesh, "");
   const auto expected = expected_mesh(config);
   REQUIRE(expected);
-  const RestMesh rest(rest_mesh_of(config).mesh);
+  const RestMesh rest(rest_mesh_of(config.scene().mesh, config.folder()).mesh);
   CHECK(off(expected->vertices, rest.vertex_count()) < 0.05);
   CHECK(off(expected->triangles, rest.triangle_count()) < 0.05);
   CHECK(off(expected->edges, static_cast<double>(rest.edges().rows())) < 0.05);
@@ -75,7 +75,7 @@ TEST_CASE("forecast: of every model the constraints that are expected are near t
   CAPTURE(bending, mesh);
   const std::string stiffness = R"(, "stiffness": "compliance", "compliance": 0.1)";
   const RunConfig config = config_of(mesh, bending + stiffness);
-  const Scene scene = build_scene(config);
+  const BuiltScene scene = build_scene(config.scene());
   double built = static_cast<double>(scene.input.distance.size());
   for_each_kind(scene.input.elements, [&](const auto& list) { built += static_cast<double>(list.size()); });
   const auto needs = forecast(config);
@@ -87,7 +87,7 @@ TEST_CASE("forecast: of every model the constraints that are expected are near t
 TEST_CASE("forecast: of a mesh file it is that of the same mesh made by a generator") {
   Workplace place;
   const RunConfig made = config_of(R"("cells": 24)", R"("model": "adaptive")");
-  const RestMesh rest(rest_mesh_of(made).mesh);
+  const RestMesh rest(rest_mesh_of(made.scene().mesh, made.folder()).mesh);
   std::string obj;
   for (int v = 0; v < rest.vertex_count(); ++v)
     obj += fmt::format("v {} {} {}\n", rest.position(v).x(), rest.position(v).y(), rest.position(v).z());

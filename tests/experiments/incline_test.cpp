@@ -7,7 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -29,7 +30,7 @@ double way(const std::string& solver, const std::string& effects, double along =
           "effects": [{{"type": "gravity", "acceleration": [{}, 0, {}]}}, {}]}})",
           duration, solver, along, -into, effects),
       "test");
-  const Scene scene = build_scene(experiment.runs.front());
+  const BuiltScene scene = build_scene(experiment.runs.front().scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   const Eigen::RowVector3d start = simulation->positions().colwise().mean();
   for (int step = 0; step < std::lround(duration / dt); ++step) REQUIRE(simulation->step());
@@ -53,7 +54,7 @@ Eigen::RowVector3d drift(const std::string& solver, const std::string& scene, do
           "material": {{"strain": {{"stiffness": "compliance", "compliance": 1e-4}}}}, "solver": {}, {}}})",
                   solver, scene),
       "test");
-  const Scene built = build_scene(experiment.runs.front());
+  const BuiltScene built = build_scene(experiment.runs.front().scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(built);
   for (int step = 0; step < std::lround(time / dt); ++step) REQUIRE(simulation->step());
   const Eigen::Map<const Eigen::VectorXd> mass(built.input.mass.data(),

@@ -6,7 +6,8 @@
 #include <string>
 #include <string_view>
 
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -22,7 +23,7 @@ double longest_edge(std::string_view pins, std::string_view effects, std::string
           "effects": [{{"type": "gravity"}}, {}], "solver": {{"method": "quasi_newton", {}}}}})",
           duration, pins, form, effects, solver),
       "test");
-  const Scene scene = build_scene(experiment.runs.front());
+  const BuiltScene scene = build_scene(experiment.runs.front().scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   const Positions& rest = scene.rest.positions();
   double longest = 0;

@@ -1,6 +1,7 @@
 // What a measure says about itself, against what runs with it have.
 #include <set>
 
+#include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/metrics.hpp"
 #include "experiments/measures/reference.hpp"

@@ -3,7 +3,8 @@
 
 #include <string>
 
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -19,7 +20,7 @@ RunConfig with(const std::string& strain, const std::string& method) {
 }
 
 Positions after_steps(const RunConfig& config) {
-  const auto simulation = simulation_of(build_scene(config));
+  const auto simulation = simulation_of(build_scene(config.scene()));
   for (int step = 0; step < 5; ++step) REQUIRE(simulation->step());
   return simulation->positions();
 }
@@ -38,8 +39,8 @@ TEST_CASE("a membrane of Y N/m is one with the compliance 1/Y, with every method
 
 TEST_CASE("physical alone is a membrane of 10 000 N/m", "[experiments]") {
   const RunConfig config = with(R"({"stiffness": "physical"})", "newton");
-  CHECK(config.section("/material/strain").number("membrane_stiffness") == 1e4);
-  CHECK(build_scene(config).input.strain_stiffness.compliance == 1 / 1e4);
+  CHECK(config.scene().material.strain.membrane_stiffness == 1e4);
+  CHECK(build_scene(config.scene()).input.strain_stiffness.compliance == 1 / 1e4);
 }
 
 TEST_CASE("a membrane's stiffness is above 0, and methods that need one say its name", "[experiments]") {

@@ -7,9 +7,9 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/scene/scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -17,21 +17,22 @@ namespace {
 
 using Catch::Matchers::WithinAbs;
 
-bool takes(const Method& method, std::string_view effect) {
-  return method.takes_effect(effect, find_effect(effect)->needs_projection);
+bool takes(const MethodKind& method, std::string_view effect) {
+  const EffectKind& kind = *find_effect(effect);
+  return method.takes_effect(kind.needs_projection, kind.acts_in_iterations);
 }
 
 // Twice as wide as high, so that pbd gives the vertices another order than the mesh.
-Scene wide_sheet(const Method& method, const std::string& rest) {
+BuiltScene wide_sheet(const MethodKind& method, const std::string& rest) {
   const std::string text = fmt::format(
       R"({{"name": "wide", "defaults": "paper", "mesh": {{"cells": 8, "width": 0.5, "height": 0.25}},
            "material": {{"strain": {{"stiffness": "compliance", "compliance": 1e-3}}}},
            "bending": {{"model": "none"}}, "solver": {{"method": "{}"}}, {}}})",
       method.name, rest);
-  return build_scene(parse_experiment(text, "test").runs.front());
+  return build_scene(parse_experiment(text, "test").runs.front().scene());
 }
 
-Positions after_steps(const Scene& scene, int steps) {
+Positions after_steps(const BuiltScene& scene, int steps) {
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   for (int step = 0; step < steps; ++step) REQUIRE(simulation->step());
   return simulation->positions();
@@ -46,7 +47,7 @@ double angle_in_wind(const std::string& solver, const std::string& effects) {
            "strain": {{"stiffness": "compliance", "compliance": 1e-6}}}}, "solver": {},
            "bending": {{"model": "dihedral", "stiffness": "physical", "flexural_rigidity": 1}}, {}}})",
       solver, effects);
-  const Scene scene = build_scene(parse_experiment(text, "test").runs.front());
+  const BuiltScene scene = build_scene(parse_experiment(text, "test").runs.front().scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   for (int step = 0; step < 600 && !simulation->settled(); ++step) REQUIRE(simulation->step());
   const Positions end = simulation->positions();
@@ -78,7 +79,7 @@ TEST_CASE("wind holds a plate at its angle, whatever the time step and the order
 TEST_CASE("the smallest meshes step to finite positions with every model", "[scene]") {
   for (const char* generator : {"grid", "equilateral", "delaunay", "disc", "tube"})
     for (int cells = 1; cells <= 6; ++cells)
-      for (const BendingModel* model : bending_models()) {
+      for (const BendingKind* model : bending_models()) {
         const std::string_view name = generator;
         if (cells < (name == "tube" ? 3 : name == "equilateral" ? 2 : 1)) continue;  // refused
         CAPTURE(generator, cells, model->name);
@@ -87,17 +88,17 @@ TEST_CASE("the smallest meshes step to finite positions with every model", "[sce
                  "effects": [{{"type": "gravity"}}],
                  "bending": {{"model": "{}", "stiffness": "k", "k": 0.5}}}})",
             generator, cells, model->name);
-        const Scene scene = build_scene(parse_experiment(text, "test").runs.front());
+        const BuiltScene scene = build_scene(parse_experiment(text, "test").runs.front().scene());
         CHECK(after_steps(scene, 2).allFinite());
       }
 }
 
 TEST_CASE("effects act on the vertices that they name, whatever the method's order of vertices") {
   REQUIRE_FALSE(wide_sheet(*find_method("pbd"), R"("effects": [])").input.permutation.empty());
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     INFO(method->name);
     if (method->has_motion && takes(*method, "moving_pins")) {
-      const Scene scene = wide_sheet(*method, R"("pins": {"vertices": ["left"], "distance": 0},
+      const BuiltScene scene = wide_sheet(*method, R"("pins": {"vertices": ["left"], "distance": 0},
           "effects": [{"type": "moving_pins", "times": [0, 0.05], "offsets": [0, 0, 0, 0, 0.1, 0]}])");
       const Positions end = after_steps(scene, 4);
       for (const int pin : scene.pins.all) {
@@ -106,7 +107,7 @@ TEST_CASE("effects act on the vertices that they name, whatever the method's ord
       }
     }
     if (method->has_motion && takes(*method, "self_collision")) {
-      const Scene scene = wide_sheet(
+      const BuiltScene scene = wide_sheet(
           *method, R"("pins": {"vertices": [], "distance": 0}, "effects": [{"type": "self_collision"}])");
       CHECK((after_steps(scene, 4) - scene.input.positions).cwiseAbs().maxCoeff() <= 1e-6);
     }
@@ -114,7 +115,7 @@ TEST_CASE("effects act on the vertices that they name, whatever the method's ord
 }
 
 TEST_CASE("a method of the mesh's order takes no other") {
-  Scene scene = wide_sheet(*find_method("newton"), R"("effects": [])");
+  BuiltScene scene = wide_sheet(*find_method("newton"), R"("effects": [])");
   CHECK(scene.input.permutation.empty());
   scene.input.permutation = wide_sheet(*find_method("pbd"), R"("effects": [])").input.permutation;
   CHECK_THROWS_AS(simulation_of(scene), ConfigError);

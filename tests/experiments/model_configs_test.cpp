@@ -3,7 +3,7 @@
 #include <set>
 
 #include "bendlab/bending/model.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
@@ -21,13 +21,13 @@ bool joins_rings(const std::filesystem::path& file) {  // cases about rings, whi
 }  // namespace
 
 TEST_CASE("every registered model has a config that runs it with its own settings") {
-  for (const BendingModel* model : bending_models()) {
+  for (const BendingKind* model : bending_models()) {
     const std::filesystem::path file = folder / (std::string(model->name) + ".json");
     INFO(file);
     REQUIRE(std::filesystem::exists(file));
     const Experiment experiment = load_experiment(file);
     CHECK(experiment.name == "model_" + std::string(model->name));
-    for (const RunConfig& run : experiment.runs) CHECK(run.bending_model() == model->name);
+    for (const RunConfig& run : experiment.runs) CHECK(run.scene().bending.model.name() == model->name);
   }
 }
 
@@ -35,8 +35,8 @@ TEST_CASE("the hanging sheet and the cantilever run every registered model") {
   for (const char* name : {"hanging_sheet", "cantilever"}) {
     std::set<std::string> models;
     for (const RunConfig& run : load_experiment(folder / (std::string(name) + ".json")).runs)
-      models.insert(run.bending_model());
-    for (const BendingModel* model : bending_models()) {
+      models.emplace(run.scene().bending.model.name());
+    for (const BendingKind* model : bending_models()) {
       INFO(name << " lacks " << model->name);
       CHECK(models.count(std::string(model->name)) == 1);
     }
@@ -49,16 +49,17 @@ TEST_CASE("every hard case runs every registered model in both precisions, looke
     const Experiment experiment = load_experiment(entry.path());
     INFO(entry.path());
     CHECK(experiment.name == "stability_" + entry.path().stem().string());
-    std::set<std::pair<std::string, std::string>> found;
+    std::set<std::pair<std::string, ChosenPrecision>> found;
     for (const RunConfig& run : experiment.runs) {
-      CHECK(run.section("/output").texts("measures") == std::vector<std::string>{"stability"});
-      CHECK(run.section("/mesh").integer("cells") >=
-            (run.section("/pins").texts("vertices").empty() ? 16 : 32));
-      found.emplace(run.bending_model(), run.section("/solver").text("precision"));
+      CHECK(run.settings().output.measures == std::vector<std::string>{"stability"});
+      CHECK(run.scene().mesh.cells >= (run.scene().pins.vertices.empty() ? 16 : 32));
+      found.emplace(run.scene().bending.model.name(), run.scene().solver.precision);
     }
-    for (const BendingModel* model : bending_models())
-      for (const char* precision : {"single", "double"}) {
-        INFO("lacks " << model->name << " in " << precision);
+    for (const BendingKind* model : bending_models())
+      for (const ChosenPrecision precision :
+           {ChosenPrecision::single_precision, ChosenPrecision::double_precision}) {
+        INFO("lacks " << model->name << " in "
+                      << (precision == ChosenPrecision::single_precision ? "single" : "double"));
         CHECK((joins_rings(entry.path()) || found.count({std::string(model->name), precision}) == 1));
       }
     ++files;

@@ -95,12 +95,11 @@ TEST_CASE("an effect without anything to do says so, and has no pass", "[experim
   // With its defaults an effect acts, but for the one that waits for keyframes.
   const RestMesh rest(grid(1, 1, 4, 4));
   const Pins pins = make_pins(rest, {0}, 0);
-  for (const Effect* effect : effects()) {
+  for (const EffectKind* effect : effects()) {
     INFO(effect->name);
-    const ParameterValues values(effect->parameters);
-    const bool idle = effect->idle && effect->idle(values);
+    const bool idle = effect->idle && effect->idle(effect->settings.defaults());
     CHECK(idle == (effect->name == "moving_pins"));
-    if (idle) CHECK(effect->compile<float>({values, rest, pins, {}}).empty());
+    if (idle) CHECK(passes_of<float>(Effect(*effect), {rest, pins, {}}).empty());
   }
 }
 

@@ -1,5 +1,6 @@
 // Bending models and measures that a program may not add. Those that it may: tests/install.
 #include "bendlab/bending/model.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
 #include "tests/catch.hpp"
 
@@ -8,11 +9,11 @@ namespace {
 
 using Catch::Matchers::ContainsSubstring;
 
-BendingConstraints no_constraints(const BendingInput&) {
+BendingConstraints no_constraints(const void*, const BendingInput&) {
   return {};
 }
 
-std::unique_ptr<Measurement> nothing(const RunConfig&, const Scene&) {
+std::unique_ptr<Measurement> nothing(const RunConfig&, const BuiltScene&) {
   return std::make_unique<Measurement>();
 }
 
@@ -21,7 +22,7 @@ std::vector<Quantity> number(const char* name) {
 }
 
 TEST_CASE("own rows: a model needs a name of its own, and to build something", "[measures]") {
-  static constexpr BendingModel taken{.name = "lod", .build = no_constraints}, empty{.name = "own"};
+  static constexpr BendingKind taken{.name = "lod", .build = no_constraints}, empty{.name = "own"};
   CHECK_THROWS_WITH(register_bending_model(taken), ContainsSubstring("bending model 'lod'"));
   CHECK_THROWS_WITH(register_bending_model(empty),
                     ContainsSubstring("'own'") && ContainsSubstring("build()"));
@@ -54,7 +55,7 @@ TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", 
 }
 
 TEST_CASE("own rows: after a config was read it is too late", "[measures]") {
-  static constexpr BendingModel model{.name = "own", .build = no_constraints};
+  static constexpr BendingKind model{.name = "own", .build = no_constraints};
   static constexpr Measure measure{.name = "own", .begin = nothing};
   parse_experiment(R"({"name": "first"})", "test");
   measures();

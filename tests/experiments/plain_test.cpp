@@ -15,9 +15,10 @@
 
 #include "bendlab/metrics/motion.hpp"
 #include "bendlab/metrics/stretch.hpp"
+#include "bendlab/scene/gravity.hpp"
 #include "bendlab/solver/method.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/gravity.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
@@ -41,7 +42,7 @@ std::string text_of(const RunConfig& config) {
 
 // The shortest way along edges from every vertex to a pin, and that pin, by Bellman's rounds.
 struct Ways {
-  explicit Ways(const Scene& scene)
+  explicit Ways(const BuiltScene& scene)
       : length(Eigen::VectorXd::Constant(scene.rest.vertex_count(), std::numeric_limits<double>::infinity())),
         pin(Eigen::VectorXi::Constant(scene.rest.vertex_count(), -1)) {
     for (const int v : scene.pins.all) length[v] = 0, pin[v] = v;
@@ -67,7 +68,7 @@ struct Ways {
 // Looks at a run after every step, and keeps the number that is farthest beyond its limit.
 class Bounds {
  public:
-  explicit Bounds(const Scene& scene)
+  explicit Bounds(const BuiltScene& scene)
       : scene_(scene),
         meter_(scene.rest, scene.pins),
         ways_(scene),
@@ -140,8 +141,9 @@ class Bounds {
 
   // Of a fall from rest at time t, over g.
   double fallen(double t, double h) const {
-    const ParameterValues own = own_settings(scene_.input);
-    const bool second_order = own.has("integrator") && own.text("integrator") == "bdf2";
+    const Field* const integrator = scene_.input.method.kind().settings.find("integrator");
+    const bool second_order =
+        integrator != nullptr && integrator->of(scene_.input.method.settings()) == Value("bdf2");
     return 0.5 * t * t + (second_order ? 0.75 * h * h * (1 - std::pow(3.0, -t / h)) : 0.5 * h * t);
   }
 
@@ -163,7 +165,7 @@ class Bounds {
     worst_ = fmt::format("{} {:.3g}, at most {:.3g}", what, value, limit);
   }
 
-  const Scene& scene_;
+  const BuiltScene& scene_;
   StretchMeter meter_;
   Ways ways_;
   Vector3 gravity_;
@@ -191,10 +193,10 @@ bool is_told(const Experiment& experiment, const RunConfig& config) {
 
 // What is wrong in silence with a run; empty if nothing is.
 std::string silently_wrong(const Experiment& experiment, const RunConfig& config) {
-  const Scene scene = build_scene(config);
+  const BuiltScene scene = build_scene(config.scene());
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Bounds bounds(scene);
-  const double duration = config.section("").number("duration");
+  const double duration = config.scene().duration;
   bool goes_on = true;
   while (goes_on && simulation->time() < duration - 1e-9) {
     goes_on = simulation->step();
@@ -233,7 +235,7 @@ TEST_CASE("plain: hinges leave a hanging sheet where it is in the first step", "
           "bending": {{"model": "{}", "k": 0.01}}, "solver": {{"precision": "{}"}}}})",
                                                                cells, model, precision),
                                                    "test");
-    const Scene scene = build_scene(experiment.runs.front());
+    const BuiltScene scene = build_scene(experiment.runs.front().scene());
     const std::unique_ptr<Simulation> simulation = simulation_of(scene);
     REQUIRE(simulation->step());
     const double h = simulation->time(), way = 0.05 * h + 9.81 * h * h;
@@ -256,10 +258,10 @@ TEST_CASE("plain: the same cloth in two units does the same, bit for bit", "[pla
   constexpr double scale = 1.0 / 1024;
   int compared = 0;
   for (std::size_t i = 1; i < small.runs.size(); i += 4) {
-    if (large.runs[i].section("/bending").text("stiffness") == "compliance")
+    if (large.runs[i].scene().bending.stiffness == Stiffness::compliance)
       continue;  // scaled as springs or hinges
     INFO(text_of(large.runs[i]));
-    const Scene one = build_scene(small.runs[i]), other = build_scene(large.runs[i]);
+    const BuiltScene one = build_scene(small.runs[i].scene()), other = build_scene(large.runs[i].scene());
     const std::unique_ptr<Simulation> a = simulation_of(one), b = simulation_of(other);
     for (int step = 0; step < 3; ++step) a->step(), b->step();
     const bool same = a->positions() == scale * b->positions();

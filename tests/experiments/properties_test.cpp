@@ -14,7 +14,7 @@
 #include "bendlab/io/without_traps.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/files.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"

@@ -2,8 +2,9 @@
 #include <algorithm>
 #include <string>
 
-#include "experiments/scene/expected_mesh.hpp"
-#include "experiments/scene/scene.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/run/expected_mesh.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -23,9 +24,10 @@ RunConfig run_of(const std::string& mesh, const std::string& more = "") {
 TEST_CASE("refine: a file's vertices keep their numbers, so that pins by number stay", "[mesh]") {
   const test::Workplace here;
   here.write("square.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
-  const Scene scene =
+  const BuiltScene scene =
       build_scene(run_of(R"("refine": 2, "file": ")" + (here.folder / "square.obj").string() + R"(")",
-                         R"(, "pins": {"vertices": [], "indices": [2]})"));
+                         R"(, "pins": {"vertices": [], "indices": [2]})")
+                      .scene());
   CHECK(scene.rest.vertex_count() == 25);  // of 4 × 4 cells
   CHECK(scene.rest.triangle_count() == 32);
   CHECK(scene.pins.all == std::vector<int>{2});
@@ -37,8 +39,8 @@ TEST_CASE("jitter: the vertices inside of a file's mesh move by the seed", "[mes
   here.write("fan.obj",
              "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv .5 .5 0\nf 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\n");
   const std::string file = R"("file": ")" + (here.folder / "fan.obj").string() + R"(", "jitter": 0.2)";
-  const RestMesh one(rest_mesh_of(run_of(file)).mesh),
-      other(rest_mesh_of(run_of(file + R"(, "seed": 2)")).mesh);
+  const RestMesh one(rest_mesh_of(run_of(file).scene().mesh, {}).mesh),
+      other(rest_mesh_of(run_of(file + R"(, "seed": 2)").scene().mesh, {}).mesh);
   CHECK(one.positions().topRows(4) == other.positions().topRows(4));
   CHECK(one.positions().row(4) != other.positions().row(4));
   CHECK((one.position(4) - Vector3(0.5, 0.5, 0)).norm() <= 0.2 * 0.5);  // a height of its triangles is 0.5
@@ -52,7 +54,7 @@ TEST_CASE("refine: the forecast knows the mesh", "[mesh][forecast]") {
         R"("generator": "sphere", "cells": 3)", R"("generator": "disc", "cells": 4)"}) {
     INFO(mesh);
     const RunConfig config = run_of(mesh + R"(, "refine": 2)", R"(, "pins": {"vertices": []})");
-    const RestMesh rest(rest_mesh_of(config).mesh);
+    const RestMesh rest(rest_mesh_of(config.scene().mesh, config.folder()).mesh);
     const auto expected = expected_mesh(config);
     REQUIRE(expected);
     CHECK(expected->vertices == rest.vertex_count());
@@ -63,16 +65,16 @@ TEST_CASE("refine: the forecast knows the mesh", "[mesh][forecast]") {
 }
 
 TEST_CASE("refine and jitter: what cannot be is refused where it is set", "[mesh]") {
-  CHECK_THROWS_WITH(build_scene(run_of(R"("cells": 64, "refine": 9)")),
+  CHECK_THROWS_WITH(build_scene(run_of(R"("cells": 64, "refine": 9)").scene()),
                     ContainsSubstring("/mesh/refine") && ContainsSubstring("at most 6 times"));
   CHECK_THROWS_WITH(run_of(R"("cells": 4, "jitter": 0.5)"), ContainsSubstring("/mesh/jitter"));
 }
 
 TEST_CASE("jitter: its seed is used, and the border stays", "[mesh]") {
   const auto box = [](const RestMesh& rest) { return std::pair(rest.box_min(), rest.box_max()); };
-  const RestMesh even(rest_mesh_of(run_of(R"("cells": 8)")).mesh),
-      one(rest_mesh_of(run_of(R"("cells": 8, "jitter": 0.3)")).mesh),
-      other(rest_mesh_of(run_of(R"("cells": 8, "jitter": 0.3, "seed": 2)")).mesh);
+  const RestMesh even(rest_mesh_of(run_of(R"("cells": 8)").scene().mesh, {}).mesh),
+      one(rest_mesh_of(run_of(R"("cells": 8, "jitter": 0.3)").scene().mesh, {}).mesh),
+      other(rest_mesh_of(run_of(R"("cells": 8, "jitter": 0.3, "seed": 2)").scene().mesh, {}).mesh);
   CHECK(one.positions() != even.positions());
   CHECK(one.positions() != other.positions());
   CHECK(box(one) == box(even));

@@ -7,13 +7,13 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/parameters/archive.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run.hpp"
-#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 #include "tests/io/run_fixture.hpp"
@@ -67,10 +67,10 @@ RunConfig config_of(const json& settings) {
 // Steps a simulation of the config, and at `stop` goes on with a new one that has read the first one's
 // archive.
 struct Steps {
-  Scene scene;
+  BuiltScene scene;
   std::unique_ptr<Simulation> simulation;
 
-  Steps(const RunConfig& config, int steps, int stop) : scene(build_scene(config)) {
+  Steps(const RunConfig& config, int steps, int stop) : scene(build_scene(config.scene())) {
     simulation = simulation_of(scene);
     for (int step = 0; step < steps; ++step) {
       if (step == stop) {
@@ -103,7 +103,7 @@ void check_same(const RunConfig& config, int steps = 40) {
 }  // namespace
 
 TEST_CASE("resume: with every effect a simulation goes on to the same bits", "[resume]") {
-  for (const Effect* effect : effects())
+  for (const EffectKind* effect : effects())
     for (const char* precision : {"single", "double"}) {
       CAPTURE(effect->name, precision);
       json effects = json::array({{{"type", "gravity"}}});
@@ -119,7 +119,7 @@ TEST_CASE("resume: with every effect a simulation goes on to the same bits", "[r
 }
 
 TEST_CASE("resume: with every method a simulation goes on to the same bits", "[resume]") {
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     CAPTURE(method->name);
     check_same(
         config_of({{"mesh", {{"cells", 8}}},
@@ -144,7 +144,7 @@ TEST_CASE("resume: every measure goes on to the same numbers", "[resume]") {
                                       {"duration", 1},
                                       {"output", {{"measures", names}}}});
   const auto summary = [&](int stop) {
-    Scene scene = build_scene(config);
+    BuiltScene scene = build_scene(config.scene());
     auto simulation = simulation_of(scene);
     auto recorder = std::make_unique<Recorder>(config, scene);
     Plausibility plausibility(scene);

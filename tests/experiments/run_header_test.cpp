@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <set>
 
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -25,7 +26,7 @@ const std::string hinges = R"({"model": "discrete_shells", "stiffness": "complia
 // Of that kind, in a run of the scene after `change` was made to it.
 template <class Change>
 ConstraintRecord record_of(const std::string& kind, const Experiment& experiment, const Change& change) {
-  Scene scene = build_scene(experiment.runs.front());
+  BuiltScene scene = build_scene(experiment.runs.front().scene());
   change(scene.input);
   const auto simulation = simulation_of(scene);
   const RunConfig& config = experiment.runs.front();
@@ -54,7 +55,7 @@ auto& hinge_list(SimulationInput& input) {
 
 TEST_CASE("run header: an equilibrium's constraints are recorded in the order of their lists", "[run]") {
   const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");
-  Scene scene = build_scene(experiment.runs.front());
+  BuiltScene scene = build_scene(experiment.runs.front().scene());
   REQUIRE(hinge_list(scene.input).size() > 0);
   CHECK(record_of("strain", experiment).vertices == flat(scene.input.strain.vertices));
   CHECK(record_of("hinge", experiment).vertices == flat(hinge_list(scene.input).vertices));
@@ -85,7 +86,7 @@ TEST_CASE("run header: the hash knows every rest value and the softness", "[run]
 
 TEST_CASE("run header: all rest values of a constraint are recorded", "[run]") {
   const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");
-  Scene scene = build_scene(experiment.runs.front());
+  BuiltScene scene = build_scene(experiment.runs.front().scene());
   std::vector<double> rest;
   for (const auto& of_one : hinge_list(scene.input).rest)
     rest.insert(rest.end(), of_one.begin(), of_one.end());

@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"

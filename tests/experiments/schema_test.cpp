@@ -7,9 +7,10 @@
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/scene/fields_json.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/config/config.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 
@@ -40,32 +41,31 @@ const Json& section_schema(const Json& schema, const std::string& pointer) {
 
 TEST_CASE("schema: the text holds every row of every table") {
   const std::string text = unwrapped(schema_text());
-  const auto check_rows = [&](std::span<const Parameter> table) {
-    for (const Parameter& row : table) {
-      CHECK_THAT(text, ContainsSubstring(" " + std::string(row.name)));
-      CHECK_THAT(text, ContainsSubstring(unwrapped(std::string(row.meaning))));
-      CHECK_THAT(text, ContainsSubstring(unwrapped(expected_text(row))));
-    }
+  const auto check_row = [&](const Field& row) {
+    CHECK_THAT(text, ContainsSubstring(" " + std::string(row.name)));
+    CHECK_THAT(text, ContainsSubstring(unwrapped(std::string(row.meaning))));
+    CHECK_THAT(text, ContainsSubstring(unwrapped(expected_text(row))));
   };
-  for (const ConfigSection& section : config_sections()) {
+  for (const Section& section : config_sections()) {
     CHECK_THAT(text, ContainsSubstring(unwrapped(std::string(section.meaning))));
-    check_rows(section.parameters);
+    for (const SettingRow& row : section.rows) check_row(row.field);
   }
-  for (const Effect* effect : effects()) check_rows(effect->parameters);
-  check_rows(expectation_parameters());
+  for (const EffectKind* effect : effects())
+    for (const Field& row : effect->settings.fields) check_row(row);
+  for (const Field& row : expectation_table().fields) check_row(row);
 }
 
 TEST_CASE("schema: the JSON Schema has every row with type, default, unit and range") {
   const Json schema = schema_json();
   CHECK(schema["required"] == Json::array({"name"}));
-  for (const ConfigSection& section : config_sections()) {
+  for (const Section& section : config_sections()) {
     const Json object = section_schema(schema, std::string(section.pointer));
     CHECK(object["additionalProperties"] == false);
-    for (const Parameter& row : section.parameters) {
+    for (const auto& [row, usual] : section.rows) {
       const Json& setting = object["properties"].at(std::string(row.name));
       CHECK(setting.contains("type"));
       CHECK(setting["description"] == row.meaning);
-      CHECK(setting.contains("default") == (row.default_value.kind != Default::Kind::none));
+      CHECK(setting.contains("default") == !std::holds_alternative<std::monostate>(usual));
       CHECK(setting.contains("x-unit") == !row.unit.empty());
     }
   }
@@ -93,13 +93,13 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
   REQUIRE(models.size() == bending_models().size());
   REQUIRE(effect_list.size() == effects().size());
   for (std::size_t i = 0; i < models.size(); ++i) {
-    const BendingModel& model = *bending_models()[i];
+    const BendingKind& model = *bending_models()[i];
     CHECK(models[i]["name"] == model.name);
     CHECK(models[i]["source"] == model.source);
     CHECK(models[i]["limits"] == model.limits);
-    REQUIRE(models[i]["parameters"].size() == model.parameters.size());
-    for (std::size_t p = 0; p < model.parameters.size(); ++p)
-      CHECK(models[i]["parameters"][p]["name"] == model.parameters[p].name);
+    REQUIRE(models[i]["parameters"].size() == model.settings.fields.size());
+    for (std::size_t p = 0; p < model.settings.fields.size(); ++p)
+      CHECK(models[i]["parameters"][p]["name"] == model.settings.fields[p].name);
     CHECK_THAT(unwrapped(models_text()), ContainsSubstring(unwrapped(std::string(model.summary))));
   }
   for (std::size_t i = 0; i < effect_list.size(); ++i) {
@@ -117,39 +117,46 @@ TEST_CASE("schema: the text of effects has an empty line between two of them, an
 }
 
 TEST_CASE("schema: every setting that a method reads is in /solver, with one meaning") {
-  const std::span<const Parameter> solver = find_section("/solver")->parameters;
-  const std::vector<std::string_view> names = names_of(solver);
+  const std::vector<SettingRow>& solver = find_section("/solver")->rows;
+  const auto row_of = [&](std::string_view name) {
+    return std::ranges::find_if(solver, [&](const SettingRow& row) { return row.field.name == name; });
+  };
   const Json listed = methods_json();
   REQUIRE(listed.size() == methods().size());
   for (std::size_t i = 0; i < listed.size(); ++i) {
-    const Method& method = *methods()[i];
+    const MethodKind& method = *methods()[i];
     INFO(method.name);
     CHECK(listed[i]["name"] == method.name);
     CHECK(listed[i]["limits"] == method.limits);
     CHECK_THAT(unwrapped(methods_text()), ContainsSubstring(unwrapped(std::string(method.summary))));
-    for (const std::string_view shared : method.shared) CHECK(std::ranges::count(names, shared) == 1);
-    for (const Parameter& own : method.parameters) {
-      const auto row = std::ranges::find(solver, own.name, &Parameter::name);
-      REQUIRE(row != solver.end());
-      CHECK(row->meaning == own.meaning);
-      CHECK(std::ranges::find(method.shared, own.name) == method.shared.end());
+    for (const Json& shared : listed[i]["shared"]) {
+      CHECK(row_of(shared.get<std::string>()) != solver.end());
+      CHECK(method.settings.find(shared.get<std::string>()) == nullptr);
+    }
+    for (const Field& own : method.settings.fields) {
+      REQUIRE(row_of(own.name) != solver.end());
+      CHECK(row_of(own.name)->field.meaning == own.meaning);
     }
   }
-  for (const std::string_view name : names)  // nothing that no method reads
-    CHECK(std::ranges::any_of(methods(), [&](const Method* method) { return method->reads(name); }));
 }
 
-TEST_CASE("schema: a resolved config has of /solver what its method reads, and nothing else") {
-  for (const Method* method : methods()) {
-    INFO(method->name);
-    const RunConfig run = parse_experiment(R"({"name": "t", "defaults": "paper",
-          "solver": {"method": ")" + std::string(method->name) +
+TEST_CASE("schema: a resolved config has the settings that its method reads, and no others") {
+  const Json listed = methods_json();
+  for (std::size_t i = 0; i < methods().size(); ++i) {
+    const MethodKind& method = *methods()[i];
+    const RunConfig run = parse_experiment(R"({"name": "t", "mesh": {"cells": 2},
+          "solver": {"method": ")" + std::string(method.name) +
                                                R"("}, "bending": {"model": "none"},
         "material": {"strain": {"stiffness": "compliance", "compliance": 1e-4}}})",
                                            "test")
                               .runs.at(0);
-    for (const Parameter& row : find_section("/solver")->parameters)
-      CHECK(run.resolved()["solver"].contains(row.name) == method->reads(row.name));
+    for (const SettingRow& row : find_section("/solver")->rows) {
+      const std::string name(row.field.name);
+      const Json& names = listed[i]["shared"];
+      const bool shared = std::find(names.begin(), names.end(), Json(name)) != names.end();
+      CHECK(run.resolved()["solver"].contains(name) ==
+            (name == "method" || shared || method.settings.find(name) != nullptr));
+    }
   }
 }
 

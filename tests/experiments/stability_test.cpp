@@ -6,6 +6,7 @@
 #include <numbers>
 #include <set>
 
+#include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -15,15 +16,16 @@ using Catch::Matchers::ContainsSubstring;
 using Catch::Matchers::WithinAbs;
 using Catch::Matchers::WithinRel;
 
-Scene scene_of(const std::string& rest, const std::string& effects = "[]") {
+BuiltScene scene_of(const std::string& rest, const std::string& effects = "[]") {
   return build_scene(parse_experiment(R"({"name": "hard", "defaults": "paper",
           "mesh": {"cells": 8}, "pins": {"vertices": []}, )" +
                                           rest + R"(, "effects": )" + effects + "}",
                                       "test")
-                         .runs.front());
+                         .runs.front()
+                         .scene());
 }
 
-std::map<std::string, double> looked_at(const Scene& scene, double duration) {
+std::map<std::string, double> looked_at(const BuiltScene& scene, double duration) {
   StabilityMeter meter(scene, duration);
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   meter.look(*simulation);
@@ -34,17 +36,17 @@ std::map<std::string, double> looked_at(const Scene& scene, double duration) {
 }  // namespace
 
 TEST_CASE("start poses: scaled about the centre or the pins", "[experiments]") {
-  const Scene point = scene_of(R"("initial": {"scale": [0, 0, 0]})");
+  const BuiltScene point = scene_of(R"("initial": {"scale": [0, 0, 0]})");
   CHECK(point.input.positions.isZero(0));
-  const Scene mirrored = scene_of(R"("initial": {"scale": [-1, 1, 1]})");
+  const BuiltScene mirrored = scene_of(R"("initial": {"scale": [-1, 1, 1]})");
   CHECK(mirrored.input.positions.col(0) == -mirrored.rest.positions().col(0));
-  const Scene held = build_scene(
-      parse_experiment(
-          R"({"name": "held", "defaults": "paper",
+  const BuiltScene held = build_scene(parse_experiment(
+                                          R"({"name": "held", "defaults": "paper",
           "mesh": {"cells": 8}, "pins": {"vertices": ["upper_right"], "ring": 1},
                            "initial": {"scale": [2, 2, 1]}})",
-          "test")
-          .runs.front());
+                                          "test")
+                                          .runs.front()
+                                          .scene());
   const Eigen::RowVector3d corner(0.5, 0.5, 0);
   for (int v = 0; v < held.rest.vertex_count(); ++v) {
     const Eigen::RowVector3d from_pin = held.rest.positions().row(v) - corner;
@@ -53,7 +55,7 @@ TEST_CASE("start poses: scaled about the centre or the pins", "[experiments]") {
 }
 
 TEST_CASE("start poses: creases lay every column on the one before, and stretch nothing", "[experiments]") {
-  const Scene scene = scene_of(R"("initial": {"creases": 7})");
+  const BuiltScene scene = scene_of(R"("initial": {"creases": 7})");
   const Positions& start = scene.input.positions;
   CHECK_THAT(start.col(0).maxCoeff() - start.col(0).minCoeff(), WithinRel(1.0 / 8, 1e-12));
   for (const auto& edge : scene.rest.edges().rowwise())
@@ -82,7 +84,7 @@ TEST_CASE("start poses: at random in a box, the same for the same seed", "[exper
 }
 
 TEST_CASE("start velocities: a translation and a turn about the centre", "[experiments]") {
-  const Scene scene = scene_of(R"("initial": {"velocity": [1, 2, 3], "spin": [0, 0, 4]})");
+  const BuiltScene scene = scene_of(R"("initial": {"velocity": [1, 2, 3], "spin": [0, 0, 4]})");
   for (int v = 0; v < scene.rest.vertex_count(); ++v) {
     const Vector3 p = scene.rest.position(v);
     CHECK(scene.input.velocities.row(v) == Eigen::RowVector3d(1 - 4 * p.y(), 2 + 4 * p.x(), 3));
@@ -91,7 +93,7 @@ TEST_CASE("start velocities: a translation and a turn about the centre", "[exper
 }
 
 TEST_CASE("one half of the cloth as heavy as asked for", "[experiments]") {
-  const Scene scene = scene_of(R"("material": {"density": 0.2, "density_ratio": 1000000})");
+  const BuiltScene scene = scene_of(R"("material": {"density": 0.2, "density_ratio": 1000000})");
   double left = 0, right = 0;  // beside the seam, where vertices belong to both
   for (int v = 0; v < scene.rest.vertex_count(); ++v) {
     const double x = scene.rest.position(v).x(), mass = scene.input.mass[static_cast<std::size_t>(v)];
@@ -103,19 +105,20 @@ TEST_CASE("one half of the cloth as heavy as asked for", "[experiments]") {
 }
 
 TEST_CASE("a mesh far from the origin and a flawed one", "[experiments]") {
-  const Scene far = build_scene(
-      parse_experiment(R"({"name": "far", "defaults": "paper",
+  const BuiltScene far = build_scene(parse_experiment(R"({"name": "far", "defaults": "paper",
           "mesh": {"cells": 4, "scale": 2, "offset": [1000000, 0, -5]}})",
-                       "test")
-          .runs.front());
+                                                      "test")
+                                         .runs.front()
+                                         .scene());
   CHECK(far.rest.centre() == Vector3(1e6, 0, -5));
   const auto flawed = [](const std::string& policy) {
-    return build_scene(
-        parse_experiment(
-            R"({"name": "flawed", "defaults": "paper",
-          "mesh": {"flaw": "degenerate", "bad_triangles": ")" + policy + R"("}})",
-            "test")
-            .runs.front());
+    return build_scene(parse_experiment(
+                           R"({"name": "flawed", "defaults": "paper",
+          "mesh": {"flaw": "degenerate", "bad_triangles": ")" +
+                               policy + R"("}})",
+                           "test")
+                           .runs.front()
+                           .scene());
   };
   CHECK_THROWS_AS(flawed("refuse"), MeshError);
   CHECK(flawed("regularise").rest.triangle_count() == 2048);
@@ -125,7 +128,11 @@ TEST_CASE("vertices cannot be pinned by number where a repair numbered them anew
   const auto pinned = [](const std::string& policy) {
     return build_scene(parse_experiment(R"({"name": "flawed", "defaults": "paper",
           "pins": {"vertices": [], "indices": [3]},
-          "mesh": {"flaw": "degenerate", "bad_triangles": ")" + policy + R"("}})", "test").runs.front());
+          "mesh": {"flaw": "degenerate", "bad_triangles": ")" +
+                                            policy + R"("}})",
+                                        "test")
+                           .runs.front()
+                           .scene());
   };
   CHECK(pinned("regularise").pins.pinned(3));
   CHECK_THROWS_WITH(pinned("repair"), ContainsSubstring("/pins/indices would then mean other vertices"));
@@ -133,13 +140,15 @@ TEST_CASE("vertices cannot be pinned by number where a repair numbered them anew
 
 TEST_CASE("a sweep over all choices of a setting", "[experiments]") {
   std::set<std::string> models;
-  for (const RunConfig& run :
-       parse_experiment(R"({"name": "all", "defaults": "paper",
-          "sweep": {"/bending/model": "all"}})", "test").runs)
-    models.insert(run.bending_model());
+  for (const RunConfig& run : parse_experiment(R"({"name": "all", "defaults": "paper",
+          "sweep": {"/bending/model": "all"}})",
+                                               "test")
+                                  .runs)
+    models.emplace(run.scene().bending.model.name());
   CHECK(models.size() == bending_models().size());
   CHECK_THROWS_WITH(parse_experiment(R"({"name": "all", "defaults": "paper",
-          "sweep": {"/mesh/cells": "all"}})", "test"),
+          "sweep": {"/mesh/cells": "all"}})",
+                                     "test"),
                     ContainsSubstring("/sweep/~1mesh~1cells"));
 }
 
@@ -176,9 +185,11 @@ TEST_CASE("stability: what stays folded, stays away and is pinned", "[experiment
   CHECK(folded.count("stability_recovered_at") == 0);
   CHECK(folded.at("stability_creep") == 0);
 
-  const Scene pinned =
-      build_scene(parse_experiment(R"({"name": "pinned", "defaults": "paper",
-          "mesh": {"cells": 8}})", "test").runs.front());
+  const BuiltScene pinned = build_scene(parse_experiment(R"({"name": "pinned", "defaults": "paper",
+          "mesh": {"cells": 8}})",
+                                                         "test")
+                                            .runs.front()
+                                            .scene());
   const auto held = looked_at(pinned, 0.5);
   CHECK(held.count("stability_momentum_drift") == 0);  // pins take momentum
   CHECK(held.count("stability_energy_gain") == 1);

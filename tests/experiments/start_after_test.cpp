@@ -1,8 +1,10 @@
 // A run that starts where another one ends.
-#include "experiments/scene/start_after.hpp"
+#include "bendlab/scene/start_after.hpp"
 
 #include <numbers>
 
+#include "experiments/config/experiment.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 
@@ -14,10 +16,10 @@ RunConfig config_of(const std::string& settings) {
   return parse_experiment(R"({"name": "after", "defaults": "paper", )" + settings + "}", "test").runs.front();
 }
 
-Scene started(const std::string& settings) {
+BuiltScene started(const std::string& settings) {
   const RunConfig config = config_of(settings);
-  Scene scene = build_scene(config);
-  start_after(config, scene);
+  BuiltScene scene = build_scene(config.scene());
+  start_after(config.scene(), scene);
   return scene;
 }
 
@@ -41,10 +43,10 @@ TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond it
         "generator": ")") +
         generator + R"("}, "solver": {"precision": "double"}, )";
     const std::string after = mesh + R"("initial": {"after": ["/mesh/cells=12", "/initial/tilt=30"]})";
-    const Scene scene = started(after);
+    const BuiltScene scene = started(after);
     // The centres of the two boxes are one place of the sheet; it stays where the first mesh has it.
     const Vector3 centre = scene.rest.centre(),
-                  stays = build_scene(*run_before(config_of(after))).rest.centre();
+                  stays = build_scene(run_before(config_of(after))->scene()).rest.centre();
     const double c = std::cos(std::numbers::pi / 6), s = std::sin(std::numbers::pi / 6);
     double worst = 0;
     for (int v = 0; v < scene.rest.vertex_count(); ++v) {
@@ -62,10 +64,10 @@ TEST_CASE("a pose goes over to another mesh of the sheet, and linearly beyond it
 TEST_CASE("a run starts where the one before it ends, bit for bit on the same mesh") {
   const std::string fall = R"("mesh": {"cells": 6}, "solver": {"precision": "double"}, "duration": 0.5)";
   const RunConfig alone = config_of(fall);
-  const Scene scene = build_scene(alone);
+  const BuiltScene scene = build_scene(alone.scene());
   const auto simulation = simulation_of(scene);
   for (int step = 0; step < 30; ++step) REQUIRE(simulation->step());
-  const Scene after = started(fall + R"(, "initial": {"after": ["/duration=0.5"]})");
+  const BuiltScene after = started(fall + R"(, "initial": {"after": ["/duration=0.5"]})");
   CHECK(after.input.positions == simulation->positions());
 }
 
@@ -77,7 +79,7 @@ TEST_CASE("an equilibrium does not depend on where the search for it started") {
       "bending": {"model": "discrete_shells", "stiffness": "compliance", "compliance": 1000},
       "solver": {"method": "equilibrium"})";
   const auto tip = [](const std::string& settings) {
-    const Scene scene = started(settings);
+    const BuiltScene scene = started(settings);
     const auto simulation = simulation_of(scene);
     for (int step = 0; step < 200 && !simulation->settled(); ++step) REQUIRE(simulation->step());
     REQUIRE(simulation->settled());
@@ -92,7 +94,8 @@ TEST_CASE("an equilibrium does not depend on where the search for it started") {
 
 TEST_CASE("what is wrong with a run before is told when the config is read") {
   using Catch::Matchers::ContainsSubstring;
-  CHECK_THAT(problem(R"("initial": {"after": ["/mesh/cels=3"]})"), ContainsSubstring("/mesh/cells"));
+  CHECK_THAT(problem(R"("initial": {"after": ["/mesh/cels=3"]})"),
+             ContainsSubstring("/mesh/cels") && ContainsSubstring("did you mean 'cells'"));
   CHECK_THAT(problem(R"("initial": {"after": ["cells"]})"), ContainsSubstring("not of the form"));
   CHECK_THAT(
       problem(

@@ -8,6 +8,7 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/generators.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/measures/strip.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
@@ -115,7 +116,7 @@ TEST_CASE("A run that is no cantilever has no stiffness", "[command line]") {
 TEST_CASE("The clamp's offset follows from the reach of the bending model", "[stiffness]") {
   // Rows h apart: springs of ring t span t rows, hinges two.
   const RestMesh rest(equilateral(0.25, 0.14, 10, Rows::perpendicular));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 4);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 4);
   const auto options = [&](const std::string& bending) {
     return strip_of(strip_config(bending), rest, pins).options;
   };
@@ -139,7 +140,7 @@ TEST_CASE("The clamp's offset follows from the reach of the bending model", "[st
   mesh.triangles =
       mesh.triangles.unaryExpr([&](int v) { return number[static_cast<std::size_t>(v)]; }).eval();
   const RestMesh mixed(mesh);
-  const Pins mixed_pins = make_pins(mixed, select_vertices(mixed, "left"), 4);
+  const Pins mixed_pins = make_pins(mixed, select_vertices(mixed, Place::left), 4);
   CHECK_THAT(strip_of(strip_config(R"({"model": "crossover"})"), mixed, mixed_pins).options.clamp_offset,
              WithinRel(2 * row / 4, 1e-6));
   const StripOptions set =

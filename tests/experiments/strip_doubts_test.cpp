@@ -2,7 +2,7 @@
 #include <cmath>
 #include <string>
 
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/measures/strip_doubts.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
@@ -31,7 +31,7 @@ std::string rows_of(const std::string& mesh, const std::string& pins) {
   const Experiment experiment = parse_experiment(R"({"name": "rows", "mesh": {"generator": "equilateral", )" +
                                                      mesh + R"(}, "pins": {"vertices": )" + pins + "}}",
                                                  "rows");
-  return experiment.runs.at(0).section("/mesh").text("rows");
+  return experiment.runs.at(0).resolved().at("mesh").at("rows").get<std::string>();
 }
 
 bool warned_of(const json& run, const std::string& code) {

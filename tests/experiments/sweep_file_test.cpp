@@ -2,6 +2,8 @@
 #include "experiments/campaign/sweep_file.hpp"
 
 #include "bendlab/io/run_file.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/config/references.hpp"
 #include "experiments/config/run_config.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
@@ -84,8 +86,8 @@ TEST_CASE("run config: what follows from its settings is derived once", "[config
   CHECK_FALSE(config.derived("one", make));
   CHECK_FALSE(copy.derived("one", make));
   CHECK(made == 1);
-  CHECK(&copy.section("/solver") == &config.section("/solver"));
-  CHECK(run_before(config)->section("").number("duration") == 2);
+  CHECK(&copy.scene() == &config.scene());
+  CHECK(run_before(config)->scene().duration == 2);
 
   const auto fail = [&]() -> std::optional<RunConfig> {
     ++made;
@@ -97,12 +99,12 @@ TEST_CASE("run config: what follows from its settings is derived once", "[config
 
 TEST_CASE("run config: settings of another version are refused by name", "[config]") {
   Json resolved = parse_experiment(R"({"name": "s", "defaults": "paper"})", "test").runs.front().resolved();
-  CHECK_NOTHROW(RunConfig(resolved));
+  CHECK_NOTHROW(stored_run(resolved));
   resolved["solver"]["order"] = "by_colour";
-  CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("order"));
+  CHECK_THROWS_WITH(stored_run(resolved), Catch::Matchers::ContainsSubstring("order"));
   resolved = parse_experiment(R"({"name": "s", "defaults": "paper"})", "test").runs.front().resolved();
   resolved["effects"][0]["type"] = "levity";
-  CHECK_THROWS_WITH(RunConfig(resolved), Catch::Matchers::ContainsSubstring("levity"));
+  CHECK_THROWS_WITH(stored_run(resolved), Catch::Matchers::ContainsSubstring("levity"));
 }
 
 }  // namespace bendlab

@@ -1,4 +1,4 @@
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 
 #include <string>
 #include <vector>
@@ -67,7 +67,6 @@ TEST_CASE("sweep: axes with the same last name are headed by their pointers") {
         Texts{"/mesh/seed", "cells", "/initial/seed"});
 }
 
-// Neighbours share the sections in which they are equal.
 TEST_CASE("sweep: each run has the settings that it has alone") {
   const Experiment swept = experiment(R"("sweep": {
       "/mesh": [{"cells": 3}, {"generator": "disc", "cells": 4}, {}],
@@ -76,14 +75,7 @@ TEST_CASE("sweep: each run has the settings that it has alone") {
       "/effects": [[{"type": "gravity"}], [{"type": "gravity", "acceleration": [0, 0, -1]}], []]})");
   REQUIRE(swept.runs.size() == 54);
   for (const RunConfig& run : swept.runs) {
-    const RunConfig alone(run.resolved());
-    for (const char* section : {"", "/mesh", "/pins", "/material", "/material/strain", "/bending", "/solver",
-                                "/initial", "/output", "/accuracy", "/quality"})
-      CHECK(run.section(section).all() == alone.section(section).all());
-    CHECK(run.bending_parameters().all() == alone.bending_parameters().all());
-    REQUIRE(run.effects().size() == alone.effects().size());
-    for (std::size_t i = 0; i < run.effects().size(); ++i)
-      CHECK(run.effects()[i].values.all() == alone.effects()[i].values.all());
+    CHECK(stored_run(run.resolved()).resolved() == run.resolved());
     const Json settings = [&] {
       Json named = run.resolved();
       named["name"] = "t";
@@ -124,10 +116,10 @@ TEST_CASE("sweep: points that are the same run are merged, their label names wha
   const Experiment swept = experiment(R"("sweep": {
     "/bending/model": ["crossover", "adaptive"], "/bending/adaptive/m_rounding": ["floor", "round"]})");
   REQUIRE(swept.runs.size() == 3);  // crossover once, adaptive twice
-  CHECK(swept.runs[0].bending_model() == "crossover");
+  CHECK(swept.runs[0].scene().bending.model.name() == "crossover");
   CHECK(swept.runs[0].point.size() == 1);
-  CHECK(swept.runs[1].bending_parameters().text("m_rounding") == "floor");
-  CHECK(swept.runs[2].bending_parameters().text("m_rounding") == "round");
+  CHECK(swept.runs[1].scene().bending.model.as<Adaptive>()->m_rounding == Rounding::floor);
+  CHECK(swept.runs[2].scene().bending.model.as<Adaptive>()->m_rounding == Rounding::round);
   CHECK(swept.runs[2].point.size() == 2);
   CHECK(experiment(R"("sweep": {"/bending/k": [1, 1.0, 0.5]})").runs.size() == 2);
 }
@@ -137,7 +129,7 @@ TEST_CASE("sweep: whole objects, lists, effects and their settings can be swept"
       experiment(R"("mesh": {"cells": 5}, "sweep": {"/mesh": [{"generator": "disc"}, {"file": "a.obj"}]})");
   CHECK(values(objects, "/mesh").at(1) ==
         R"({"file":"a.obj","scale":1.0,"offset":[0.0,0.0,0.0],"bad_triangles":"refuse"})");
-  CHECK(objects.runs.at(0).section("/mesh").integer("cells") == 32);  // the object is replaced as a whole
+  CHECK(objects.runs.at(0).scene().mesh.cells == 32);  // the object is replaced as a whole
   CHECK(objects.runs.at(0).mesh_file().empty());
   CHECK(objects.runs.at(1).mesh_file() == "a.obj");
 
@@ -153,8 +145,8 @@ TEST_CASE("sweep: whole objects, lists, effects and their settings can be swept"
   CHECK(values(default_gravity, "/effects/0/acceleration/2") == Texts{"-1.0", "-2.0"});
 
   const Experiment whole_list = experiment(R"("sweep": {"/effects": [[], [{"type": "gravity"}]]})");
-  CHECK(whole_list.runs.at(0).effects().empty());
-  CHECK(whole_list.runs.at(1).effects().size() == 1);
+  CHECK(whole_list.runs.at(0).scene().effects.empty());
+  CHECK(whole_list.runs.at(1).scene().effects.size() == 1);
 
   // An object first, then a setting inside it.
   const Experiment nested =
@@ -212,7 +204,7 @@ TEST_CASE("override: an axis of its own is replaced, though another one sweeps t
   CHECK(experiment(sweep).runs.size() == 4);
   const Experiment one = experiment(sweep, {"/mesh/cells=6"});
   REQUIRE(one.runs.size() == 2);
-  for (const RunConfig& run : one.runs) CHECK(run.section("/mesh").integer("cells") == 6);
+  for (const RunConfig& run : one.runs) CHECK(run.scene().mesh.cells == 6);
 }
 
 TEST_CASE("override: sets a value, creating objects on the way") {
@@ -220,19 +212,18 @@ TEST_CASE("override: sets a value, creating objects on the way") {
                       const std::string& rest = R"("duration": 1)") {
     return experiment(rest, overrides).runs.at(0);
   };
-  CHECK(run({"/duration=2"}).section("").number("duration") == 2);
-  CHECK(run({"/mesh/cells=8", "/mesh/cells=9"}).section("/mesh").integer("cells") == 9);
-  CHECK(run({"/bending/adaptive/m_rounding=ceil"}).bending_parameters().text("m_rounding") == "ceil");
-  CHECK(run({R"(/bending/model="lod")"}).bending_model() == "lod");
-  CHECK(run({"/pins/vertices=[\"top\"]"}).section("/pins").texts("vertices") == Texts{"top"});
-  CHECK(run({"/effects/0/acceleration=[0,0,-1]"}).effects()[0].values.numbers("acceleration")[2] == -1);
-  CHECK(run({"/effects=[]"}).effects().empty());
-  CHECK(
-      run({R"(/mesh={"generator": "disc"})"}, R"("mesh": {"cells": 4})").section("/mesh").integer("cells") ==
-      32);
-  CHECK(run({"/mesh/file=a=b.obj"}).section("/mesh").text("file") == "a=b.obj");
-  CHECK(run({"/mesh/file=12"}).section("/mesh").text("file") == "12");
-  CHECK_FALSE(run({"/mesh/file=null"}, R"("mesh": {"file": "a.obj"})").section("/mesh").has("file"));
+  CHECK(run({"/duration=2"}).scene().duration == 2);
+  CHECK(run({"/mesh/cells=8", "/mesh/cells=9"}).scene().mesh.cells == 9);
+  CHECK(run({"/bending/adaptive/m_rounding=ceil"}).scene().bending.model.as<Adaptive>()->m_rounding ==
+        Rounding::ceil);
+  CHECK(run({R"(/bending/model="lod")"}).scene().bending.model.name() == "lod");
+  CHECK(run({"/pins/vertices=[\"top\"]"}).scene().pins.vertices == std::vector{Place::top});
+  CHECK(run({"/effects/0/acceleration=[0,0,-1]"}).scene().effects[0].as<Gravity>()->acceleration.z() == -1);
+  CHECK(run({"/effects=[]"}).scene().effects.empty());
+  CHECK(run({R"(/mesh={"generator": "disc"})"}, R"("mesh": {"cells": 4})").scene().mesh.cells == 32);
+  CHECK(run({"/mesh/file=a=b.obj"}).scene().mesh.file == "a=b.obj");
+  CHECK(run({"/mesh/file=12"}).scene().mesh.file == "12");
+  CHECK_FALSE(run({"/mesh/file=null"}, R"("mesh": {"file": "a.obj"})").scene().mesh.file.has_value());
   CHECK(experiment(R"("duration": 1)", {"/name=2024"}).name == "2024");
 }
 

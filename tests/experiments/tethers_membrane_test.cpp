@@ -4,9 +4,10 @@
 
 #include <string>
 
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/membrane.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/warnings.hpp"
-#include "experiments/scene/membrane.hpp"
-#include "experiments/scene/scene.hpp"
 #include "tests/catch.hpp"
 
 namespace bendlab {
@@ -31,7 +32,7 @@ RunConfig hanging(double compliance, int substeps, const std::string& effects) {
 
 // How far the lower side hangs below the pins beyond the size of the sheet, in the mean, m.
 double elongation(double compliance, int substeps, const std::string& effects) {
-  const Scene scene = build_scene(hanging(compliance, substeps, effects));
+  const BuiltScene scene = build_scene(hanging(compliance, substeps, effects).scene());
   const auto simulation = simulation_of(scene);
   const Eigen::VectorXd start = simulation->positions().col(2);
   for (int step = 0; step < 8 * 60; ++step) REQUIRE(simulation->step());
@@ -57,7 +58,7 @@ TEST_CASE("tethers leave a membrane alone that substeps resolve", "[experiments]
 }
 
 TEST_CASE("tethers hold a membrane that substeps do not resolve, and a warning says so", "[experiments]") {
-  const Scene scene = build_scene(hanging(1e-4, 8, tethers));
+  const BuiltScene scene = build_scene(hanging(1e-4, 8, tethers).scene());
   REQUIRE(excess_stretch(scene) > 1);
   CHECK_FALSE(membrane_needs_no_tethers(scene));
   CHECK(std::abs(elongation(1e-4, 8, tethers)) < 1e-5);  // 8.5e-5 is stated, and 1e-3 is left without tethers

@@ -7,10 +7,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/rules.hpp"
 #include "bendlab/solver/simulation.hpp"
-#include "experiments/config/config.hpp"
-#include "experiments/config/pointers.hpp"
-#include "experiments/scene/scene.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 #include "tests/random_settings.hpp"
 
@@ -36,16 +37,17 @@ std::size_t points_of(const Json& document) {
 }
 
 bool is_small(const RunConfig& run) {
-  const ParameterValues &mesh = run.section("/mesh"), &solver = run.section("/solver");
-  const double cells = mesh.number("cells"), width = mesh.number("width"), height = mesh.number("height");
-  const double rows = mesh.text("generator") == "tube" ? height * cells / (6 * mesh.number("radius"))
-                      : mesh.text("generator") == "disc" || mesh.text("generator") == "sphere"
+  const Mesh& mesh = run.scene().mesh;
+  const Solver& solver = run.scene().solver;
+  const double cells = mesh.cells;
+  const double rows = mesh.generator == Generator::tube ? mesh.height * cells / (6 * mesh.radius)
+                      : mesh.generator == Generator::disc || mesh.generator == Generator::sphere
                           ? 6 * cells
-                          : cells * height / width;
-  const bool collides =
-      std::ranges::find(run.effects(), "self_collision", &EffectSettings::type) != run.effects().end();
+                          : cells * mesh.height / mesh.width;
+  const bool collides = std::ranges::any_of(
+      run.scene().effects, [](const Effect& effect) { return effect.as<SelfCollision>() != nullptr; });
   return cells * std::max(1.0, rows) < (collides ? most_that_collide : most_vertices) &&
-         solver.integer("threads") <= 2 && solver.integer("substeps") * solver.integer("iterations") <= 64;
+         solver.threads <= 2 && substeps_of(solver) * iterations_of(solver) <= 64;
 }
 
 void check_round_trip(const RunConfig& run) {
@@ -59,7 +61,7 @@ void check_round_trip(const RunConfig& run) {
 }
 
 void check_steps(const RunConfig& run) try {
-  const Scene scene = build_scene(run);
+  const BuiltScene scene = build_scene(run.scene());
   require(scene.input.positions.allFinite(), "a scene starts at finite positions");
   const std::unique_ptr<Simulation> simulation = simulation_of(scene);
   for (int step = 0; step < 2; ++step) {

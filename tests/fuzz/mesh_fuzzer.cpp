@@ -53,8 +53,8 @@ void measure(const TriangleMesh& mesh) {
   const Pins pins = make_pins(rest, {0}, 1, 0.1 * rest.size());
   geodesic_distances(rest, pins.all);
   inverse_rest_from_warp(mesh, Vector3::UnitX());
-  for (const std::string_view name : vertex_selectors()) try {
-      for (const int vertex : select_vertices(rest, name))
+  for (std::size_t place = 0; place < place_names.size(); ++place) try {
+      for (const int vertex : select_vertices(rest, static_cast<Place>(place)))
         require(vertex >= 0 && vertex < rest.vertex_count(), "a selected vertex exists");
     } catch (const std::invalid_argument&) {  // a name for which this mesh has no place
     }

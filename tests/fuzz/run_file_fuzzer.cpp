@@ -15,14 +15,14 @@
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/parameters/archive.hpp"
 #include "bendlab/parameters/input_file.hpp"
-#include "experiments/config/config.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/broken_bound.hpp"
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run.hpp"
 #include "experiments/run/warnings.hpp"
-#include "experiments/scene/scene.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 
 using namespace bendlab;
@@ -125,7 +125,7 @@ struct Run {
       "output": {"measures": ["stability"]}})",
                                       "run")
                          .runs.front();
-  Scene scene = build_scene(config);
+  BuiltScene scene = build_scene(config.scene());
   std::unique_ptr<Simulation> simulation = simulation_of(scene);
   Recorder recorder{config, scene};
   Plausibility plausibility{scene};
@@ -185,7 +185,7 @@ void read_texts(Bytes bytes) {
   for (const Warning& warning : warnings_of(json))
     require(warnings_of(to_json({warning})).size() == 1, "a warning comes back");
   try {
-    const RunConfig config(json);
+    const RunConfig config = stored_run(json);
     identity_text(config.resolved());
   } catch (const std::exception&) {  // whoever reads it says so
   }

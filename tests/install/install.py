@@ -91,6 +91,11 @@ class Installed(unittest.TestCase):
     def test_the_example_builds_without_a_warning(self):
         self.assertNotIn("warning", self.built)
 
+    def test_the_first_page_hangs_a_cloth(self):
+        succeeds(self.example / "build/hang", folder=self.example)
+        shown = "\n".join((EXAMPLE / "hang.cpp").read_text(encoding="utf-8").splitlines()[4:10])
+        self.assertIn(shown, (ROOT / "README.md").read_text(encoding="utf-8"))
+
     def test_the_sweep_has_its_runs_and_their_files_what_was_added(self):
         self.assertEqual([(run["point"]["/bending/model"], run["point"].get("/bending/edge_hinge/power"))
                           for run in self.runs],

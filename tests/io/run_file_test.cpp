@@ -10,7 +10,7 @@
 #include <fstream>
 #include <thread>
 
-#include "experiments/config/config.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
@@ -92,7 +92,8 @@ with h5py.File(sys.argv[1].replace('run', 'old'), 'w') as old:
     for name in set(run) - {'metrics', 'facts', 'outcome'}:
         run.copy(name, old)
     values = run['metrics/values']
-    if )") + (has_table ? "True" : "False") + R"(:
+    if )") + (has_table ? "True" : "False") +
+                                 R"(:
         old['metrics/values'] = values[:]
         for key, column in zip(('names', 'units', 'meanings'), zip(*about)):
             old.create_dataset('metrics/' + key, data=column, dtype=text)

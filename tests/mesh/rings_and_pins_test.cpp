@@ -29,7 +29,7 @@ RestMesh two_cells() {
 }
 
 Levels default_levels(const RestMesh& rest) {
-  return adaptive_levels(rest, ParameterValues(level_parameters));
+  return adaptive_levels(rest, LevelSettings{});
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ TEST_CASE("ring r of an interior vertex of a triangular lattice has 6 r vertices
   const std::vector<Case> cases = {
       {grid(1, 1, cells, cells), middle},
       {disc(1, 8), 0},
-      {equilateral(1, 1, 16), select_vertices(RestMesh(equilateral(1, 1, 16)), "centre")[0]}};
+      {equilateral(1, 1, 16), select_vertices(RestMesh(equilateral(1, 1, 16)), Place::centre)[0]}};
   for (const auto& [mesh, centre] : cases) {
     const RestMesh rest(mesh);
     RingWalker walker(rest.one_ring());
@@ -108,18 +108,18 @@ TEST_CASE("a clamp is as wide at every resolution", "[mesh]") {
   for (const int cells : {8, 16, 40}) {
     const RestMesh rest(grid(1, 1, cells, cells));
     // Columns at 0, 1/8, 1/4: whole, though most of their vertices are no nearer to a seed than to the side.
-    const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0, 0.25);
+    const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0, 0.25);
     CHECK(pins.all.size() == static_cast<std::size_t>((cells / 4 + 1) * (cells + 1)));
     CHECK(pins.seeds.size() == static_cast<std::size_t>(cells + 1));
   }
   const RestMesh rest(
       equilateral(1, 1, 10));  // its left side zigzags: a seed alone, and six around it at 0.1
-  CHECK(make_pins(rest, select_vertices(rest, "centre"), 0, 0.1).all.size() == 7);
+  CHECK(make_pins(rest, select_vertices(rest, Place::centre), 0, 0.1).all.size() == 7);
 }
 
 TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
   const RestMesh rest(grid(1, 1, 4, 4));
-  const std::vector<int> corner = select_vertices(rest, "upper_right");
+  const std::vector<int> corner = select_vertices(rest, Place::upper_right);
   REQUIRE(corner == std::vector{24});
   CHECK(make_pins(rest, corner, 0).all == std::vector{24});
   const Pins pins =
@@ -128,7 +128,7 @@ TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
   CHECK(pins.all == std::vector{18, 19, 23, 24});
   for (int v = 0; v < rest.vertex_count(); ++v)
     CHECK(pins.pinned(v) == std::binary_search(pins.all.begin(), pins.all.end(), v));
-  CHECK(make_pins(rest, select_vertices(rest, "lower_right"), 1).all ==
+  CHECK(make_pins(rest, select_vertices(rest, Place::lower_right), 1).all ==
         std::vector{3, 4, 9});  // one triangle
 
   CHECK(make_pins(rest, {6, 2, 6}, 0).seeds == std::vector{2, 6});
@@ -138,20 +138,20 @@ TEST_CASE("the grid's upper right corner and its 1-ring are pinned", "[mesh]") {
 
 TEST_CASE("vertices are selected by the place on the rest box", "[mesh]") {
   const RestMesh rest(grid(3, 2, 3, 2));  // rows 0 … 3, 4 … 7, 8 … 11
-  CHECK(select_vertices(rest, "lower_left") == std::vector{0});
-  CHECK(select_vertices(rest, "upper_left") == std::vector{8});
-  CHECK(select_vertices(rest, "bottom") == std::vector{0, 1, 2, 3});
-  CHECK(select_vertices(rest, "top") == std::vector{8, 9, 10, 11});
-  CHECK(select_vertices(rest, "left") == std::vector{0, 4, 8});
-  CHECK(select_vertices(rest, "right") == std::vector{3, 7, 11});
-  CHECK(select_vertices(RestMesh(disc(1, 3)), "centre") == std::vector{0});
-  CHECK_THROWS_AS(select_vertices(rest, "middle"), std::invalid_argument);
-  CHECK_THROWS_AS(select_vertices(rest, "top_rim"), std::invalid_argument);  // flat: it would be every vertex
+  CHECK(select_vertices(rest, Place::lower_left) == std::vector{0});
+  CHECK(select_vertices(rest, Place::upper_left) == std::vector{8});
+  CHECK(select_vertices(rest, Place::bottom) == std::vector{0, 1, 2, 3});
+  CHECK(select_vertices(rest, Place::top) == std::vector{8, 9, 10, 11});
+  CHECK(select_vertices(rest, Place::left) == std::vector{0, 4, 8});
+  CHECK(select_vertices(rest, Place::right) == std::vector{3, 7, 11});
+  CHECK(select_vertices(RestMesh(disc(1, 3)), Place::centre) == std::vector{0});
+  CHECK_THROWS_AS(select_vertices(rest, Place::top_rim),
+                  std::invalid_argument);  // flat: it would be every vertex
 
   const RestMesh sleeve(tube(0.3, 0.2, 1, 5));
-  CHECK(select_vertices(sleeve, "bottom_rim") == std::vector{0, 1, 2, 3, 4});
+  CHECK(select_vertices(sleeve, Place::bottom_rim) == std::vector{0, 1, 2, 3, 4});
   const int last = sleeve.vertex_count() - 1;
-  CHECK(select_vertices(sleeve, "top_rim") == std::vector{last - 4, last - 3, last - 2, last - 1, last});
+  CHECK(select_vertices(sleeve, Place::top_rim) == std::vector{last - 4, last - 3, last - 2, last - 1, last});
 }
 
 TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
@@ -170,61 +170,62 @@ TEST_CASE("names of a sheet that stands take z for up", "[mesh]") {
     for (const double waves : {0.0, 0.08}) {
       INFO("right is axis " << right << ", folds of " << waves);
       const RestMesh rest(standing(right, waves));
-      for (const std::string_view name : vertex_selectors())
-        if (name.find("rim") == name.npos && name != "circle")  // distances along folds are longer
-          CHECK(select_vertices(rest, name) == select_vertices(lying, name));
-      CHECK(select_vertices(rest, "upper_left") == std::vector{8 * 13});
-      CHECK(select_vertices(rest, "top_rim") == select_vertices(lying, "top"));
+      for (const Place place :
+           {Place::upper_right, Place::upper_left, Place::lower_right, Place::lower_left, Place::top,
+            Place::bottom, Place::left, Place::right, Place::centre, Place::interior})
+        CHECK(select_vertices(rest, place) == select_vertices(lying, place));
+      CHECK(select_vertices(rest, Place::upper_left) == std::vector{8 * 13});
+      CHECK(select_vertices(rest, Place::top_rim) == select_vertices(lying, Place::top));
     }
   // A sheet that only leans has its names in x and y, and so has a tube.
   TriangleMesh leaning = flat;
   leaning.positions.col(2) = 5 * flat.positions.col(1);
-  CHECK(select_vertices(RestMesh(leaning), "upper_left") == std::vector{8 * 13});
+  CHECK(select_vertices(RestMesh(leaning), Place::upper_left) == std::vector{8 * 13});
   CHECK(named_axes(RestMesh(tube(0.05, 0.05, 3, 12))).up == 1);
 }
 
 TEST_CASE("of equally near vertices the place decides, not the number", "[mesh]") {
   // The middle of 3 × 3 cells is between four vertices; a corner of a tube's box is above every second row.
-  const auto place = [](const TriangleMesh& mesh, std::string_view name) -> Vector3 {
+  const auto place = [](const TriangleMesh& mesh, Place name) -> Vector3 {
     const RestMesh rest(mesh);
     return rest.position(select_vertices(rest, name).front());
   };
   const TriangleMesh square = grid(3, 3, 3, 3), sleeve = tube(1, 1, 4, 8), ball = sphere(1, 4);
-  CHECK((place(square, "centre") - Vector3(-0.5, -0.5, 0)).norm() < 1e-12);
-  CHECK((place(ball, "centre") - Vector3(0, 0, 1)).norm() < 1e-12);  // seen from above
+  CHECK((place(square, Place::centre) - Vector3(-0.5, -0.5, 0)).norm() < 1e-12);
+  CHECK((place(ball, Place::centre) - Vector3(0, 0, 1)).norm() < 1e-12);  // seen from above
   const double top = sleeve.positions.col(2).maxCoeff();
-  CHECK(place(sleeve, "upper_right").z() > top - 2 * 4.0 / 5);  // of the upper two of at least five rows
+  CHECK(place(sleeve, Place::upper_right).z() > top - 2 * 4.0 / 5);  // of the upper two of at least five rows
   for (const unsigned seed : {1U, 2U, 3U})
     for (const TriangleMesh& mesh : {square, sleeve, ball})
-      for (const char* name : {"centre", "upper_right", "lower_left"})
+      for (const Place name : {Place::centre, Place::upper_right, Place::lower_left})
         CHECK((place(shuffled(mesh, seed), name) - place(mesh, name)).norm() < 1e-12);
 }
 
 TEST_CASE("a circle is closed around the centre, and four vertices lie inside", "[mesh]") {
   const RestMesh round(
       disc(0.5, 8));  // rings at 1/16, 2/16, …; a quarter of the width, 1/4, is ring 4, of 24 vertices
-  const std::vector<int> circle = select_vertices(round, "circle");
+  const std::vector<int> circle = select_vertices(round, Place::circle);
   CHECK(circle.size() == 24);
   for (const int v : circle) CHECK_THAT(round.position(v).norm(), WithinAbs(0.25, 1e-12));
 
   const RestMesh four(
       grid(1, 1, 4, 4, Diagonal::both));  // a cross around the centre, its corners are farther: √2/4
-  for (const int v : select_vertices(four, "circle")) CHECK(four.position(v).norm() <= 0.25 + 1e-12);
-  CHECK(select_vertices(four, "circle").size() == 8);  // 4 neighbours at 1/4 and the 4 crossings at √2/8
+  for (const int v : select_vertices(four, Place::circle)) CHECK(four.position(v).norm() <= 0.25 + 1e-12);
+  CHECK(select_vertices(four, Place::circle).size() == 8);  // 4 neighbours at 1/4 and the 4 crossings at √2/8
 
   const RestMesh round_about(tube(0.25, 0.25, 2, 24));
-  const std::vector<int> patch = select_vertices(round_about, "circle");
+  const std::vector<int> patch = select_vertices(round_about, Place::circle);
   CHECK(patch.size() > 3);
   CHECK(static_cast<int>(patch.size()) < round_about.vertex_count() / 4);
 
   const RestMesh ten(grid(2, 1, 10, 10));
-  const std::vector<int> interior = select_vertices(ten, "interior");
+  const std::vector<int> interior = select_vertices(ten, Place::interior);
   REQUIRE(interior.size() == 4);
   for (const int v : interior) {
     CHECK_THAT(std::abs(ten.position(v).x()), WithinAbs(0.4, 1e-12));  // 0.3 and 0.7 of 2, from the middle
     CHECK_THAT(std::abs(ten.position(v).y()), WithinAbs(0.2, 1e-12));
   }
-  CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), "interior") ==
+  CHECK(select_vertices(RestMesh(grid(1, 1, 2, 2)), Place::interior) ==
         std::vector<int>(4, 4));  // the only one there is
 }
 

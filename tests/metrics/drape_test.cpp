@@ -19,7 +19,7 @@ const RestMesh& specimen() {
 
 // The table: 36 of 60 rings.
 Pins table() {
-  return make_pins(specimen(), select_vertices(specimen(), "centre"), 36);
+  return make_pins(specimen(), select_vertices(specimen(), Place::centre), 36);
 }
 
 // The overhang reaches as far as `reach(angle)` m from the centre.

@@ -13,7 +13,7 @@ using Catch::Matchers::WithinRel;
 
 TEST_CASE("principal stretches of a known deformation", "[metrics]") {
   const RestMesh rest(delaunay(2, 1, 6, 1));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const StretchMeter meter(rest, pins);
   // Stretch 1.5 and 0.8 along axes turned by 30°, then bent rigidly out of the plane: σ = 1.5, 0.8
   // everywhere.
@@ -36,10 +36,10 @@ TEST_CASE("principal stretches of a known deformation", "[metrics]") {
 TEST_CASE("stretch at the pin and around it look at the right triangles", "[metrics]") {
   // Rows of unit cells; the triangles of the far left column are stretched, the pin is at the right.
   const RestMesh rest(grid(10, 1, 10, 1));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 0);
   const StretchMeter meter(rest, pins);
   Positions positions = rest.positions();
-  for (const int v : select_vertices(rest, "left")) positions(v, 0) -= 1;  // first column: 2 wide
+  for (const int v : select_vertices(rest, Place::left)) positions(v, 0) -= 1;  // first column: 2 wide
   const StretchSummary summary = meter.summarise(meter.measure(positions));
   CHECK_THAT(summary.max_stretch, WithinRel(2.0, 1e-12));
   CHECK_THAT(summary.pin_max_stretch, WithinRel(1.0, 1e-12));

@@ -382,19 +382,20 @@ TEST_CASE("curvatures near rounding, the clamp and the free end are not fitted",
 
 TEST_CASE("what is no clamped strip is refused with what is missing", "[stiffness]") {
   const RestMesh rest(grid(1, 0.5, 16, 8));
-  const auto left = select_vertices(rest, "left"), right = select_vertices(rest, "right");
+  const auto left = select_vertices(rest, Place::left), right = select_vertices(rest, Place::right);
   std::vector<int> both = left;
   both.insert(both.end(), right.begin(), right.end());
   CHECK(refusal(rest, left, 0) == "none");
   CHECK(refusal(rest, left, 2) == "none");
   CHECK(refusal(rest, right, 1) == "none");
-  CHECK(refusal(rest, select_vertices(rest, "bottom"), 1) == "none");
+  CHECK(refusal(rest, select_vertices(rest, Place::bottom), 1) == "none");
   CHECK_THAT(refusal(rest, {}, 0), ContainsSubstring("has no pins"));
   CHECK_THAT(refusal(rest, both, 1), ContainsSubstring("more than one side"));
-  CHECK_THAT(refusal(rest, select_vertices(rest, "centre"), 2), ContainsSubstring("in its middle"));
-  CHECK_THAT(refusal(rest, select_vertices(rest, "upper_right"), 0), ContainsSubstring("no side"));
-  CHECK_THAT(refusal(rest, select_vertices(rest, "upper_right"), 3), ContainsSubstring("not straight"));
-  CHECK_THAT(refusal(rest, select_vertices(rest, "upper_right"), 1), ContainsSubstring("pin one whole side"));
+  CHECK_THAT(refusal(rest, select_vertices(rest, Place::centre), 2), ContainsSubstring("in its middle"));
+  CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 0), ContainsSubstring("no side"));
+  CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 3), ContainsSubstring("not straight"));
+  CHECK_THAT(refusal(rest, select_vertices(rest, Place::upper_right), 1),
+             ContainsSubstring("pin one whole side"));
   CHECK_THAT(refusal(rest, left, 13), ContainsSubstring("edges long"));
   CHECK_THAT(refusal(rest, left, 16), ContainsSubstring("no side with free cloth"));
   CHECK_THAT(refusal(rest, left, 1, {0, Vector3(0, 0, -9.81)}), ContainsSubstring("density"));

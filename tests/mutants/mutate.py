@@ -30,7 +30,7 @@ ROOT = HERE.parent.parent
 # Mutants out of a hundred that each room gets.
 ROOMS = {"lib/bendlab/constraints": 12, "lib/bendlab/bending": 12, "lib/bendlab/effects": 12,
          "lib/bendlab/solver": 13, "lib/bendlab/mesh": 8, "lib/bendlab/metrics": 7, "lib/bendlab/io": 5,
-         "experiments/measures": 10, "experiments/config": 9, "experiments/run": 7, "experiments/scene": 3,
+         "experiments/measures": 10, "experiments/config": 9, "experiments/run": 7, "lib/bendlab/scene": 3,
          "experiments/campaign": 2}
 # How often an operator is taken where a line offers several.
 WEIGHTS = {"early return": 0.3, "removal": 0.8, "boundary": 0.6}

@@ -63,12 +63,12 @@ SCENES = {
 
 
 def settings_of(program, config, recipe):
-    """The resolved settings of each run, as text; and what the program said."""
+    """The resolved settings of each run, and what the program said. 1 and 1.0 are the same."""
     overrides = ["--set", f"/defaults={recipe}"] if recipe else []
     done = subprocess.run([program, "plan", config, "--json", "--out", "/nonexistent", *overrides],
                           capture_output=True, text=True)
     lines = done.stdout.splitlines()
-    return [json.dumps(json.loads(line)["config"], sort_keys=True) for line in lines], done.stderr
+    return [json.loads(line)["config"] for line in lines], done.stderr
 
 
 def first_difference(old, new, pointer=""):
@@ -89,7 +89,7 @@ def compare_settings(old, new):
                 continue
             differ += 1
             pair = next(((a, b) for a, b in zip(before, after) if a != b), None)
-            what = first_difference(*map(json.loads, pair)) if pair else \
+            what = first_difference(*pair) if pair else \
                 f"{len(before)} runs → {len(after)}: {says}"
             print(f"{config.relative_to(root)}, {recipe}: {what}")
     print(f"settings: {len(configs)} configs under {len(RECIPES)} defaults, {differ} differ")

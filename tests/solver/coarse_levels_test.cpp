@@ -71,7 +71,7 @@ RestMesh with_a_hole() {
 
 // By its upper side, straight down from 0.5 to -0.5.
 SimulationInput hanging(const RestMesh& rest, StiffnessKind kind, double compliance) {
-  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "none");
+  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
   input.strain_stiffness = {.form = StrainForm::angle, .kind = kind, .compliance = compliance};
   input.positions.col(2) = input.positions.col(1), input.positions.col(1).setZero();
   return input;
@@ -88,8 +88,7 @@ Triangles triangles_of(const SimulationInput& input) {
 // How much lower than -0.5 its lower side comes to rest, in the mean.
 double stretch_after(SimulationInput input, int levels, int substeps, double seconds) {
   input.settings.substeps = substeps, input.settings.iterations = 1;
-  input.settings.own = ParameterValues(default_method().parameters);
-  input.settings.own.set("levels", levels);
+  input.method = Pbd{.levels = levels};
   std::vector<Pass<double>> passes = test::effect_passes<double>("gravity");
   const RestMesh rest({input.rest, triangles_of(input), {}});
   const Pins pins{.seeds = {}, .all = {}, .is_pinned = input.is_pinned};
@@ -138,7 +137,8 @@ TEST_CASE("levels keep a free cloth's momentum", "[solver]") {
 
 TEST_CASE("pinned vertices stay, and what hangs on them is drawn to them", "[solver]") {
   const RestMesh rest(grid(1, 1, 24, 24));
-  const SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "none");
+  const SimulationInput input =
+      test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
   Positions fallen = rest.positions();
   for (Eigen::Index v = 0; v < fallen.rows(); ++v)
     if (!input.is_pinned[static_cast<std::size_t>(v)]) fallen(v, 1) -= 0.05;
@@ -214,8 +214,7 @@ TEST_CASE("levels give the same bits on one thread and on two", "[solver]") {
   const auto last = [&](int threads) {
     SimulationInput input = hanging(rest, StiffnessKind::compliance, 1e-4);
     input.settings.threads = threads, input.settings.substeps = 2, input.settings.iterations = 1;
-    input.settings.own = ParameterValues(default_method().parameters);
-    input.settings.own.set("levels", as_many_as_there_are);
+    input.method = Pbd{.levels = as_many_as_there_are};
     const auto simulation = make_simulation<float>(input, test::effect_passes<float>("gravity"));
     for (int step = 0; step < 5; ++step) REQUIRE(simulation->step());
     return simulation->positions();

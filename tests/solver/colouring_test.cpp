@@ -97,7 +97,7 @@ TEST_CASE("a colouring is a colouring", "[solver]") {
   for (const TriangleMesh& mesh : {grid(1, 1, 8, 8), delaunay(1, 1, 8, 3), disc(1, 5)}) {
     const RestMesh rest(mesh);
     const Pins pins = make_pins(rest, {0}, 1);
-    for (const BendingModel* model : bending_models()) {
+    for (const BendingKind* model : bending_models()) {
       const SimulationInput input = test::sheet(rest, pins, model->name);
       check_order(colour_order(test::plain(input.distance.vertices), rest.vertex_count()),
                   input.distance.vertices);

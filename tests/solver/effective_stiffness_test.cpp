@@ -43,7 +43,7 @@ RestMesh strip_mesh() {
 // A strip of a lattice along x, its first cells clamped, of the flexural rigidity `rigidity` (N m).
 SimulationInput strip(double rigidity, const char* model = "dihedral") {
   const RestMesh rest = strip_mesh();
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
   SimulationInput input = test::sheet(rest, pins, model);
   BendingConstraints bending = test::built(model, rest, pins, {});
   calibrate(bending, rest, pins, {.flexural_rigidity = rigidity});
@@ -63,7 +63,7 @@ Settled settled(SimulationInput input, int substeps) {
   const RestMesh rest = strip_mesh();
   auto passes = test::effect_passes<Real>("gravity", "acceleration", std::vector<double>{0, 0, -0.5});
   for (Pass<Real>& pass : test::effect_passes<Real>(
-           "viscous_drag", rest, make_pins(rest, select_vertices(rest, "left"), 1), "coefficient", 4.0))
+           "viscous_drag", rest, make_pins(rest, select_vertices(rest, Place::left), 1), "coefficient", 4.0))
     passes.push_back(std::move(pass));
   const auto simulation = make_simulation<Real>(input, std::move(passes));
   for (int step = 0; step < 120; ++step) REQUIRE(simulation->step());
@@ -191,9 +191,10 @@ TEST_CASE("a sweep that has not converged leaves the share that a dense solve by
   CAPTURE(sweep == Sweep::symmetric, iterations);
   // A strip of hinges alone, clamped, a millionth of its size out of plane: angles are linear in the heights.
   const RestMesh rest(grid(0.8, 0.1, 8, 1));
-  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "left"), 0), "dihedral");
+  SimulationInput input =
+      test::sheet(rest, make_pins(rest, select_vertices(rest, Place::left), 0), "dihedral");
   input.strain = {};
-  input.settings.order = ConstraintOrder::mesh, input.settings.sweep = sweep;
+  input.method = Pbd{.sweep = sweep, .order = ConstraintOrder::mesh};
   input.settings.iterations = iterations;
   const double h = input.settings.dt, compliance = 30;
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .k = 1, .compliance = compliance};
@@ -251,10 +252,10 @@ TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[eff
   SimulationInput input = strip(0.02);
   SECTION("forward") {}
   SECTION("symmetric") {
-    input.settings.sweep = Sweep::symmetric;
+    input.method = Pbd{.sweep = Sweep::symmetric};
   }
   SECTION("in list order") {
-    input.settings.order = ConstraintOrder::mesh;
+    input.method = Pbd{.order = ConstraintOrder::mesh};
   }
   const Settled cheap = settled<TestType>(input, 8), converged = settled<TestType>(input, 64);
   // Small deflections go with 1 / B.
@@ -267,7 +268,7 @@ TEMPLATE_TEST_CASE("a strip hangs as far as its effective stiffness says", "[eff
 
 TEST_CASE("a hanging membrane stretches as far as its effective stiffness says", "[effective stiffness]") {
   const RestMesh rest(grid(0.1, 0.3, 4, 12));
-  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "none");
+  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "none");
   const double compliance = 0.02, density = 0.2, length = 0.3;
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = compliance};
   input.settings.iterations = 1, input.settings.substeps = GENERATE(4, 8, 64);

@@ -10,7 +10,7 @@ constexpr double membrane_compliance = 1e-3;  // m/N
 
 // Springs of 100 N/m; for the others a flexural rigidity of the order of 10⁻⁴ N m, a stiff cotton. (Far
 // stiffer ones are not converged in a step, and what they lack counts as energy: |C|² / 2α.)
-double bending_compliance(const BendingModel& model) {
+double bending_compliance(const BendingKind& model) {
   return model.springs_only ? 1e-2 : 1e4;
 }
 
@@ -32,9 +32,9 @@ TEST_CASE("energy without driving never rises above its start", "[solver]") {
   // A sheet swings down from its corner; XPBD, where elastic energy means something. Single steps may rise:
   // counted.
   const RestMesh rest(grid(1, 1, 12, 12));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   std::string counts;
-  for (const BendingModel* model : bending_models())
+  for (const BendingKind* model : bending_models())
     for (const bool damped : {false, true}) {
       SimulationInput input = test::sheet(rest, pins, model->name);
       input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = membrane_compliance};

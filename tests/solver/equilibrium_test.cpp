@@ -21,7 +21,7 @@ constexpr double gravity = 9.81, density = 0.2;
 SimulationInput compliant(SimulationInput input, double strain_compliance, double bending_compliance) {
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = strain_compliance};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending_compliance};
-  input.method = find_method("equilibrium");
+  input.method = Equilibrium{};
   return input;
 }
 
@@ -39,12 +39,12 @@ std::unique_ptr<Simulation> balanced(const SimulationInput& input, int steps = 4
 struct Strip {
   RestMesh rest;
   Pins pins;
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   double length = 0, row = 0;  // m: beyond the last pinned row, between rows
 
   Strip(int cells, double rigidity)
       : rest(equilateral(0.25, 0.25, cells, Rows::perpendicular)),
-        pins(make_pins(rest, select_vertices(rest, "left"), 1)),
+        pins(make_pins(rest, select_vertices(rest, Place::left), 1)),
         input(compliant(test::sheet(rest, pins, "discrete_shells", density), 1e-7, 1 / rigidity)) {
     double clamp = rest.box_min().x();
     for (const int v : pins.all) clamp = std::max(clamp, rest.position(v).x());
@@ -115,7 +115,7 @@ TEST_CASE("a system's bending energy is that of its constraints over the complia
 }
 
 TEST_CASE("a mass on a spring hangs m g / k below its rest length", "[solver]") {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
   input.positions(1, 0) = 1;  // starts to the side of the pin
   input.origin.setZero();
@@ -133,8 +133,8 @@ TEST_CASE("a hanging sheet without bending is a catenary", "[solver]") {
   // Sag of an inextensible chain of length L between supports d apart at L / d = 1.25: with 2 a sinh(d / 2a)
   // = L it is a (cosh(d / 2a) - 1) = 0.3318 d.
   const RestMesh rest(grid(1.25, 0.2, 40, 6));
-  std::vector<int> ends = select_vertices(rest, "left");
-  for (const int v : select_vertices(rest, "right")) ends.push_back(v);
+  std::vector<int> ends = select_vertices(rest, Place::left);
+  for (const int v : select_vertices(rest, Place::right)) ends.push_back(v);
   const Pins pins = make_pins(rest, ends, 0);
   SimulationInput input = compliant(test::sheet(rest, pins, "none", density), 1e-4, 1);
   for (int v = 0; v < rest.vertex_count(); ++v) {  // the ends moved together, the sheet on a shallow arc
@@ -169,7 +169,7 @@ TEST_CASE("a cantilever of hinges hangs as the heavy elastica", "[solver]") {
 
 TEST_CASE("a strip that springs bend hangs without creases", "[solver]") {
   const RestMesh rest(equilateral(0.25, 0.15, 14, Rows::perpendicular));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 2);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 2);
   for (const double strain_compliance : {1e-5, 1e-7}) {
     const auto found =
         balanced(compliant(test::sheet(rest, pins, "k_ring", density), strain_compliance, 1e-3));
@@ -231,7 +231,7 @@ TEST_CASE("an equilibrium says what it cannot find", "[solver]") {
   const RestMesh rest(grid(1, 1, 2, 2));
   const Pins pins = make_pins(rest, {0}, 0);
   SimulationInput input = test::sheet(rest, pins, "crossover");
-  input.method = find_method("equilibrium");
+  input.method = Equilibrium{};
   CHECK_THROWS_AS(make_simulation<double>(input, {}), std::invalid_argument);  // k has no energy
   CHECK_THROWS_AS(make_simulation<float>(compliant(input, 1, 1), {}), std::invalid_argument);
   std::vector<Pass<double>> obstacle;

@@ -37,8 +37,9 @@ double gradient_of(const Eigen::Matrix3d& a) {
 
 SimulationInput hanging_curtain(int cells, double dt, double limit) {
   const RestMesh rest(grid(1, 1, cells, cells));
-  SimulationInput input = test::sheet(rest, make_pins(rest, select_vertices(rest, "top"), 0), "crossover");
-  input.settings.dt = dt, input.settings.own.set("flight_limit", limit);
+  SimulationInput input =
+      test::sheet(rest, make_pins(rest, select_vertices(rest, Place::top), 0), "crossover");
+  input.settings.dt = dt, input.method = Pbd{.flight_limit = limit};
   return input;
 }
 
@@ -76,7 +77,7 @@ TEST_CASE("the step of a cloth that falls as a whole is not cut, to the bit", "[
   const RestMesh rest(grid(1, 1, 8, 8));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
   const auto plain = falling(input);
-  input.settings.own.set("flight_limit", 0.01);
+  input.method = Pbd{.flight_limit = 0.01};
   const auto limited = falling(input);
   for (int s = 0; s < 30; ++s) REQUIRE((plain->step() && limited->step()));
   CHECK(limited->substeps() == 30);
@@ -100,7 +101,7 @@ TEST_CASE("a curtain's step is cut by how far its top row would fall", "[force_s
 TEST_CASE("a step that is cut is that many substeps", "[force_steps]") {
   SimulationInput input = hanging_curtain(16, 0.1, 0.25);
   const auto cut = falling(input);
-  input.settings.own.set("flight_limit", 0.0);
+  input.method = Pbd{};
   input.settings.substeps = 3;  // 2.5 = √(16 · 9.81 · 0.01 / 0.25), rounded up
   const auto divided = falling(input);
   for (int step = 0; step < 10; ++step) REQUIRE((cut->step() && divided->step()));

@@ -22,7 +22,7 @@ inline SimulationInput compliant(SimulationInput input, std::string_view method,
   input.strain_stiffness = {
       .form = StrainForm::angle, .kind = StiffnessKind::compliance, .compliance = strain};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending};
-  input.method = find_method(method);
+  input.method = Method(*find_method(method));
   return input;
 }
 
@@ -38,15 +38,11 @@ std::unique_ptr<Simulation> implicit_steps(SimulationInput input, std::string_vi
                                            std::string_view integrator, double h,
                                            std::vector<Pass<Real>> passes, int iterations,
                                            double tolerance = 1e-12) {
-  input.method = find_method(method);
   input.settings.dt = h, input.settings.substeps = 1, input.settings.iterations = iterations;
-  input.settings.own = ParameterValues(input.method->parameters);
-  input.settings.own.set("integrator", std::string(integrator));
-  input.settings.own.set("tolerance", tolerance);
-  if (method == "quasi_newton") {
-    input.settings.own.set("membrane", std::string("stated"));
-    input.settings.own.set("history", std::int64_t{10});
-  }
+  Changes changes = {{"integrator", std::string(integrator)}, {"tolerance", tolerance}};
+  if (method == "quasi_newton")
+    changes.insert(changes.end(), {{"membrane", std::string("stated")}, {"history", std::int64_t{10}}});
+  input.method = chosen(*find_method(method), changes);
   return make_simulation<Real>(input, std::move(passes));
 }
 

@@ -27,17 +27,12 @@ std::vector<Pass<Real>> gravity() {
 // After one step of 1/60 s.
 template <class Real>
 std::unique_ptr<Simulation> stepped(SimulationInput input, std::string_view method, int iterations) {
-  input.method = find_method(method);
   input.settings.iterations = iterations;
-  if (method != "pbd") {
-    input.settings.own = ParameterValues(input.method->parameters);
-    input.settings.own.set("integrator", std::string("euler"));
-    input.settings.own.set("tolerance", 0.0);
-    if (method == "quasi_newton") {
-      input.settings.own.set("membrane", std::string("stated"));
-      input.settings.own.set("history", std::int64_t{10});
-    }
-  }
+  test::Changes changes;
+  if (method != "pbd") changes = {{"integrator", std::string("euler")}, {"tolerance", 0.0}};
+  if (method == "quasi_newton")
+    changes.insert(changes.end(), {{"membrane", std::string("stated")}, {"history", std::int64_t{10}}});
+  input.method = test::chosen(*find_method(method), changes);
   auto simulation = make_simulation<Real>(input, gravity<Real>());
   REQUIRE(simulation->step());
   return simulation;
@@ -95,7 +90,7 @@ TEMPLATE_TEST_CASE("the kernels' forces are minus the gradient of the energy", "
       SimulationInput input = compliant(test::sheet(rest, pins, model.name), "pbd", 0.3, model.compliance);
       input.strain_stiffness.form = form, input.strain_stiffness.area = 1;
       disturb(input, 0.05);
-      const auto constraints = ordered_constraints<TestType>(input, nullptr, nullptr);
+      const auto constraints = ordered_constraints<TestType>(input, nullptr);
       const auto count = static_cast<std::size_t>(input.positions.rows());
       Points<TestType> points(count + dummy_points), forces(count + dummy_points);
       for (std::size_t v = 0; v < count; ++v)
@@ -292,7 +287,7 @@ TEST_CASE("XPBD converges to another pose than the minimum, by the square of a s
 
 TEST_CASE("implicit methods come to rest where the equilibrium is", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 6, Rows::parallel));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   const SimulationInput input =
       compliant(test::sheet(rest, pins, "discrete_shells"), "equilibrium", 1e-3, 1e3);
   const auto equilibrium = make_simulation<double>(input, gravity<double>());
@@ -332,7 +327,7 @@ TEST_CASE("few iterations of block descent lag behind, and keep the cloth togeth
 
 // A point of mass m on a spring of stiffness k along its direction: ω = √(k / m).
 TEST_CASE("backward Euler is of first order, BDF2 of second", "[solver]") {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
   input.positions(1, 0) = 1.1;
   input.rest = Positions::Zero(2, 3);
@@ -440,9 +435,7 @@ TEST_CASE("a membrane is softened as far as the error asks for, and not beyond",
   const Pins pins = make_pins(rest, {0, 8}, 0);
   const auto softness = [&](double compliance, double error) {
     SimulationInput input = compliant(test::sheet(rest, pins, "dihedral"), "quasi_newton", compliance, 1e4);
-    input.settings.own = ParameterValues(input.method->parameters);
-    input.settings.own.set("membrane", std::string("auto"));
-    input.settings.own.set("membrane_error", error);
+    input.method = QuasiNewton{.membrane_error = error};
     const auto simulation = make_simulation<double>(input, gravity<double>());
     CHECK_FALSE(simulation->membrane_softness());  // not known before the loads are
     REQUIRE(simulation->step());

@@ -18,18 +18,14 @@ using Eigen::Matrix3d, Eigen::MatrixXd, Eigen::VectorXd;
 
 constexpr double gravity = 9.81;
 
-// As the method's setting has them.
-enum class Tangent { along, taut, isotropic };
-std::string name_of(Tangent tangent) {
-  return tangent == Tangent::along ? "along" : tangent == Tangent::taut ? "taut" : "isotropic";
-}
+using Tangent = KangCho::Tangent;
 
 SimulationInput with_springs(SimulationInput input, double dt, double membrane_compliance,
                              double bending_compliance) {
   input.strain = {};
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = membrane_compliance};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = bending_compliance};
-  input.method = find_method("kang_cho");
+  input.method = KangCho{};
   input.settings.dt = dt;
   return input;
 }
@@ -45,7 +41,7 @@ SimulationInput spring_sheet(const RestMesh& rest, const Pins& pins, std::string
 
 // Two masses on the x axis, `length` apart.
 SimulationInput two_masses(double m0, double m1, double k, double rest_length, double length, double dt) {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
   input.positions(1, 0) = length;
   input.velocities = Positions::Zero(2, 3);
@@ -187,9 +183,9 @@ double order_of(const Error& error, double h) {
 
 SimulationInput hanging_sheet(int cells, double dt, double membrane_compliance, Tangent tangent) {
   const RestMesh rest(grid(1, 1, cells, cells));
-  SimulationInput input = spring_sheet(rest, make_pins(rest, select_vertices(rest, "upper_right"), 1),
+  SimulationInput input = spring_sheet(rest, make_pins(rest, select_vertices(rest, Place::upper_right), 1),
                                        "crossover", dt, membrane_compliance, 100 * membrane_compliance);
-  input.settings.own.set("tangent", name_of(tangent));
+  input.method = KangCho{.tangent = tangent};
   return input;
 }
 
@@ -244,7 +240,7 @@ TEST_CASE("kang_cho: the step is that of a dense implementation", "[solver]") {
     for (const double h : {1e-3, 1e-2, 1e-1})
       for (const char* model : {"none", "crossover", "k_ring"}) {
         SimulationInput input = crumpled_sheet({0, 7, 8}, h, model);
-        input.settings.own.set("tangent", name_of(tangent));
+        input.method = KangCho{.tangent = tangent};
         VectorXd weight = VectorXd::Zero(input.positions.size());
         for (Eigen::Index v = 0; v < input.positions.rows(); ++v)
           weight(3 * v + 2) = -gravity * input.mass[static_cast<std::size_t>(v)];
@@ -331,7 +327,7 @@ TEST_CASE("kang_cho: a chain hangs as statics says, at any step", "[solver]") {
   // because the weight is part of p.
   const int n = 5;
   const double alpha = 1e-2, m = 0.1;
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(n + 1, 3);
   input.origin.setZero();
   for (int v = 0; v <= n; ++v) {
@@ -352,7 +348,7 @@ TEST_CASE("kang_cho: a chain hangs as statics says, at any step", "[solver]") {
 
 TEST_CASE("kang_cho: pinned vertices stay and hold the others", "[solver]") {
   const RestMesh rest(grid(1, 1, 12, 12));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const SimulationInput input = spring_sheet(rest, pins, "adaptive", 1e-3);
   const auto simulation = falling<double>(input);
   for (int s = 0; s < 1000; ++s) REQUIRE(simulation->step());
@@ -377,9 +373,6 @@ TEMPLATE_TEST_CASE("kang_cho: threads, repeats, permutations and settings of pbd
     CHECK(after(input) == once);
   }
   input.settings.iterations = 3;
-  input.settings.sweep = Sweep::symmetric;
-  input.settings.order = ConstraintOrder::mesh;
-  input.settings.first = FirstConstraint::bending;
   CHECK(after(input) == once);
   for (int v = 0; v < input.positions.rows(); ++v)
     input.permutation.push_back(static_cast<int>(input.positions.rows()) - 1 - v);
@@ -406,7 +399,7 @@ TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]
   // what `along` leaves to explicit integration is the stiffness 2 T / l. Stable for h² 2 T / l < 4 m.
   const double m = 1, k = 100, rest = 0.5, l = 1, tension = k * (l - rest),
                critical = std::sqrt(4 * m * l / (2 * tension));
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(3, 3);
   input.positions.col(0) << -l, 0, l;
   const double pluck = 1e-6;
@@ -417,7 +410,7 @@ TEST_CASE("kang_cho: what is stable is the implicit part of a spring", "[solver]
   input.edges = {.vertices = {{0, 1}, {1, 2}}, .rest_length = {rest, rest}};
   const auto largest = [&](double h, Tangent tangent) {
     SimulationInput now = with_springs(input, h, 1 / k, 1);
-    now.settings.own.set("tangent", name_of(tangent));
+    now.method = KangCho{.tangent = tangent};
     const auto simulation = make_simulation<double>(now, {});
     double size = 0;
     for (int s = 0; s < 200; ++s) {

@@ -12,20 +12,20 @@ namespace bendlab {
 namespace {
 
 // A sheet that every method takes: springs, each stiffness a compliance.
-SimulationInput sheet_for(const Method& method) {
+SimulationInput sheet_for(const MethodKind& method) {
   const RestMesh rest(grid(1, 1, 3, 3));
   const Pins pins = make_pins(rest, {0}, 0);
   SimulationInput input = test::sheet(rest, pins, "crossover");
   if (method.membrane == Membrane::edges) input.strain = {}, input.edges = edge_springs(rest, pins);
   input.strain_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1e-3};
   input.bending_stiffness = {.kind = StiffnessKind::compliance, .compliance = 1};
-  input.method = &method;
+  input.method = Method(method);
   return input;
 }
 
 template <class Real>
 void check_orders(const SimulationInput& input) {
-  if (input.method->make<Real>() == nullptr) {
+  if (input.method.kind().make<Real>() == nullptr) {
     CHECK_THROWS_AS(make_simulation<Real>(input, {}), std::invalid_argument);
     return;
   }
@@ -54,22 +54,20 @@ void check_orders(const SimulationInput& input) {
 
 TEST_CASE("methods: each says what it is and comes in some precision", "[solver]") {
   std::set<std::string_view> names;
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     INFO(method->name);
     names.insert(method->name);
     CHECK(find_method(method->name) == method);
     for (const std::string_view text : {method->summary, method->source, method->limits})
       CHECK_FALSE(text.empty());
     CHECK((method->make_float != nullptr || method->make_double != nullptr));
-    for (const char* shared : {"method", "dt", "threads"}) CHECK(method->reads(shared));
-    CHECK_FALSE(method->reads("no_such_setting"));
   }
   CHECK(names.size() == methods().size());
   CHECK(find_method("no_such_method") == nullptr);
 }
 
 TEST_CASE("methods: each gives every constraint a place in its order and refuses unknown kinds", "[solver]") {
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     INFO(method->name);
     const SimulationInput input = sheet_for(*method);
     check_orders<float>(input);
@@ -78,7 +76,7 @@ TEST_CASE("methods: each gives every constraint a place in its order and refuses
 }
 
 TEST_CASE("methods: each says why its passes are there", "[solver]") {
-  for (const Method* method : methods()) {
+  for (const MethodKind* method : methods()) {
     const SimulationInput input = sheet_for(*method);
     const auto simulation = make_simulation<double>(input, test::effect_passes<double>("gravity"));
     for (const PassStatistics& pass : simulation->passes()) {
@@ -89,13 +87,13 @@ TEST_CASE("methods: each says why its passes are there", "[solver]") {
   }
 }
 
-TEST_CASE("methods: own settings have their defaults, and another method's are refused", "[solver]") {
-  SimulationInput input = sheet_for(*find_method("kang_cho"));
-  CHECK(own_settings(input).text("tangent") == "along");
-  input.settings.own.set("tangent", "taut");
-  CHECK(own_settings(input).text("tangent") == "taut");
-  input.method = find_method("pbd");
-  CHECK_THROWS_AS(own_settings(input), std::invalid_argument);
+TEST_CASE("methods: settings are those of their struct, and another method's are refused", "[solver]") {
+  SimulationInput input = sheet_for(KangCho::kind);
+  CHECK(settings_of<KangCho>(input).tangent == KangCho::Tangent::along);
+  input.method = KangCho{.tangent = KangCho::Tangent::taut};
+  CHECK(settings_of<KangCho>(input).tangent == KangCho::Tangent::taut);
+  input.method = Pbd{};
+  CHECK_THROWS_AS(settings_of<KangCho>(input), std::logic_error);
 }
 
 }  // namespace bendlab

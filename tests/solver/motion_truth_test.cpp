@@ -46,7 +46,7 @@ Complex factor_per_step(const std::vector<double>& q) {
 
 // A mode of a cloth: where it starts, what moves it, and its closed form.
 struct Mode {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   std::function<std::vector<Pass<double>>()> forces;
   std::vector<double> shape;  // #V, of displacements along an axis
   Eigen::Index axis;
@@ -93,7 +93,7 @@ void check_rate(const Mode& mode) {
 
 // Where the free side of a strip that is clamped at x = 0 ends up under a small load, by statics.
 double static_deflection(SimulationInput input, double acceleration) {
-  input.method = find_method("equilibrium");
+  input.method = Equilibrium{};
   const auto simulation = make_simulation<double>(input, gravity({0, 0, -acceleration}));
   for (int step = 0; step < 400 && !simulation->settled(); ++step) REQUIRE(simulation->step());
   return -simulation->positions().col(2).minCoeff();
@@ -112,7 +112,7 @@ Complex exact_steps(std::string_view integrator, Complex lambda, double h, int s
 
 // A point of mass m on a spring along x whose other end is pinned, 0.1 m beyond its rest length.
 SimulationInput point_on_spring(double mass, double stiffness) {
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions = Positions::Zero(2, 3);
   input.positions(1, 0) = 1.1;
   input.rest = Positions::Zero(2, 3);
@@ -162,7 +162,7 @@ double largest_stretch(const RestMesh& rest, const Positions& x) {
 TEST_CASE("a clamped strip has its first frequency", "[solver]") {
   constexpr double length = 0.4, cell = 0.01, density = 0.2, g = 1e-3;
   const RestMesh rest(grid(length + cell, 2 * cell, 41, 2, Diagonal::alternating));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 1);
   Mode mode;
   mode.input = compliant(test::sheet(rest, pins, "discrete_shells", density), "newton", 0.1, 1e3);
   const double start = rest.box_min().x() + cell;
@@ -182,7 +182,7 @@ TEST_CASE("a clamped strip has its first frequency", "[solver]") {
 TEST_CASE("a hanging strip swings as a chain", "[solver]") {
   constexpr double length = 1, density = 0.2, g = 9.81, stiffness = 1e3;
   const RestMesh rest(grid(0.05, length, 1, 40));
-  const Pins pins = make_pins(rest, select_vertices(rest, "top"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
   Mode mode;
   mode.input = compliant(test::sheet(rest, pins, "none", density), "newton", 1 / stiffness, 1);
   mode.omega = 2.4048 / 2 * std::sqrt(g / length);
@@ -203,7 +203,7 @@ TEST_CASE("a hanging strip swings as a chain", "[solver]") {
 TEST_CASE("a wave runs along a strip that is released from a uniform stretch", "[solver]") {
   constexpr double length = 1, density = 0.2, stiffness = 50;
   const RestMesh rest(grid(length, 0.04, 50, 2));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   Mode mode;
   mode.input = compliant(test::sheet(rest, pins, "none", density), "newton", 1 / stiffness, 1);
   mode.omega = 2 * std::numbers::pi / (4 * length * std::sqrt(density / stiffness));
@@ -301,7 +301,7 @@ TEST_CASE("a spinning sheet loses angular momentum by the order of its integrato
 // pose. A force that jumps (choi_ko) has none that Newton's method finds.
 TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
   const RestMesh rest(equilateral(0.4, 0.4, 5, Rows::parallel));
-  const Pins pins = make_pins(rest, select_vertices(rest, "left"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::left), 0);
   const auto forces = [&] {
     std::vector<Pass<double>> passes = gravity({0, 0, -9.81});
     for (auto& pass : test::effect_passes<double>("viscous_drag", rest, pins, "coefficient", 1.0))
@@ -329,7 +329,7 @@ TEST_CASE("steps of 0.1 s and 1 s come to rest at an equilibrium", "[solver]") {
           CHECK(largest <= 1.1);
           if (model.name == "choi_ko") continue;
           input.positions = simulation->positions();
-          input.method = find_method("equilibrium");
+          input.method = Equilibrium{};
           input.starting_from = StartingFrom::same_mesh;
           const auto equilibrium = make_simulation<double>(input, gravity({0, 0, -9.81}));
           for (int step = 0; step < 400 && !equilibrium->settled(); ++step) REQUIRE(equilibrium->step());
@@ -365,7 +365,7 @@ TEST_CASE("a sheet whose vertices start anywhere opens, and drifts by rounding a
 TEST_CASE("cloth carries a million times its weight", "[solver]") {
   constexpr double width = 0.1, density = 0.2, stiffness = 1e8, g = 9.81;
   const RestMesh rest(grid(width, 1, 2, 16));
-  const Pins pins = make_pins(rest, select_vertices(rest, "top"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
   SimulationInput input = compliant(test::sheet(rest, pins, "none", density), "newton", 1 / stiffness, 1);
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (rest.position(v).y() < -1e-6) input.mass[static_cast<std::size_t>(v)] *= 1e6;
@@ -405,7 +405,7 @@ TEST_CASE("implicit steps have the same bits side by side and for any number of 
   // for a better order than AMD's for newton (above 500 operations per number of the factor).
   for (const auto& [method, cells, steps] : {Cloth{"quasi_newton", 130, 4}, Cloth{"newton", 112, 1}}) {
     const RestMesh rest(grid(1, 1, cells, cells));
-    const Pins pins = make_pins(rest, select_vertices(rest, "top"), 0);
+    const Pins pins = make_pins(rest, select_vertices(rest, Place::top), 0);
     const SimulationInput input = compliant(test::sheet(rest, pins, "dihedral"), method, 1e-3, 1e4);
     const auto end = [&, steps = steps, method = method](int threads) {
       SimulationInput own = input;

@@ -12,7 +12,7 @@ TEST_CASE("constraints nearest to the pins come first, each with its own rest va
   // On a grid with its lower left corner pinned, one diagonal towards the pin, a vertex (i, j) is max(i, j)
   // edges away where the diagonal runs through the pin, else i + j.
   const RestMesh rest(grid(1, 1, 7, 7));
-  const Pins pins = make_pins(rest, select_vertices(rest, "lower_left"), 0);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::lower_left), 0);
   for (const std::string_view model : {"sparse_lod", "dihedral", "isometric"}) {
     const SimulationInput before = test::sheet(rest, pins, model);
     SimulationInput input = before;

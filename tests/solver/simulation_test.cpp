@@ -34,7 +34,7 @@ Positions after(const SimulationInput& input, int steps, double gravity = 9.81) 
 
 SimulationInput pinned_sheet(int cells = 12) {
   const RestMesh rest(grid(1, 1, cells, cells));
-  return test::sheet(rest, make_pins(rest, select_vertices(rest, "upper_right"), 1), "crossover");
+  return test::sheet(rest, make_pins(rest, select_vertices(rest, Place::upper_right), 1), "crossover");
 }
 
 // The same cloth in another unit of length: coordinates × factor, masses as they are.
@@ -98,7 +98,7 @@ TEST_CASE("projections are counted: every constraint, in every iteration and swe
   const RestMesh rest(grid(1, 1, 4, 4));
   for (const Sweep sweep : {Sweep::forward, Sweep::symmetric}) {
     SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "crossover");
-    input.settings.substeps = 3, input.settings.iterations = 2, input.settings.sweep = sweep;
+    input.settings.substeps = 3, input.settings.iterations = 2, input.method = Pbd{.sweep = sweep};
     const auto simulation = make_simulation<double>(input, {});
     for (int step = 0; step < 5; ++step) REQUIRE(simulation->step());
     // 32 triangles, and springs over 56 - 16 interior edges.
@@ -135,7 +135,7 @@ TEST_CASE("a stiff sheet's spin decays as the projection makes it", "[solver]") 
   const RestMesh rest(grid(0.1, 0.1, 3, 3));
   SimulationInput input = test::sheet(rest, make_pins(rest, {}, 0), "k_ring");
   input.settings.iterations = 200;  // rigid
-  input.settings.sweep = Sweep::symmetric;
+  input.method = Pbd{.sweep = Sweep::symmetric};
   input.bending_stiffness.k = 1;
   const double theta = 0.05, omega = theta / input.settings.dt;
   input.velocities.resize(rest.vertex_count(), 3);
@@ -233,14 +233,14 @@ TEST_CASE("only listed passes are in the plan", "[solver]") {
   CHECK(names(*make_simulation<float>(test::sheet(rest, pins, "none"), {})) ==
         std::vector<std::string>{"predict", "strain", "update"});
   SimulationInput input = test::sheet(rest, pins, "crossover");
-  input.settings.first = FirstConstraint::bending;
+  input.method = Pbd{.first = FirstConstraint::bending};
   CHECK(names(*hanging_sheet<float>(input)) ==
         std::vector<std::string>{"gravity", "predict", "bending", "strain", "update"});
 }
 
 TEST_CASE("pinned vertices stay where they are", "[solver]") {
   const RestMesh rest(grid(1, 1, 12, 12));
-  const Pins pins = make_pins(rest, select_vertices(rest, "upper_right"), 1);
+  const Pins pins = make_pins(rest, select_vertices(rest, Place::upper_right), 1);
   const SimulationInput input = test::sheet(rest, pins, "adaptive");
   const Positions end = after<double>(input, 120);
   for (const int v : pins.all) CHECK(end.row(v) == rest.positions().row(v));
@@ -259,10 +259,9 @@ TEST_CASE("both orders and both sweeps solve the same problem", "[solver]") {
   const Positions colour = after<double>(input, 6, 0.981);
   const double motion = (colour - input.positions).cwiseAbs().maxCoeff();
   REQUIRE(motion > 1e-3);
-  input.settings.order = ConstraintOrder::mesh;
+  input.method = Pbd{.order = ConstraintOrder::mesh};
   CHECK((after<double>(input, 6, 0.981) - colour).cwiseAbs().maxCoeff() < 0.01 * motion);
-  input.settings.order = ConstraintOrder::colour;
-  input.settings.sweep = Sweep::symmetric;
+  input.method = Pbd{.sweep = Sweep::symmetric};
   CHECK((after<double>(input, 6, 0.981) - colour).cwiseAbs().maxCoeff() < 0.01 * motion);
 }
 
@@ -278,7 +277,7 @@ TEST_CASE("XPBD with zero compliance is PBD with k = 1", "[solver]") {
 TEST_CASE("a compliant spring stretches by its compliance times the load", "[solver]") {
   // Two vertices, the upper one pinned: at rest under gravity the extension is α m g, whatever the
   // iterations.
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{}};
   input.positions.resize(2, 3);
   input.positions << 0, 0, 0, 0, 0, -1;
   input.origin.setZero();

@@ -24,7 +24,7 @@ std::unique_ptr<Simulation> simulation_with(SimulationInput input, std::vector<s
 
 SolverSettings settings(int substeps, int iterations) {
   SolverSettings solver;
-  solver.substeps = substeps, solver.iterations = iterations, solver.sweep = Sweep::symmetric;
+  solver.substeps = substeps, solver.iterations = iterations;
   return solver;
 }
 
@@ -36,7 +36,7 @@ Vector3 mean(const Positions& rows) {
 struct Strip {
   RestMesh rest;
   Pins pins;
-  SimulationInput input;
+  SimulationInput input{.method = Pbd{.sweep = Sweep::symmetric}};
 
   Strip(int across, int along, int substeps, int iterations)
       : rest(hanging(across, along)),

@@ -81,7 +81,7 @@ TEST_CASE("a large grid is cut into tiles and a small one into its colours", "[s
 TEMPLATE_TEST_CASE("tile by tile and colour by colour give the same bits", "[solver]", float, double) {
   const RestMesh rest(grid(1, 1, 180, 180));  // 32 761 vertices: several tiles in both precisions
   SimulationInput input = test::sheet(rest, make_pins(rest, {0}, 1), "crossover");
-  input.settings.sweep = Sweep::symmetric;
+  input.method = Pbd{.sweep = Sweep::symmetric};
   const auto after = [&](int threads) {
     input.settings.threads = threads;
     const auto simulation = make_simulation<TestType>(input, test::effect_passes<TestType>("gravity"));

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "bendlab/parameters/names.hpp"
-
 namespace bendlab {
 namespace {
 
@@ -25,27 +23,26 @@ double rounded(double m, Rounding rounding) {
 
 }  // namespace
 
-Levels adaptive_levels(const RestMesh& rest, const ParameterValues& values) {
-  return adaptive_levels(rest.size(), rest.mean_edge_length(), values);
+Levels adaptive_levels(const RestMesh& rest, const LevelSettings& settings) {
+  return adaptive_levels(rest.size(), rest.mean_edge_length(), settings);
 }
 
-Levels adaptive_levels(double size, double edge, const ParameterValues& values) {
-  const double omega = size / 2 * 0.5, radius = values.number("radius");
+Levels adaptive_levels(double size, double edge, const LevelSettings& settings) {
+  const double omega = size / 2 * 0.5, radius = settings.radius;
   Levels levels;
   levels.m_unrounded = radius > 0 ? radius / edge : omega / edge * 0.1 + 1;
-  const Rounding rounding =
-      radius > 0 ? Rounding::round : named<Rounding>(values.text("m_rounding"), rounding_names);
+  const Rounding rounding = radius > 0 ? Rounding::round : settings.m_rounding;
   levels.m = std::max(static_cast<int>(std::min(highest_level, rounded(levels.m_unrounded, rounding))),
-                      static_cast<int>(values.integer("m_min")));
-  levels.n = (2 * levels.m + 1) * static_cast<int>(values.integer("n_multiplier"));
-  if (!values.boolean("pin_zone")) levels.n = levels.m;
+                      settings.m_min);
+  levels.n = (2 * levels.m + 1) * settings.n_multiplier;
+  if (!settings.pin_zone) levels.n = levels.m;
   return levels;
 }
 
-std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const ParameterValues& values,
+std::vector<int> level_of_vertices(const RestMesh& rest, const Pins& pins, const LevelSettings& settings,
                                    int free_level, int pinned_level) {
   std::vector<int> levels(static_cast<std::size_t>(rest.vertex_count()), free_level);
-  const std::vector<int>& counted = values.boolean("pinned_ring_is_pinned") ? pins.all : pins.seeds;
+  const std::vector<int>& counted = settings.pinned_ring_is_pinned ? pins.all : pins.seeds;
   for (const int vertex : counted) levels[static_cast<std::size_t>(vertex)] = pinned_level;
   return levels;
 }

@@ -6,43 +6,28 @@
 #include <array>
 #include <stdexcept>
 
-#include "bendlab/parameters/registry.hpp"
+#include "bendlab/bending/models.hpp"
 
 namespace bendlab {
 
-namespace models {
-#define BENDLAB_BENDING_MODEL(name) extern const BendingModel name;
-#include "bendlab/bending/models.def"
-#undef BENDLAB_BENDING_MODEL
-}  // namespace models
-
 namespace {
 
-constexpr std::array listed = {
-#define BENDLAB_BENDING_MODEL(name) &models::name,
-#include "bendlab/bending/models.def"
-#undef BENDLAB_BENDING_MODEL
-};
-
-Registry<const BendingModel*>& registry() {
-  static Registry<const BendingModel*> all("bending model", listed);
+Registry<BendingKind>& registry() {
+  static Registry<BendingKind> all("bending model", listed_bending_models);
   return all;
 }
 
 }  // namespace
 
-std::span<const BendingModel* const> bending_models() {
-  return registry().rows();
+std::span<const BendingKind* const> bending_models() {
+  return registry().all();
 }
 
-const BendingModel* find_bending_model(std::string_view name) {
-  const auto all = bending_models();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BendingModel* m) { return m->name == name; });
-  return found == all.end() ? nullptr : *found;
+const BendingKind* find_bending_model(std::string_view name) {
+  return registry().find(name);
 }
 
-std::optional<std::string> unknown_to_k(const BendingModel& model, const BendingConstraints& constraints) {
+std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingConstraints& constraints) {
   if (model.softness_needs_compliance) return std::nullopt;
   double least = 1, most = 1;
   const auto look_at = [&](const std::vector<double>& softness) {
@@ -60,19 +45,19 @@ std::optional<std::string> unknown_to_k(const BendingModel& model, const Bending
 
 std::vector<std::string_view> models_of_hinges() {
   std::vector<std::string_view> names;
-  for (const BendingModel* model : bending_models())
+  for (const BendingKind* model : bending_models())
     if (is_made_of_hinges(*model)) names.push_back(model->name);
   return names;
 }
 
-void register_bending_model(const BendingModel& model) {
+void register_bending_model(const BendingKind& model) {
   if (model.build == nullptr)
     throw std::invalid_argument(
         fmt::format("the bending model '{}' cannot be registered: it has no build()", model.name));
-  registry().add(&model);
+  registry().add(model);
 }
 
-std::span<const BendingModel* const> added_bending_models() {
+std::span<const BendingKind* const> added_bending_models() {
   return registry().added();
 }
 

@@ -1,5 +1,5 @@
 // The interface of a bending model: a pure function from the rest mesh to constraints, called once per scene.
-// A new model is one file in models/, one line in models.def, one test and one config; a program that uses
+// A new model is a struct in models.hpp, one file in models/, one test and one config; a program that uses
 // this library may register its own.
 #pragma once
 
@@ -13,7 +13,8 @@
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
-#include "bendlab/parameters/parameter.hpp"
+#include "bendlab/parameters/family.hpp"
+#include "bendlab/parameters/field.hpp"
 
 namespace bendlab {
 
@@ -33,40 +34,55 @@ struct BendingConstraints {
 struct BendingInput {
   const RestMesh& rest;
   const Pins& pins;
-  const ParameterValues& parameters;  ///< the model's own table, defaults filled in
 };
 
-struct BendingModel {
+struct BendingKind;
+/// A bending model with its settings: `BendingModel model = Adaptive{.rings = RingFill::last};`
+using BendingModel = Chosen<BendingKind>;
+
+/// A member of the family: its traits, and what it makes. Functions take the model's settings.
+struct BendingKind {
   std::string_view name;
   std::string_view label;       ///< the name in figures
   std::string_view summary;     ///< one line: what is joined to what
   std::string_view source;      ///< paper and equation
   std::string_view limits;      ///< what it cannot do
   std::string_view compliance;  ///< what the scene's compliance is the inverse of
-  std::span<const Parameter> parameters;
+  FieldTable settings;
+  bool bends = true;          ///< it makes constraints
   bool springs_only = false;  ///< build() gives no elements, whatever the parameters
   bool one_sided = false;     ///< its elements only push: their force jumps where the cloth is straight
   bool prestressed = false;   ///< its springs push in the rest shape, so that their moment is linear in κ
   /// With k, which removes the same share of every constraint, its softness is left out. A model that does
   /// not say so is refused with k if a softness is not 1.
   bool softness_needs_compliance = false;
-  BendingConstraints (*build)(const BendingInput&);
+  /// The mean strain that its springs give a sound sheet with that k; null: none. And what helped in tests.
+  double (*strain_of_k)(const void* settings, double k) = nullptr;
+  std::string_view strain_of_k_remedy = {};
+  /// It stands for the sheet of a stated rigidity where other models are judged.
+  bool is_reference = false;
+  BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;
   /// How many constraints build() will give, for forecasts; null: a hinge over every interior edge.
-  ExpectedConstraints (*expect)(const ExpectedMesh&, const ParameterValues&) = nullptr;
+  ExpectedConstraints (*expect)(const void* settings, const ExpectedMesh&) = nullptr;
 };
 
-/// Every registered bending model, in the order of models.def; then those that the program added.
-std::span<const BendingModel* const> bending_models();
+/// The model's constraints.
+inline BendingConstraints constraints_of(const BendingModel& model, const BendingInput& input) {
+  return model.kind().build(model.settings(), input);
+}
+
+/// Every registered bending model, in the order of models.hpp; then those that the program added.
+std::span<const BendingKind* const> bending_models();
 
 /// The model of that name, or nullptr.
-const BendingModel* find_bending_model(std::string_view name);
+const BendingKind* find_bending_model(std::string_view name);
 
 /// Why a model's constraints cannot have their stiffness as k: they have a softness, which k would leave out,
 /// and the model does not say that it may. Nothing if they can.
-std::optional<std::string> unknown_to_k(const BendingModel& model, const BendingConstraints& constraints);
+std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingConstraints& constraints);
 
 /// Whether its elements are hinges: its rigidity is known for rest shapes of any form.
-inline bool is_made_of_hinges(const BendingModel& model) {
+inline bool is_made_of_hinges(const BendingKind& model) {
   return model.expect == nullptr && !model.springs_only;
 }
 
@@ -76,10 +92,10 @@ std::vector<std::string_view> models_of_hinges();
 /// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
 /// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it
 /// is too late.
-void register_bending_model(const BendingModel& model);
-void register_bending_model(const BendingModel&&) = delete;
+void register_bending_model(const BendingKind& model);
+void register_bending_model(const BendingKind&&) = delete;
 
 /// The models that the program added.
-std::span<const BendingModel* const> added_bending_models();
+std::span<const BendingKind* const> added_bending_models();
 
 }  // namespace bendlab

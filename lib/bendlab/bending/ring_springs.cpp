@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "bendlab/mesh/rings.hpp"
-#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
@@ -149,15 +148,12 @@ ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRu
           .reach = static_cast<double>(free_level)};
 }
 
-RingFill ring_fill(const ParameterValues& values) {
-  return named<RingFill>(values.text("rings"), ring_fill_names);
-}
-
-RingRule ring_rule(const ParameterValues& values) {
-  return {.euclidean_rings = values.text("distance") == "euclidean",
-          .path_rest_length = values.text("rest_length") == "path",
-          .shared_pairs_twice = values.text("shared_pairs") == "twice",
-          .keep_pinned_pairs = values.text("pinned_pairs") == "keep"};
+RingRule ring_rule(const RingSettings& settings, RingFill fill) {
+  return {.fill = fill,
+          .euclidean_rings = settings.distance == RingSettings::Distance::euclidean,
+          .path_rest_length = settings.rest_length == RingSettings::RestLength::path,
+          .shared_pairs_twice = settings.shared_pairs == RingSettings::SharedPairs::twice,
+          .keep_pinned_pairs = settings.pinned_pairs == RingSettings::PinnedPairs::keep};
 }
 
 }  // namespace bendlab

@@ -24,6 +24,19 @@ enum class RingFill {
 };
 inline constexpr std::array<std::string_view, 4> ring_fill_names = {"all", "beyond_edges", "last", "ends"};
 
+/// The settings of models that join rings.
+struct RingSettings {
+  enum class Distance { hops, euclidean };
+  enum class RestLength { euclidean, path };
+  enum class SharedPairs { once, twice };
+  enum class PinnedPairs { drop, keep };
+
+  Distance distance = Distance::hops;
+  RestLength rest_length = RestLength::euclidean;
+  SharedPairs shared_pairs = SharedPairs::once;
+  PinnedPairs pinned_pairs = PinnedPairs::drop;
+};
+
 struct RingRule {
   RingFill fill = RingFill::all;
   /// Ring r holds the vertices at (r - 1, r] mean edge lengths, instead of those r edges away.
@@ -42,40 +55,31 @@ DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const s
 ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRule& rule, int free_level,
                                           int pinned_level);
 
-/// The settings behind RingRule, but for `fill`, and how they are read.
-inline constexpr std::array ring_rule_parameters = {
-    Parameter{
-        .name = "distance",
-        .type = ParameterType::text,
-        .default_value = "hops",
-        .meaning = "a vertex's ring: edges away (breadth-first), or straight distance in mean edge lengths",
-        .choices = choices::ring_distances},
-    Parameter{.name = "rest_length",
-              .type = ParameterType::text,
-              .default_value = "euclidean",
-              .meaning = "a spring's rest length: straight in the rest shape, or along mesh edges",
-              .choices = choices::rest_lengths},
-    Parameter{.name = "shared_pairs",
-              .type = ParameterType::text,
-              .default_value = "once",
-              .meaning = "a pair reached from both ends gives one spring or two",
-              .choices = choices::shared_pairs},
-    Parameter{.name = "pinned_pairs",
-              .type = ParameterType::text,
-              .default_value = "drop",
-              .meaning = "springs between two pinned vertices, which cannot move anything",
-              .choices = choices::pinned_pairs},
+template <class Settings>
+inline constexpr std::array ring_rule_fields = {
+    field<&Settings::distance, Settings>(
+        {.name = "distance",
+         .meaning = "a vertex's ring: edges away (breadth-first), or straight distance in mean edge lengths",
+         .choices = choices::ring_distances}),
+    field<&Settings::rest_length, Settings>(
+        {.name = "rest_length",
+         .meaning = "a spring's rest length: straight in the rest shape, or along mesh edges",
+         .choices = choices::rest_lengths}),
+    field<&Settings::shared_pairs, Settings>(
+        {.name = "shared_pairs",
+         .meaning = "a pair reached from both ends gives one spring or two",
+         .choices = choices::shared_pairs}),
+    field<&Settings::pinned_pairs, Settings>(
+        {.name = "pinned_pairs",
+         .meaning = "springs between two pinned vertices, which cannot move anything",
+         .choices = choices::pinned_pairs}),
 };
-RingRule ring_rule(const ParameterValues& values);
+RingRule ring_rule(const RingSettings& settings, RingFill fill);
 
-/// The setting `rings` and how it is read.
-inline constexpr std::array ring_fill_parameter = {
-    Parameter{.name = "rings",
-              .type = ParameterType::text,
-              .default_value = "all",
-              .meaning = "which rings of a vertex of level L get springs: 1 … L, 2 … L (ring 1 is the mesh's "
-                         "own edges), L alone, or the ends 1 and L",
-              .choices = ring_fill_names}};
-RingFill ring_fill(const ParameterValues& values);
-
+template <class Settings>
+inline constexpr std::array ring_fill_field = {field<&Settings::rings, Settings>(
+    {.name = "rings",
+     .meaning = "which rings of a vertex of level L get springs: 1 … L, 2 … L (ring 1 is the mesh's "
+                "own edges), L alone, or the ends 1 and L",
+     .choices = ring_fill_names})};
 }  // namespace bendlab

@@ -142,14 +142,12 @@ class Thinned {
 
 }  // namespace
 
-BendingConstraints thinned_rings(const BendingInput& input, int power) {
-  const Levels levels = adaptive_levels(input.rest, input.parameters);
-  const int t = static_cast<int>(input.parameters.integer("t")),
-            least = static_cast<int>(input.parameters.integer("t_min"));
-  const std::vector<int> level_of =
-      level_of_vertices(input.rest, input.pins, input.parameters, std::max(least, t ? t : levels.m),
-                        std::max(least, t ? t : levels.n));
-  Thinned thinned(input, static_cast<int>(input.parameters.integer("springs")), power);
+BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power) {
+  const Levels levels = adaptive_levels(input.rest, settings);
+  const int t = settings.t, least = settings.t_min;
+  const std::vector<int> level_of = level_of_vertices(
+      input.rest, input.pins, settings, std::max(least, t ? t : levels.m), std::max(least, t ? t : levels.n));
+  Thinned thinned(input, settings.springs, power);
   RingWalker walker(input.rest.one_ring());
   for (int vertex = 0; vertex < input.rest.vertex_count(); ++vertex) {
     const int level = level_of[static_cast<std::size_t>(vertex)];
@@ -164,11 +162,10 @@ BendingConstraints thinned_rings(const BendingInput& input, int power) {
   return constraints;
 }
 
-ExpectedConstraints expected_thinned_rings(const ExpectedMesh& mesh, const ParameterValues& parameters) {
-  const int t = static_cast<int>(parameters.integer("t")),
-            least = static_cast<int>(parameters.integer("t_min"));
-  const int level = std::max(least, t ? t : adaptive_levels(mesh.size, mesh.mean_edge, parameters).m);
-  const double springs = mesh.vertices * static_cast<double>(parameters.integer("springs"));
+ExpectedConstraints expected_thinned_rings(const ThinnedRingSettings& settings, const ExpectedMesh& mesh) {
+  const int t = settings.t, least = settings.t_min;
+  const int level = std::max(least, t ? t : adaptive_levels(mesh.size, mesh.mean_edge, settings).m);
+  const double springs = mesh.vertices * settings.springs;
   return {.springs = springs, .reach = static_cast<double>(level), .chosen = springs};
 }
 

@@ -7,38 +7,40 @@
 namespace bendlab {
 
 /// The settings that thinned_rings() reads.
-inline constexpr auto thinned_ring_parameters = joined(
+struct ThinnedRingSettings : LevelSettings {
+  int t = 0;
+  int t_min = 2;
+  int springs = 4;  ///< per vertex
+};
+template <class Settings>
+inline constexpr auto thinned_ring_fields = joined(
     std::array{
-        Parameter{.name = "t",
-                  .type = ParameterType::integer,
-                  .unit = "1",
-                  .default_value = 0,
-                  .meaning = "target level, for every vertex; 0 takes m for free and n for pinned vertices",
-                  .minimum = 0,
-                  .maximum = 1000},
-        Parameter{.name = "t_min",
-                  .type = ParameterType::integer,
-                  .unit = "1",
-                  .default_value = 2,
-                  .meaning = "lower bound on the level: springs along the mesh's own edges bend nothing",
-                  .minimum = 1,
-                  .maximum = 1000},
-        Parameter{
-            .name = "springs",
-            .type = ParameterType::integer,
-            .unit = "1",
-            .default_value = 4,
-            .meaning = "springs per vertex, whatever the level; each vertex then is an end of twice as many",
-            .minimum = 1,
-            .maximum = 64}},
-    level_parameters);
+        field<&Settings::t, Settings>(
+            {.name = "t",
+             .unit = "1",
+             .meaning = "target level, for every vertex; 0 takes m for free and n for pinned vertices",
+             .minimum = 0,
+             .maximum = 1000}),
+        field<&Settings::t_min, Settings>(
+            {.name = "t_min",
+             .unit = "1",
+             .meaning = "lower bound on the level: springs along the mesh's own edges bend nothing",
+             .minimum = 1,
+             .maximum = 1000}),
+        field<&Settings::springs, Settings>(
+            {.name = "springs",
+             .unit = "1",
+             .meaning = "springs per vertex, whatever the level; each vertex then is an end of twice as many",
+             .minimum = 1,
+             .maximum = 64})},
+    level_fields<Settings>);
 
 /// Springs at rest, ordered by vertex, and the levels as facts. The axes of a vertex's springs divide a half
 /// turn evenly, because a spring resists bending along its axis, whichever way it points; every other spring
 /// points the opposite way. The softness is (length / t mean edges) to the `power`: springs whose energy is
 /// ∝ length to the `power` / softness then have the same energy.
-BendingConstraints thinned_rings(const BendingInput& input, int power);
+BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power);
 
-ExpectedConstraints expected_thinned_rings(const ExpectedMesh& mesh, const ParameterValues& parameters);
+ExpectedConstraints expected_thinned_rings(const ThinnedRingSettings& settings, const ExpectedMesh& mesh);
 
 }  // namespace bendlab

@@ -1,4 +1,5 @@
 // Capsule: all points within a radius of a segment, which the cloth does not enter.
+#include "bendlab/effects/revolved.hpp"
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
@@ -20,61 +21,59 @@ struct Segment {
   }
 };
 
-constexpr std::array<double, 3> left = {-0.25, 0, 0}, right = {0.25, 0, 0};
-
-constexpr std::array own_parameters = {
-    Parameter{.name = "a",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(left),
-              .meaning = "one end of the segment; the spin turns about the direction from a to b",
-              .length = 3},
-    Parameter{.name = "b",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(right),
-              .meaning = "the other end",
-              .length = 3},
-    Parameter{.name = "radius",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.1,
-              .meaning = "the capsule is all points within it of the segment",
-              .minimum = 0,
-              .above = true},
+constexpr std::array own_fields = {
+    field<&Capsule::a>({.name = "a",
+                        .unit = "m",
+                        .meaning = "one end of the segment; the spin turns about the direction from a to b"}),
+    field<&Capsule::b>({.name = "b", .unit = "m", .meaning = "the other end"}),
+    field<&Capsule::radius>({.name = "radius",
+                             .unit = "m",
+                             .meaning = "the capsule is all points within it of the segment",
+                             .minimum = 0,
+                             .above = true}),
 };
 
-constexpr auto parameters = joined(own_parameters, obstacle::common_parameters, obstacle::spin_parameter);
+constexpr auto fields = joined(own_fields, obstacle::body_fields<Capsule>, obstacle::spin_fields<Capsule>);
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const ParameterValues& values = input.parameters;
-  const Vector3 a = obstacle::vector_of(values, "a"), b = obstacle::vector_of(values, "b");
+std::vector<Pass<Real>> compile(const Capsule& settings, const EffectInput& input) {
+  const Vector3 &a = settings.a, &b = settings.b;
   if (!((b - a).norm() > 0))
     throw std::invalid_argument("a and b are the same point; use a sphere for a capsule without length");
-  const obstacle::Motion motion{.velocity = obstacle::vector_of(values, "velocity"),
-                                .pivot = a,
-                                .axis = (b - a).normalized(),
-                                .spin = values.number("spin")};
+  const obstacle::Motion motion{
+      .velocity = settings.velocity, .pivot = a, .axis = (b - a).normalized(), .spin = settings.spin};
   return {{"capsule", Stage::project,
-           obstacle::RoundObstacle<Real, Segment>(input, {a, b}, values.number("radius"), motion)}};
+           obstacle::RoundObstacle<Real, Segment>(settings, input, {a, b}, settings.radius, motion)}};
+}
+
+ObstacleSurface surface(const Capsule& settings, const SurfaceInput&) {
+  const Vector3 along = settings.b - settings.a;
+  std::vector<ProfilePoint> profile = arc(settings.radius, -1, 0);
+  for (const auto& [distance, height] : arc(settings.radius, 0, 1))
+    profile.push_back({distance, height + along.norm()});
+  return {revolved(profile, settings.a, along.normalized()), settings.velocity};
+}
+
+bool drives(const Capsule& settings) {
+  return obstacle::moves_or_turns(settings);
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect capsule{
+constinit const EffectKind Capsule::kind{
     .name = "capsule",
     .summary = "an obstacle: all points within a radius of a segment",
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
         "cutting planes",
-    .parameters = parameters,
+    .settings = table_of<Capsule>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .is_obstacle = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .drives = erased<drives>,
+    .surface = erased<surface>,
 };
-}  // namespace effect
 }  // namespace bendlab

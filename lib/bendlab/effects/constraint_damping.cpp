@@ -4,19 +4,18 @@
 
 #include "bendlab/constraints/kernels.hpp"
 #include "bendlab/constraints/oracle.hpp"
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "rate",
-        .type = ParameterType::number,
-        .unit = "1/s",
-        .default_value = 1.0,
-        .meaning = "γ: the fraction 1 - exp(-γ h) of each constraint's rate of change is removed per substep",
-        .minimum = 0},
+constexpr std::array fields = {
+    field<&ConstraintDamping::rate>(
+        {.name = "rate",
+         .unit = "1/s",
+         .meaning =
+             "γ: the fraction 1 - exp(-γ h) of each constraint's rate of change is removed per substep",
+         .minimum = 0}),
 };
 
 template <class Real, class Batch>
@@ -26,9 +25,8 @@ void damp_any(const Point<Real>* points, Point<Real>* velocities, const Batch& b
 }
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const double rate = input.parameters.number("rate");
-  return {{"constraint_damping", Stage::velocity, [rate](PassContext<Real>& context) {
+std::vector<Pass<Real>> compile(const ConstraintDamping& settings, const EffectInput&) {
+  return {{"constraint_damping", Stage::velocity, [rate = settings.rate](PassContext<Real>& context) {
              const auto k = static_cast<Real>(-std::expm1(-rate * static_cast<double>(context.substep)));
              const Point<Real>* const points = context.state.position.data();
              Point<Real>* const velocities = context.state.velocity.data();
@@ -39,18 +37,23 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
            }}};
 }
 
+bool idle(const ConstraintDamping& settings) {
+  return settings.rate == 0;
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect constraint_damping{
+constinit const EffectKind ConstraintDamping::kind{
     .name = "constraint_damping",
     .summary = "damps the rate of change of every constraint; keeps both momenta",
     .source = "Müller et al. 2014, eq. 23 (the same for equal masses; dissipates for any masses)",
-    .parameters = parameters,
+    .settings = table_of<ConstraintDamping>(fields),
     .needs_projection = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle = [](const ParameterValues& values) { return values.number("rate") == 0; },
+    .keeps_momentum = true,
+    .keeps_angular_momentum = true,
+    .damps = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
 };
-}  // namespace effect
 }  // namespace bendlab

@@ -1,5 +1,6 @@
 // Disc: a round table top. It holds all points within half its height of a flat disc, whose radius is smaller
 // by half the height. So its rim is half a circle, and the cloth has no edge to catch on.
+#include "bendlab/effects/revolved.hpp"
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
@@ -24,69 +25,71 @@ struct FlatDisc {
   }
 };
 
-constexpr std::array own_parameters = {
-    Parameter{.name = "centre",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(obstacle::zero),
-              .meaning = "centre of the table top, half its height below the surface",
-              .length = 3},
-    Parameter{.name = "axis",
-              .type = ParameterType::numbers,
-              .unit = "1",
-              .default_value = std::span<const double>(obstacle::up),
-              .meaning = "of the disc and its spin; of any length but zero",
-              .length = 3},
-    Parameter{.name = "radius",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.5,
-              .meaning = "of the table top, rim included",
-              .minimum = 0,
-              .above = true},
-    Parameter{.name = "height",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.04,
-              .meaning = "of the table top, at most twice the radius; the rim is half a circle",
-              .minimum = 0,
-              .above = true},
+constexpr std::array own_fields = {
+    field<&Disc::centre>({.name = "centre",
+                          .unit = "m",
+                          .meaning = "centre of the table top, half its height below the surface"}),
+    field<&Disc::axis>(
+        {.name = "axis", .unit = "1", .meaning = "of the disc and its spin; of any length but zero"}),
+    field<&Disc::radius>({.name = "radius",
+                          .unit = "m",
+                          .meaning = "of the table top, rim included",
+                          .minimum = 0,
+                          .above = true}),
+    field<&Disc::height>({.name = "height",
+                          .unit = "m",
+                          .meaning = "of the table top, at most twice the radius; the rim is half a circle",
+                          .minimum = 0,
+                          .above = true}),
 };
 
-constexpr auto parameters = joined(own_parameters, obstacle::common_parameters, obstacle::spin_parameter);
+constexpr auto fields = joined(own_fields, obstacle::body_fields<Disc>, obstacle::spin_fields<Disc>);
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const ParameterValues& values = input.parameters;
-  const Vector3 centre = obstacle::vector_of(values, "centre"), axis = obstacle::direction_of(values, "axis");
-  const double radius = values.number("radius"), half_height = values.number("height") / 2;
-  if (half_height > radius)
+std::vector<Pass<Real>> compile(const Disc& settings, const EffectInput& input) {
+  const Vector3 axis = obstacle::direction_of(settings.axis, "axis");
+  const double half_height = settings.height / 2;
+  if (half_height > settings.radius)
     throw std::invalid_argument(
         "height is more than twice the radius; use a capsule for what is taller than wide");
-  const obstacle::Motion motion{.velocity = obstacle::vector_of(values, "velocity"),
-                                .pivot = centre,
-                                .axis = axis,
-                                .spin = values.number("spin")};
-  return {{"disc", Stage::project,
-           obstacle::RoundObstacle<Real, FlatDisc>(input, {centre, axis, radius - half_height}, half_height,
-                                                   motion)}};
+  const obstacle::Motion motion{
+      .velocity = settings.velocity, .pivot = settings.centre, .axis = axis, .spin = settings.spin};
+  return {
+      {"disc", Stage::project,
+       obstacle::RoundObstacle<Real, FlatDisc>(
+           settings, input, {settings.centre, axis, settings.radius - half_height}, half_height, motion)}};
+}
+
+// A flat top and bottom, and half a circle as rim.
+ObstacleSurface surface(const Disc& settings, const SurfaceInput&) {
+  const double half_height = settings.height / 2, flat = settings.radius - half_height;
+  std::vector<ProfilePoint> profile = {{0, -half_height}};
+  for (const auto& [distance, height] : arc(half_height, -1, 1)) profile.push_back({flat + distance, height});
+  profile.push_back({0, half_height});
+  return {revolved(profile, settings.centre, obstacle::direction_of(settings.axis, "axis")),
+          settings.velocity};
+}
+
+bool drives(const Disc& settings) {
+  return obstacle::moves_or_turns(settings);
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect disc{
+constinit const EffectKind Disc::kind{
     .name = "disc",
     .summary = "an obstacle: a round table top with a rounded rim",
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
         "cutting planes",
-    .parameters = parameters,
+    .settings = table_of<Disc>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .is_obstacle = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .drives = erased<drives>,
+    .surface = erased<surface>,
 };
-}  // namespace effect
 }  // namespace bendlab

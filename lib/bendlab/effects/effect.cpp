@@ -1,34 +1,34 @@
 #include "bendlab/effects/effect.hpp"
 
-#include <algorithm>
-#include <array>
-
-// A build may leave effects out by naming another list.
-#ifndef BENDLAB_EFFECTS
-#define BENDLAB_EFFECTS "bendlab/effects/effects.def"
-#endif
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
+namespace {
 
-namespace effect {
-#define BENDLAB_EFFECT(name) extern const Effect name;
-#include BENDLAB_EFFECTS
-#undef BENDLAB_EFFECT
-}  // namespace effect
+// A build may leave effects out by naming those that it has.
+#ifdef BENDLAB_EFFECTS
+constexpr auto listed = listed_kinds<EffectKind, BENDLAB_EFFECTS>;
+#else
+constexpr auto listed = listed_effects;
+#endif
 
-std::span<const Effect* const> effects() {
-  static constexpr std::array all = {
-#define BENDLAB_EFFECT(name) &effect::name,
-#include BENDLAB_EFFECTS
-#undef BENDLAB_EFFECT
-  };
+Registry<EffectKind>& registry() {
+  static Registry<EffectKind> all("effect", listed);
   return all;
 }
 
-const Effect* find_effect(std::string_view name) {
-  const auto all = effects();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Effect* e) { return e->name == name; });
-  return found == all.end() ? nullptr : *found;
+}  // namespace
+
+std::span<const EffectKind* const> effects() {
+  return registry().all();
+}
+
+const EffectKind* find_effect(std::string_view name) {
+  return registry().find(name);
+}
+
+void register_effect(const EffectKind& kind) {
+  registry().add(kind);
 }
 
 }  // namespace bendlab

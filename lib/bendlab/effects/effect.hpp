@@ -1,26 +1,32 @@
-// The interface of an effect. A scene lists its effects by name, and the step plan is compiled from that
-// list. An effect that is not listed has no pass and no buffer, and takes no time. A new effect is one file,
-// one line in effects.def and one test.
+// The interface of an effect. A scene lists its effects, and the step plan is compiled from that list. An
+// effect that is not listed has no pass and no buffer, and takes no time. A new effect is a struct in
+// effects.hpp, one file and one test.
 #pragma once
 
+#include <filesystem>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
+#include <type_traits>
+#include <vector>
 
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
-#include "bendlab/parameters/parameter.hpp"
+#include "bendlab/parameters/family.hpp"
+#include "bendlab/parameters/field.hpp"
 
 namespace bendlab {
 
 /// What an effect gets from its scene.
 struct EffectInput {
-  const ParameterValues& parameters;  ///< the effect's own table, defaults filled in
   const RestMesh& rest;
   const Pins& pins;
   std::span<const int> permutation;  ///< #V, the index of each vertex in State's arrays; empty: its own
 
-  bool contacts_used = false;  ///< an effect or the method uses them: obstacles fill State::contacts
+  bool contacts_used = false;         ///< an effect or the method uses them: obstacles fill State::contacts
+  std::filesystem::path folder = {};  ///< files are relative to it
 
   std::size_t permuted(int vertex) const {
     const auto v = static_cast<std::size_t>(vertex);
@@ -28,42 +34,107 @@ struct EffectInput {
   }
 };
 
-struct Effect {
+/// What an obstacle's surface is made from.
+struct SurfaceInput {
+  std::filesystem::path folder;       ///< files are relative to it
+  const std::string* file = nullptr;  ///< the bytes of the obstacle's file, instead of reading it
+  Vector3 centre = Vector3::Zero();   ///< of the cloth's rest box, m
+  double size = 1;                    ///< of the cloth's rest box, m
+};
+
+/// An obstacle's surface at time 0, normals outward, and how it moves.
+struct ObstacleSurface {
+  TriangleMesh mesh;
+  Vector3 velocity = Vector3::Zero();  ///< m/s
+};
+
+/// What a doubt about settings is seen by.
+struct DoubtInput {
+  const RestMesh& rest;
+  double density;     ///< kg/m², mean
+  double gravity;     ///< m/s²
+  double substep;     ///< s
+  int substeps;       ///< of a time step
+  std::string where;  ///< "/effects/2 (wind)"
+};
+
+/// Settings that will not do what their author means, for a warning.
+struct Doubt {
+  std::string text;   ///< with a remedy
+  double size = 0;    ///< the larger the worse; 0: it has none
+  std::string shown;  ///< the size in words
+};
+
+struct EffectKind;
+/// An effect with its settings: `Effect wind = Wind{.velocity = {0, 3, 0}};`
+using Effect = Chosen<EffectKind>;
+
+/// A member of the family: its traits, and what it does. Functions take the effect's settings.
+struct EffectKind {
   std::string_view name;
   std::string_view summary;
   std::string_view source;  ///< paper and equation
-  std::span<const Parameter> parameters;
+  FieldTable settings;
+
   /// Its passes act on projected constraints or between projections: only for solver methods that project.
   bool needs_projection = false;
-  bool helps_projection = false;  ///< needs it, and has no other purpose: in other methods it does nothing
-  bool uses_contacts = false;     ///< reads State::contacts, at Stage::contact
-  bool is_obstacle = false;       ///< a body that cloth may lie on
-  bool repeatable = false;        ///< a scene may list it more than once
+  bool helps_projection = false;    ///< needs it, and has no other purpose: in other methods it does nothing
+  bool acts_in_iterations = false;  ///< implicit methods take it, as part of each iteration, nevertheless
+  bool uses_contacts = false;       ///< reads State::contacts, at Stage::contact
+  bool is_obstacle = false;         ///< a body that cloth may lie on
+  bool repeatable = false;          ///< a scene may list it more than once
   /// Its force depends on velocities: it acts first, on those that the last substep ended with, wherever the
   /// scene lists it. Behind gravity it would see a speed g h of cloth that rests.
   bool acts_first = false;
-  double vertex_seconds = 3e-9;   ///< of CPU, of a vertex and substep, about
-  /// The effect's passes for one scene, for each precision.
-  std::vector<Pass<float>> (*compile_float)(const EffectInput&);
-  std::vector<Pass<double>> (*compile_double)(const EffectInput&);
+  bool needs_pins = false;      ///< does nothing where no vertex is pinned
+  bool moves_pins = false;      ///< prescribes where pinned vertices are
+  bool keeps_momentum = false;  ///< linear, but for what a uniform acceleration adds
+  bool keeps_angular_momentum = false;
+  bool damps = false;          ///< takes energy, and has no other purpose: at rest it does nothing
+  bool bounds_strain = false;  ///< holds the cloth together, and at rest may carry what its membrane carries
+  bool force_follows_pose = false;  ///< at rest, too: an equilibrium cannot be found without it
+  double vertex_seconds = 3e-9;     ///< of CPU, of a vertex and substep, about
 
+  /// The effect's passes for one scene, for each precision.
+  std::vector<Pass<float>> (*compile_float)(const void* settings, const EffectInput&) = nullptr;
+  std::vector<Pass<double>> (*compile_double)(const void* settings, const EffectInput&) = nullptr;
   /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null:
   /// never known.
-  bool (*idle)(const ParameterValues&) = nullptr;
+  bool (*idle)(const void* settings) = nullptr;
+  /// Whether it does work on the cloth, besides a uniform acceleration; null: never.
+  bool (*drives)(const void* settings) = nullptr;
+  /// The uniform acceleration that it adds, m/s²; null: none.
+  Vector3 (*acceleration)(const void* settings) = nullptr;
+  /// The largest force on a cloth of that area (m²), N; null: it has none, or a bound is not known.
+  double (*largest_force)(const void* settings, double area) = nullptr;
+  /// The obstacle's surface at time 0; null: it has none.
+  ObstacleSurface (*surface)(const void* settings, const SurfaceInput&) = nullptr;
+  /// What is doubtful about these settings in this scene; null: nothing ever is.
+  std::optional<Doubt> (*doubt)(const void* settings, const DoubtInput&) = nullptr;
 
   template <class Real>
-  std::vector<Pass<Real>> compile(const EffectInput& input) const {
+  auto compile() const {
     if constexpr (std::is_same_v<Real, float>)
-      return compile_float(input);
+      return compile_float;
     else
-      return compile_double(input);
+      return compile_double;
   }
 };
 
-/// Every registered effect, in the order of effects.def.
-std::span<const Effect* const> effects();
+/// The passes of an effect in a scene. Throws std::invalid_argument for settings that do not go together, or
+/// not with the scene.
+template <class Real>
+std::vector<Pass<Real>> passes_of(const Effect& effect, const EffectInput& input) {
+  return effect.kind().compile<Real>()(effect.settings(), input);
+}
+
+/// Every registered effect: those of effects.hpp, then those that the program added.
+std::span<const EffectKind* const> effects();
 
 /// The effect of that name, or nullptr.
-const Effect* find_effect(std::string_view name);
+const EffectKind* find_effect(std::string_view name);
+
+/// Adds an effect of the program's own, before a config is read. See Registry::add().
+void register_effect(const EffectKind& kind);
 
 }  // namespace bendlab

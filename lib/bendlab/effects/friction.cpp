@@ -5,30 +5,29 @@
 // D. The sums go over the iterations of the substep: the first one pushes most, but a vertex that strain and
 // bending move later has to stick as well (like accumulated impulses, Catto 2005, §4.3). Methods that step
 // implicitly have friction among their forces (contact_forces.hpp).
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{.name = "static",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 0.5,
-              .meaning = "μ_s: nothing slides while friction is at most this times the push",
-              .minimum = 0},
-    Parameter{.name = "kinetic",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 0.4,
-              .meaning = "μ_k: friction on what slides, per push; never more than what stops it",
-              .minimum = 0},
+constexpr std::array fields = {
+    field<&Friction::at_rest>({.name = "static",
+                               .unit = "1",
+                               .meaning = "μ_s: nothing slides while friction is at most this times the push",
+                               .minimum = 0}),
+    field<&Friction::kinetic>(
+        {.name = "kinetic",
+         .unit = "1",
+         .meaning = "μ_k: friction on what slides, per push; never more than what stops it",
+         .minimum = 0}),
 };
 
 // What obstacles and friction did to a vertex in this substep.
@@ -45,9 +44,9 @@ struct Grip {
 };
 
 template <class Real>
-class Friction {
+class Gripping {
  public:
-  Friction(int vertex_count, double at_rest, double sliding)
+  Gripping(int vertex_count, double at_rest, double sliding)
       : static_(static_cast<Real>(at_rest)),
         kinetic_(static_cast<Real>(sliding)),
         grip_of_(static_cast<std::size_t>(vertex_count), none) {}
@@ -108,31 +107,39 @@ class Friction {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const FrictionCoefficients coefficients = {input.parameters.number("static"),
-                                             input.parameters.number("kinetic")};
+std::vector<Pass<Real>> compile(const Friction& settings, const EffectInput& input) {
+  const FrictionCoefficients coefficients = {settings.at_rest, settings.kinetic};
   return {{.name = "friction",
            .stage = Stage::contact,
-           .run = Friction<Real>(input.rest.vertex_count(), coefficients.at_rest, coefficients.sliding),
+           .run = Gripping<Real>(input.rest.vertex_count(), coefficients.at_rest, coefficients.sliding),
            .friction = coefficients}};
+}
+
+bool idle(const Friction& settings) {
+  return settings.at_rest == 0 && settings.kinetic == 0;
+}
+
+std::optional<Doubt> doubt(const Friction& settings, const DoubtInput& input) {
+  if (settings.kinetic <= settings.at_rest) return std::nullopt;
+  return Doubt{
+      fmt::format("{}: kinetic, {:.3g}, is above static, {:.3g}, so that what slides is held more "
+                  "than what rests. Set static to at least {:.3g}",
+                  input.where, settings.kinetic, settings.at_rest, settings.kinetic)};
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect friction{
+constinit const EffectKind Friction::kind{
     .name = "friction",
     .summary = "Coulomb friction, static and kinetic, where obstacles push the cloth",
     .source = "Macklin et al. 2014, §6.1, with sums over the iterations as in Catto 2005, §4.3",
-    .parameters = parameters,
+    .settings = table_of<Friction>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .uses_contacts = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle =
-        [](const ParameterValues& values) {
-          return values.number("static") == 0 && values.number("kinetic") == 0;
-        },
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
+    .doubt = erased<doubt>,
 };
-}  // namespace effect
 }  // namespace bendlab

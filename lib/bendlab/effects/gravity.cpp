@@ -2,27 +2,19 @@
 #include <algorithm>
 #include <array>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array<double, 3> earth = {0, 0, -9.81};
-
-constexpr std::array parameters = {
-    Parameter{.name = "acceleration",
-              .type = ParameterType::numbers,
-              .unit = "m/s²",
-              .default_value = std::span<const double>(earth),
-              .meaning = "acceleration of every free vertex",
-              .length = 3},
+constexpr std::array fields = {
+    field<&Gravity::acceleration>(
+        {.name = "acceleration", .unit = "m/s²", .meaning = "acceleration of every free vertex"}),
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const std::vector<double>& a = input.parameters.numbers("acceleration");
-  const Vector3Of<Real> acceleration(static_cast<Real>(a[0]), static_cast<Real>(a[1]),
-                                     static_cast<Real>(a[2]));
+std::vector<Pass<Real>> compile(const Gravity& settings, const EffectInput&) {
+  const Vector3Of<Real> acceleration = settings.acceleration.template cast<Real>();
   return {{"gravity", Stage::force, [acceleration](PassContext<Real>& context) {
              const Vector3Of<Real> change = context.substep * acceleration;
              State<Real>& state = context.state;
@@ -32,20 +24,26 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
            }}};
 }
 
+bool idle(const Gravity& settings) {
+  return settings.acceleration.isZero(0);
+}
+
+Vector3 acceleration_of(const Gravity& settings) {
+  return settings.acceleration;
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect gravity{
+constinit const EffectKind Gravity::kind{
     .name = "gravity",
     .summary = "a uniform acceleration of every free vertex",
     .source = "Müller et al. 2007, §3.1: v += h w f",
-    .parameters = parameters,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle =
-        [](const ParameterValues& values) {
-          return std::ranges::all_of(values.numbers("acceleration"), [](double a) { return a == 0; });
-        },
+    .settings = table_of<Gravity>(fields),
+    .keeps_momentum = true,
+    .keeps_angular_momentum = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
+    .acceleration = erased<acceleration_of>,
 };
-}  // namespace effect
 }  // namespace bendlab

@@ -22,34 +22,42 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array own_parameters = {
-    Parameter{.name = "file",
-              .type = ParameterType::text,
-              .meaning = "mesh file (.obj, .ply, .off, .stl), relative to the config; its content is part of "
-                         "the run's identity",
-              .required = true},
-    Parameter{.name = "scale",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 1.0,
-              .meaning = "the file's coordinates are multiplied by it",
-              .minimum = 0,
-              .above = true},
-    Parameter{.name = "offset",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(obstacle::zero),
-              .meaning = "added to the scaled coordinates",
-              .length = 3},
+constexpr std::array own_fields = {
+    field<&MeshObstacle::file>(
+        {.name = "file",
+         .meaning = "mesh file (.obj, .ply, .off, .stl), relative to the config; its content is part of "
+                    "the run's identity",
+         .required = true,
+         .names_file = true}),
+    field<&MeshObstacle::scale>({.name = "scale",
+                                 .unit = "1",
+                                 .meaning = "the file's coordinates are multiplied by it",
+                                 .minimum = 0,
+                                 .above = true}),
+    field<&MeshObstacle::offset>(
+        {.name = "offset", .unit = "m", .meaning = "added to the scaled coordinates"}),
 };
 
-constexpr auto parameters = joined(own_parameters, obstacle::common_parameters);
+constexpr auto fields = joined(own_fields, obstacle::body_fields<MeshObstacle>);
 
-std::shared_ptr<const MeshSurface> surface_of(const ParameterValues& values) {
-  TriangleMesh mesh = read_mesh(values.text("file"));
-  mesh.positions *= values.number("scale");
-  mesh.positions.rowwise() += obstacle::vector_of(values, "offset").transpose();
-  return std::make_shared<const MeshSurface>(std::move(mesh));
+TriangleMesh placed(TriangleMesh mesh, const MeshObstacle& settings) {
+  mesh.positions *= settings.scale;
+  mesh.positions.rowwise() += settings.offset.transpose();
+  return mesh;
+}
+
+TriangleMesh read_obstacle(const MeshObstacle& settings, const std::filesystem::path& folder) {
+  return placed(read_mesh(folder / settings.file), settings);
+}
+
+ObstacleSurface surface(const MeshObstacle& settings, const SurfaceInput& input) {
+  if (input.file == nullptr) return {read_obstacle(settings, input.folder), settings.velocity};
+  return {placed(accept(parse_polygon_soup(settings.file, *input.file), BadTriangles::refuse).mesh, settings),
+          settings.velocity};
+}
+
+bool drives(const MeshObstacle& settings) {
+  return obstacle::moves(settings);
 }
 
 // Parameters in (0, 1) of the nearest points of two segments, if both lie between the ends.
@@ -67,12 +75,12 @@ std::optional<std::array<double, 2>> nearest_between(const Vector3& a, const Vec
 
 // Shared by the two passes of an obstacle. Coordinates are the mesh's: the obstacle stands still in them.
 template <class Real>
-class MeshObstacle {
+class SurfaceContacts {
  public:
-  explicit MeshObstacle(const EffectInput& input)
-      : surface_(surface_of(input.parameters)),
-        motion_{.velocity = obstacle::vector_of(input.parameters, "velocity")},
-        thickness_(input.parameters.number("thickness")),
+  SurfaceContacts(const MeshObstacle& settings, const EffectInput& input)
+      : surface_(std::make_shared<const MeshSurface>(read_obstacle(settings, input.folder))),
+        motion_{.velocity = settings.velocity},
+        thickness_(settings.thickness),
         longest_(obstacle::longest_edge(input.rest)),
         contacts_used_(input.contacts_used),
         asked_(static_cast<std::size_t>(input.rest.vertex_count())) {
@@ -316,8 +324,8 @@ class MeshObstacle {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const auto obstacle = std::make_shared<MeshObstacle<Real>>(input);
+std::vector<Pass<Real>> compile(const MeshObstacle& settings, const EffectInput& input) {
+  const auto obstacle = std::make_shared<SurfaceContacts<Real>>(settings, input);
   return {{"mesh_obstacle", Stage::predicted, [obstacle](PassContext<Real>& c) { obstacle->find_near(c); }},
           {"mesh_obstacle", Stage::project, [obstacle](PassContext<Real>& c) { obstacle->push_out(c); },
            [obstacle](Archive& state) { obstacle->archive(state); }}};
@@ -325,17 +333,18 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
 
 }  // namespace
 
-namespace effect {
-extern const Effect mesh_obstacle{
+constinit const EffectKind MeshObstacle::kind{
     .name = "mesh_obstacle",
     .summary = "an obstacle: a triangle mesh from a file, closed or open",
     .source = "nearest points by CGAL's AABB tree, their side by Bærentzen & Aanæs 2005",
-    .parameters = parameters,
+    .settings = table_of<MeshObstacle>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .is_obstacle = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .drives = erased<drives>,
+    .surface = erased<surface>,
 };
-}  // namespace effect
 }  // namespace bendlab

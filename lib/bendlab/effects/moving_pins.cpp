@@ -9,63 +9,45 @@
 #include <set>
 #include <stdexcept>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr std::array<std::string_view, 2> interpolations = {"linear", "smooth"};
-constexpr std::array<double, 3> up = {0, 0, 1}, zero = {0, 0, 0};
-constexpr std::array<double, 1> start = {0};
-constexpr std::span<const double> no_numbers;
-constexpr std::span<const std::string_view> no_texts;
 
-const std::array parameters = {
-    Parameter{.name = "vertices",
-              .type = ParameterType::texts,
-              .default_value = no_texts,
-              .meaning =
-                  "which pinned vertices move, by the names of /pins/vertices, each with the rings pinned "
-                  "around it; nothing here and in indices: all",
-              .choices = vertex_selectors()},
-    Parameter{.name = "indices",
-              .type = ParameterType::numbers,
-              .unit = "1",
-              .default_value = no_numbers,
-              .meaning = "the same by index, besides the named ones",
-              .minimum = 0},
-    Parameter{.name = "times",
-              .type = ParameterType::numbers,
-              .unit = "s",
-              .default_value = std::span<const double>(start),
-              .meaning = "of the keyframes, growing; the first one holds before its time, the last after"},
-    Parameter{.name = "offsets",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = no_numbers,
-              .meaning = "from where the vertices start, three numbers per keyframe; none: no offset"},
-    Parameter{.name = "angles",
-              .type = ParameterType::numbers,
-              .unit = "degrees",
-              .default_value = no_numbers,
-              .meaning = "of a turn about the axis before the offset, one per keyframe; none: no turn"},
-    Parameter{.name = "axis",
-              .type = ParameterType::numbers,
-              .unit = "1",
-              .default_value = std::span<const double>(up),
-              .meaning = "direction of the axis of the turn, right-handed; any length but zero",
-              .length = 3},
-    Parameter{.name = "centre",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(zero),
-              .meaning = "a point on that axis",
-              .length = 3},
-    Parameter{.name = "interpolation",
-              .type = ParameterType::text,
-              .default_value = "linear",
-              .meaning = "between keyframes: linear, or smooth (3 s² - 2 s³: at rest at every keyframe)",
-              .choices = interpolations},
+constexpr std::array fields = {
+    field<&MovingPins::vertices>(
+        {.name = "vertices",
+         .meaning = "which pinned vertices move, by the names of /pins/vertices, each with the rings pinned "
+                    "around it; nothing here and in indices: all",
+         .choices = place_names}),
+    field<&MovingPins::indices>({.name = "indices",
+                                 .unit = "1",
+                                 .meaning = "the same by index, besides the named ones",
+                                 .minimum = 0}),
+    field<&MovingPins::times>(
+        {.name = "times",
+         .unit = "s",
+         .meaning = "of the keyframes, growing; the first one holds before its time, the last after"}),
+    field<&MovingPins::offsets>(
+        {.name = "offsets",
+         .unit = "m",
+         .meaning = "from where the vertices start, three numbers per keyframe; none: no offset"}),
+    field<&MovingPins::angles>(
+        {.name = "angles",
+         .unit = "degrees",
+         .meaning = "of a turn about the axis before the offset, one per keyframe; none: no turn"}),
+    field<&MovingPins::axis>(
+        {.name = "axis",
+         .unit = "1",
+         .meaning = "direction of the axis of the turn, right-handed; any length but zero"}),
+    field<&MovingPins::centre>({.name = "centre", .unit = "m", .meaning = "a point on that axis"}),
+    field<&MovingPins::interpolation>(
+        {.name = "interpolation",
+         .meaning = "between keyframes: linear, or smooth (3 s² - 2 s³: at rest at every keyframe)",
+         .choices = interpolations}),
 };
 
 struct Pose {
@@ -76,9 +58,9 @@ struct Pose {
 // Poses at growing times. Throws std::invalid_argument for lists that do not fit each other.
 class Keyframes {
  public:
-  explicit Keyframes(const ParameterValues& values)
-      : times_(values.numbers("times")), smooth_(values.text("interpolation") == "smooth") {
-    const std::vector<double>&offsets = values.numbers("offsets"), &angles = values.numbers("angles");
+  explicit Keyframes(const MovingPins& settings)
+      : times_(settings.times), smooth_(settings.interpolation == MovingPins::Interpolation::smooth) {
+    const std::vector<double>&offsets = settings.offsets, &angles = settings.angles;
     check("offsets", offsets.size(), 3), check("angles", angles.size(), 1);
     if (times_.empty()) throw std::invalid_argument("times is empty: list at least one keyframe");
     for (std::size_t k = 0; k < times_.size(); ++k) {
@@ -136,7 +118,7 @@ std::vector<int> seeds_of_pins(const RestMesh& rest, const Pins& pins) {
 
 // The vertices that the settings name; all pinned ones if they name none. Throws std::invalid_argument for a
 // vertex that is not in the mesh or not pinned.
-std::set<int> named_vertices(const EffectInput& input) {
+std::set<int> named_vertices(const MovingPins& settings, const EffectInput& input) {
   std::set<int> named;
   const auto add = [&](int vertex, const std::string& setting) {
     if (!input.pins.pinned(vertex))
@@ -144,21 +126,22 @@ std::set<int> named_vertices(const EffectInput& input) {
           fmt::format("{}: vertex {} is not pinned: name it in /pins too, or not here", setting, vertex));
     named.insert(vertex);
   };
-  for (const std::string& name : input.parameters.texts("vertices"))
-    for (const int vertex : select_vertices(input.rest, name)) add(vertex, "vertices, " + name);
-  for (const double index : input.parameters.numbers("indices")) {
-    if (index != std::floor(index) || index >= input.rest.vertex_count())
+  for (const Place place : settings.vertices)
+    for (const int vertex : select_vertices(input.rest, place))
+      add(vertex, fmt::format("vertices, {}", name_in(place_names, place)));
+  for (const int index : settings.indices) {
+    if (index >= input.rest.vertex_count())
       throw std::invalid_argument(fmt::format("indices: {} is no vertex; the mesh has vertices 0 to {}",
                                               index, input.rest.vertex_count() - 1));
-    add(static_cast<int>(index), "indices");
+    add(index, "indices");
   }
   if (named.empty()) named.insert(input.pins.all.begin(), input.pins.all.end());
   return named;
 }
 
 // The pinned vertices that move, permuted.
-std::vector<std::size_t> moving_vertices(const EffectInput& input) {
-  const std::set<int> named = named_vertices(input);
+std::vector<std::size_t> moving_vertices(const MovingPins& settings, const EffectInput& input) {
+  const std::set<int> named = named_vertices(settings, input);
   const std::vector<int> seed = seeds_of_pins(input.rest, input.pins);
   std::vector<std::size_t> vertices;
   for (const int vertex : input.pins.all)
@@ -170,11 +153,11 @@ std::vector<std::size_t> moving_vertices(const EffectInput& input) {
 // A turn about an axis, then an offset; without angles exactly start + offset.
 class Motion {
  public:
-  explicit Motion(const ParameterValues& values)
-      : keyframes_(values),
-        turns_(!values.numbers("angles").empty()),
-        axis_(values.numbers("axis").data()),
-        centre_(values.numbers("centre").data()) {
+  explicit Motion(const MovingPins& settings)
+      : keyframes_(settings),
+        turns_(!settings.angles.empty()),
+        axis_(settings.axis),
+        centre_(settings.centre) {
     if (turns_ && !(axis_.norm() > 0)) throw std::invalid_argument("axis has no length: give it a direction");
     axis_.normalize();
   }
@@ -202,9 +185,9 @@ class Motion {
 // projection moves them. `update` derives their velocities from their previous positions, for those who ask
 // how fast a pin moves.
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const Motion motion(input.parameters);
-  std::vector<std::size_t> vertices = moving_vertices(input);
+std::vector<Pass<Real>> compile(const MovingPins& settings, const EffectInput& input) {
+  const Motion motion(settings);
+  std::vector<std::size_t> vertices = moving_vertices(settings, input);
   if (vertices.empty() || motion.none()) return {};
   const auto starts = std::make_shared<std::vector<Vector3>>();
   return {{"moving_pins", Stage::predicted,
@@ -223,26 +206,31 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
            [starts](Archive& state) { state(*starts); }}};
 }
 
+bool idle(const MovingPins& settings) {
+  const auto zero = [](double x) { return x == 0; };
+  return std::ranges::all_of(settings.offsets, zero) && std::ranges::all_of(settings.angles, zero);
+}
+
+bool drives(const MovingPins&) {
+  return true;
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect moving_pins{
+constinit const EffectKind MovingPins::kind{
     .name = "moving_pins",
     .summary =
         "pinned vertices follow keyframes exactly; if several lists move a vertex, the last one counts",
     .source = "prescribed motion: start + offset, after a turn about an axis where angles are given",
-    .parameters = parameters,
+    .settings = table_of<MovingPins>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle =
-        [](const ParameterValues& values) {
-          const auto zeros = [&](const char* name) {
-            return std::ranges::all_of(values.numbers(name), [](double x) { return x == 0; });
-          };
-          return zeros("offsets") && zeros("angles");
-        },
+    .needs_pins = true,
+    .moves_pins = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
+    .drives = erased<drives>,
 };
-}  // namespace effect
 }  // namespace bendlab

@@ -8,49 +8,44 @@
 #include <stdexcept>
 #include <string>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab::obstacle {
 
-inline constexpr std::array<double, 3> zero = {0, 0, 0}, up = {0, 0, 1};
-
-inline constexpr std::array common_parameters = {
-    Parameter{.name = "thickness",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.005,
-              .meaning = "distance that the cloth keeps from the surface",
-              .minimum = 0,
-              .above = true},
-    Parameter{.name = "velocity",
-              .type = ParameterType::numbers,
-              .unit = "m/s",
-              .default_value = std::span<const double>(zero),
-              .meaning = "of the obstacle, which is where its settings say at time 0",
-              .length = 3},
+/// The rows of Body's and of SpinningBody's members.
+template <class Obstacle>
+inline constexpr std::array body_fields = {
+    field<&Obstacle::thickness, Obstacle>({.name = "thickness",
+                                           .unit = "m",
+                                           .meaning = "distance that the cloth keeps from the surface",
+                                           .minimum = 0,
+                                           .above = true}),
+    field<&Obstacle::velocity, Obstacle>(
+        {.name = "velocity",
+         .unit = "m/s",
+         .meaning = "of the obstacle, which is where its settings say at time 0"}),
+};
+template <class Obstacle>
+inline constexpr std::array spin_fields = {
+    field<&Obstacle::spin, Obstacle>(
+        {.name = "spin",
+         .unit = "rad/s",
+         .meaning = "about the axis, counter-clockwise seen from its tip: carries the cloth by friction"}),
 };
 
-inline constexpr std::array spin_parameter = {
-    Parameter{
-        .name = "spin",
-        .type = ParameterType::number,
-        .unit = "rad/s",
-        .default_value = 0.0,
-        .meaning = "about the axis, counter-clockwise seen from its tip: carries the cloth by friction"},
-};
-
-inline Vector3 vector_of(const ParameterValues& values, std::string_view name) {
-  const std::vector<double>& v = values.numbers(name);
-  return {v[0], v[1], v[2]};
+/// A setting as a unit vector. Throws std::invalid_argument if it is zero.
+inline Vector3 direction_of(const Vector3& setting, const std::string& name) {
+  if (!(setting.norm() > 0))
+    throw std::invalid_argument(name + " is the zero vector, which has no direction; give it a length");
+  return setting.normalized();
 }
 
-/// The setting as a unit vector. Throws std::invalid_argument if it is zero.
-inline Vector3 direction_of(const ParameterValues& values, std::string_view name) {
-  const Vector3 v = vector_of(values, name);
-  if (!(v.norm() > 0))
-    throw std::invalid_argument(std::string(name) +
-                                " is the zero vector, which has no direction; give it a length");
-  return v.normalized();
+/// Whether the obstacle moves or turns, which does work on the cloth.
+inline bool moves(const Body& body) {
+  return !body.velocity.isZero(0);
+}
+inline bool moves_or_turns(const SpinningBody& body) {
+  return moves(body) || body.spin != 0;
 }
 
 /// The longest edge that obstacles expect, m. If cloth stretches beyond it, they may miss it between

@@ -4,56 +4,66 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array own_parameters = {
-    Parameter{.name = "point",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(obstacle::zero),
-              .meaning = "a point of the plane; the spin's axis goes through it",
-              .length = 3},
-    Parameter{.name = "normal",
-              .type = ParameterType::numbers,
-              .unit = "1",
-              .default_value = std::span<const double>(obstacle::up),
-              .meaning = "points to the cloth's side; of any length but zero",
-              .length = 3},
+constexpr std::array own_fields = {
+    field<&Plane::point>(
+        {.name = "point", .unit = "m", .meaning = "a point of the plane; the spin's axis goes through it"}),
+    field<&Plane::normal>(
+        {.name = "normal", .unit = "1", .meaning = "points to the cloth's side; of any length but zero"}),
 };
 
-constexpr auto parameters = joined(own_parameters, obstacle::common_parameters, obstacle::spin_parameter);
+constexpr auto fields = joined(own_fields, obstacle::body_fields<Plane>, obstacle::spin_fields<Plane>);
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const ParameterValues& values = input.parameters;
-  const obstacle::Motion motion{.velocity = obstacle::vector_of(values, "velocity"),
-                                .pivot = obstacle::vector_of(values, "point"),
-                                .axis = obstacle::direction_of(values, "normal"),
-                                .spin = values.number("spin")};
-  const double thickness = values.number("thickness");
-  return {
-      {"plane", Stage::project, [motion, thickness, used = input.contacts_used](PassContext<Real>& context) {
-         const obstacle::Step<Real> step(motion, context);
-         const Vector3Of<Real> normal = motion.axis.template cast<Real>();
-         const auto level = static_cast<Real>(motion.axis.dot(motion.pivot + step.shift()) + thickness);
-         const Points<Real>& points = context.state.position;
-         for (std::size_t v = 0; v < static_cast<std::size_t>(context.state.vertex_count); ++v)
-           if (const Real depth = level - normal.dot(points[v].vector()); depth > 0 && points[v].w > 0)
-             obstacle::push(context, step, v, normal, depth, used);
-       }}};
+std::vector<Pass<Real>> compile(const Plane& settings, const EffectInput& input) {
+  const obstacle::Motion motion{.velocity = settings.velocity,
+                                .pivot = settings.point,
+                                .axis = obstacle::direction_of(settings.normal, "normal"),
+                                .spin = settings.spin};
+  return {{"plane", Stage::project,
+           [motion, thickness = settings.thickness, used = input.contacts_used](PassContext<Real>& context) {
+             const obstacle::Step<Real> step(motion, context);
+             const Vector3Of<Real> normal = motion.axis.template cast<Real>();
+             const auto level = static_cast<Real>(motion.axis.dot(motion.pivot + step.shift()) + thickness);
+             const Points<Real>& points = context.state.position;
+             for (std::size_t v = 0; v < static_cast<std::size_t>(context.state.vertex_count); ++v)
+               if (const Real depth = level - normal.dot(points[v].vector()); depth > 0 && points[v].w > 0)
+                 obstacle::push(context, step, v, normal, depth, used);
+           }}};
+}
+
+// A square, as it goes on without an end.
+ObstacleSurface surface(const Plane& settings, const SurfaceInput& input) {
+  constexpr double side = 4;  // of the cloth's size
+  const Vector3 normal = obstacle::direction_of(settings.normal, "normal");
+  const Vector3 right = normal.unitOrthogonal(), forward = normal.cross(right),
+                middle = input.centre - normal.dot(input.centre - settings.point) * normal;
+  const double half = side * input.size / 2;
+  TriangleMesh mesh{Positions(4, 3), Triangles(2, 3), {}};
+  mesh.positions << (middle - half * (right + forward)).transpose(),
+      (middle + half * (right - forward)).transpose(), (middle + half * (right + forward)).transpose(),
+      (middle + half * (forward - right)).transpose();
+  mesh.triangles << 0, 1, 2, 0, 2, 3;
+  return {std::move(mesh), settings.velocity};
+}
+
+bool drives(const Plane& settings) {
+  return obstacle::moves_or_turns(settings);
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect plane{
+constinit const EffectKind Plane::kind{
     .name = "plane",
     .summary = "an obstacle: a half space that the cloth does not enter",
     .source = "Müller et al. 2007, §3.4 (static collision constraint, projected as an inequality)",
-    .parameters = parameters,
+    .settings = table_of<Plane>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .is_obstacle = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .drives = erased<drives>,
+    .surface = erased<surface>,
 };
-}  // namespace effect
 }  // namespace bendlab

@@ -4,7 +4,7 @@
 #include <array>
 #include <cmath>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
 namespace {
@@ -12,14 +12,12 @@ namespace {
 using Vector3d = Eigen::Vector3d;
 using Matrix3d = Eigen::Matrix3d;
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "rate",
-        .type = ParameterType::number,
-        .unit = "1/s",
-        .default_value = 1.0,
-        .meaning = "γ: the fraction 1 - exp(-γ h) of the deviation from rigid motion is removed per substep",
-        .minimum = 0},
+constexpr std::array fields = {
+    field<&RigidDamping::rate>(
+        {.name = "rate",
+         .unit = "1/s",
+         .meaning = "γ: the fraction 1 - exp(-γ h) of the deviation from rigid motion is removed per substep",
+         .minimum = 0}),
 };
 
 // Linear and angular momentum, mass and inertia of the free vertices, about their centre of mass. Sums are
@@ -70,9 +68,8 @@ struct RigidMotion {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const double rate = input.parameters.number("rate");
-  return {{"rigid_damping", Stage::damp, [rate](PassContext<Real>& context) {
+std::vector<Pass<Real>> compile(const RigidDamping& settings, const EffectInput&) {
+  return {{"rigid_damping", Stage::damp, [rate = settings.rate](PassContext<Real>& context) {
              State<Real>& state = context.state;
              const RigidMotion rigid(state);
              const double removed = -std::expm1(-rate * static_cast<double>(context.substep));
@@ -86,17 +83,22 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
            }}};
 }
 
+bool idle(const RigidDamping& settings) {
+  return settings.rate == 0;
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect rigid_damping{
+constinit const EffectKind RigidDamping::kind{
     .name = "rigid_damping",
     .summary = "damps deformation, keeps linear and angular momentum of the free vertices",
     .source = "Müller et al. 2007, §3.5, with a rate instead of a factor per step",
-    .parameters = parameters,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle = [](const ParameterValues& values) { return values.number("rate") == 0; },
+    .settings = table_of<RigidDamping>(fields),
+    .keeps_momentum = true,
+    .keeps_angular_momentum = true,
+    .damps = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
 };
-}  // namespace effect
 }  // namespace bendlab

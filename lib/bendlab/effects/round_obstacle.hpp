@@ -35,14 +35,14 @@ class RoundObstacle {
  public:
   using Vector = Vector3Of<Real>;
 
-  RoundObstacle(const EffectInput& input, Core<double> core, double radius, Motion motion)
+  RoundObstacle(const Body& body, const EffectInput& input, Core<double> core, double radius, Motion motion)
       : core_(std::move(core)),
         motion_(std::move(motion)),
         radius_(static_cast<Real>(radius)),
-        reach_(static_cast<Real>(radius + input.parameters.number("thickness"))),
-        slack_(static_cast<Real>(tolerance * input.parameters.number("thickness"))),
+        reach_(static_cast<Real>(radius + body.thickness)),
+        slack_(static_cast<Real>(tolerance * body.thickness)),
         contacts_used_(input.contacts_used) {
-    const double longest = longest_edge(input.rest), t = input.parameters.number("thickness");
+    const double longest = longest_edge(input.rest), t = body.thickness;
     if (longest * longest <= 3 * t * (2 * radius + t)) return;
     near_ = static_cast<Real>(t + longest / std::sqrt(3.0));
     clearance_.resize(static_cast<std::size_t>(input.rest.vertex_count()));

@@ -26,6 +26,8 @@
 //
 // Velocities follow from positions: cloth that meets does not bounce. A pair that is nearer than its target
 // is given time to come apart; otherwise it would shoot apart.
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -37,20 +39,19 @@
 #include <utility>
 #include <vector>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 #include "bendlab/effects/near_pairs.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{.name = "thickness",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.005,
-              .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
-              .minimum = 0,
-              .above = true},
+constexpr std::array fields = {
+    field<&SelfCollision::thickness>(
+        {.name = "thickness",
+         .unit = "m",
+         .meaning = "how far layers of cloth keep apart; half of the distance at rest if that is less",
+         .minimum = 0,
+         .above = true}),
 };
 
 // s: in this time a pair that is nearer than its target comes apart by the target.
@@ -132,9 +133,9 @@ struct Turn {
 };
 
 template <class Real>
-class SelfCollision {
+class Layers {
  public:
-  SelfCollision(const EffectInput& input, double thickness)
+  Layers(const EffectInput& input, double thickness)
       : margin_(std::min(margin_per_thickness * thickness, margin_per_edge * input.rest.mean_edge_length())),
         near_(input, thickness) {}
 
@@ -267,29 +268,43 @@ class SelfCollision {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
+std::vector<Pass<Real>> compile(const SelfCollision& settings, const EffectInput& input) {
   const bool all_pinned = input.pins.all.size() == static_cast<std::size_t>(input.rest.vertex_count());
   if (input.rest.triangle_count() < 2 || all_pinned) return {};
-  const auto collision = std::make_shared<SelfCollision<Real>>(input, input.parameters.number("thickness"));
+  const auto collision = std::make_shared<Layers<Real>>(input, settings.thickness);
   return {{"self_collision", Stage::project, [collision](PassContext<Real>& c) { collision->keep_apart(c); }},
           {"self_collision", Stage::velocity,
            [collision](PassContext<Real>& c) { collision->let_nothing_through(c); },
            [collision](Archive& state) { collision->archive(state); }}};
 }
 
+// Each element is near all that lie within the thickness, and is compared with them in each substep.
+std::optional<Doubt> doubt(const SelfCollision& settings, const DoubtInput& input) {
+  constexpr double most = 2;  // edges
+  const double edge = input.rest.mean_edge_length();
+  if (!(settings.thickness > most * edge)) return std::nullopt;
+  return Doubt{
+      fmt::format(
+          "{}: a thickness of {:.3g} m is {:.2g} times the mean edge, so that each triangle is compared "
+          "with many others in every step (with 2.3 edges a sheet took 4 times as long as with 0.6). Set "
+          "thickness to about {:.2g} m, half an edge, or take fewer cells",
+          input.where, settings.thickness, settings.thickness / edge, 0.5 * edge),
+      settings.thickness / edge, fmt::format("{:.2g} edges", settings.thickness / edge)};
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect self_collision{
+constinit const EffectKind SelfCollision::kind{
     .name = "self_collision",
     .summary = "cloth keeps a thickness from itself and never passes through itself",
     .source =
         "Müller et al. 2007, §4.3; Bridson, Fedkiw and Anderson 2002, §6-7; Li, Kaufman and Jiang 2021, §5",
-    .parameters = parameters,
+    .settings = table_of<SelfCollision>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .vertex_seconds = 1.5e-6,  // 0.6e-6 to 2.7e-6, the more the more it folds
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .doubt = erased<doubt>,
 };
-}  // namespace effect
 }  // namespace bendlab

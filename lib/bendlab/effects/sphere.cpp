@@ -1,4 +1,5 @@
 // Sphere: a ball that the cloth does not enter.
+#include "bendlab/effects/revolved.hpp"
 #include "bendlab/effects/round_obstacle.hpp"
 
 namespace bendlab {
@@ -17,57 +18,50 @@ struct Centre {
   }
 };
 
-constexpr std::array own_parameters = {
-    Parameter{.name = "centre",
-              .type = ParameterType::numbers,
-              .unit = "m",
-              .default_value = std::span<const double>(obstacle::zero),
-              .meaning = "centre of the ball",
-              .length = 3},
-    Parameter{.name = "radius",
-              .type = ParameterType::number,
-              .unit = "m",
-              .default_value = 0.25,
-              .meaning = "of the ball",
-              .minimum = 0,
-              .above = true},
-    Parameter{.name = "axis",
-              .type = ParameterType::numbers,
-              .unit = "1",
-              .default_value = std::span<const double>(obstacle::up),
-              .meaning = "of the spin; of any length but zero",
-              .length = 3},
+constexpr std::array own_fields = {
+    field<&Sphere::centre>({.name = "centre", .unit = "m", .meaning = "centre of the ball"}),
+    field<&Sphere::radius>(
+        {.name = "radius", .unit = "m", .meaning = "of the ball", .minimum = 0, .above = true}),
+    field<&Sphere::axis>({.name = "axis", .unit = "1", .meaning = "of the spin; of any length but zero"}),
 };
 
-constexpr auto parameters = joined(own_parameters, obstacle::common_parameters, obstacle::spin_parameter);
+constexpr auto fields = joined(own_fields, obstacle::body_fields<Sphere>, obstacle::spin_fields<Sphere>);
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const ParameterValues& values = input.parameters;
-  const Vector3 centre = obstacle::vector_of(values, "centre");
-  const obstacle::Motion motion{.velocity = obstacle::vector_of(values, "velocity"),
-                                .pivot = centre,
-                                .axis = obstacle::direction_of(values, "axis"),
-                                .spin = values.number("spin")};
-  return {{"sphere", Stage::project,
-           obstacle::RoundObstacle<Real, Centre>(input, {centre}, values.number("radius"), motion)}};
+std::vector<Pass<Real>> compile(const Sphere& settings, const EffectInput& input) {
+  const obstacle::Motion motion{.velocity = settings.velocity,
+                                .pivot = settings.centre,
+                                .axis = obstacle::direction_of(settings.axis, "axis"),
+                                .spin = settings.spin};
+  return {
+      {"sphere", Stage::project,
+       obstacle::RoundObstacle<Real, Centre>(settings, input, {settings.centre}, settings.radius, motion)}};
+}
+
+ObstacleSurface surface(const Sphere& settings, const SurfaceInput&) {
+  return {revolved(arc(settings.radius, -1, 1), settings.centre, Vector3::UnitZ()), settings.velocity};
+}
+
+bool drives(const Sphere& settings) {
+  return obstacle::moves_or_turns(settings);
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect sphere{
+constinit const EffectKind Sphere::kind{
     .name = "sphere",
     .summary = "an obstacle: a ball that the cloth does not enter",
     .source =
         "Müller et al. 2007, §3.4 (collision constraints, projected as inequalities); edges: Kelley 1960, "
         "cutting planes",
-    .parameters = parameters,
+    .settings = table_of<Sphere>(fields),
     .needs_projection = true,
+    .acts_in_iterations = true,
     .is_obstacle = true,
     .repeatable = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .drives = erased<drives>,
+    .surface = erased<surface>,
 };
-}  // namespace effect
 }  // namespace bendlab

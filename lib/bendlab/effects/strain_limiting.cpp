@@ -17,27 +17,21 @@
 #include <cstdint>
 
 #include "bendlab/constraints/tolerances.hpp"
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/mesh/material_coordinates.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{.name = "min",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 0.9,
-              .meaning = "smallest principal stretch; 0: none",
-              .minimum = 0,
-              .maximum = 1},
-    Parameter{.name = "max",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 1.1,
-              .meaning = "largest principal stretch",
-              .minimum = 1},
+constexpr std::array fields = {
+    field<&StrainLimiting::min>({.name = "min",
+                                 .unit = "1",
+                                 .meaning = "smallest principal stretch; 0: none",
+                                 .minimum = 0,
+                                 .maximum = 1}),
+    field<&StrainLimiting::max>(
+        {.name = "max", .unit = "1", .meaning = "largest principal stretch", .minimum = 1}),
 };
 
 template <class Real>
@@ -57,8 +51,8 @@ class Limits {
   Real min_, max_;
 
  public:
-  explicit Limits(const ParameterValues& values)
-      : min_(static_cast<Real>(values.number("min"))), max_(static_cast<Real>(values.number("max"))) {}
+  explicit Limits(const StrainLimiting& settings)
+      : min_(static_cast<Real>(settings.min)), max_(static_cast<Real>(settings.max)) {}
 
   // G, or false where the stretches lie within bounds. C = [[xx, xy], [xy, yy]].
   bool correction(Real xx, Real xy, Real yy, Matrix2<Real>& g) const {
@@ -157,8 +151,8 @@ std::vector<Triangle<Real>> triangles_of(const EffectInput& input) {
 }
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const Limits<Real> limits(input.parameters);
+std::vector<Pass<Real>> compile(const StrainLimiting& settings, const EffectInput& input) {
+  const Limits<Real> limits(settings);
   std::vector<Triangle<Real>> triangles = triangles_of<Real>(input);
   if (triangles.empty()) return {};
   return {{"strain_limiting", Stage::project,
@@ -170,17 +164,17 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
 
 }  // namespace
 
-namespace effect {
-extern const Effect strain_limiting{
+constinit const EffectKind StrainLimiting::kind{
     .name = "strain_limiting",
     .summary = "no triangle's principal stretch leaves its bounds; keeps both momenta",
     .source =
         "Wang, O'Brien and Ramamoorthi 2010, the limiting of one triangle by its singular values; ours: the "
         "turn that keeps angular momentum",
-    .parameters = parameters,
+    .settings = table_of<StrainLimiting>(fields),
     .needs_projection = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .keeps_momentum = true,
+    .bounds_strain = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
 };
-}  // namespace effect
 }  // namespace bendlab

@@ -5,39 +5,33 @@
 #include <memory>
 #include <utility>
 
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 #include "bendlab/mesh/geodesics.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 2> distances = {"geodesic", "straight"};
+constexpr std::array<std::string_view, 2> distance_names = {"geodesic", "straight"};
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "per_vertex",
-        .type = ParameterType::integer,
-        .unit = "1",
-        .default_value = 4,
-        .meaning =
-            "at most so many tethers of a vertex: to the nearest vertex of each connected group of pins, "
-            "nearest groups first",
-        .minimum = 1,
-        .maximum = 64},
-    Parameter{.name = "slack",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 0.0,
-              .meaning = "a tether is longer than the cloth by this fraction",
-              .minimum = 0},
-    Parameter{
-        .name = "distance",
-        .type = ParameterType::text,
-        .default_value = "geodesic",
-        .meaning =
-            "length of the cloth between vertex and pin: along the rest surface, or straight (too short "
-            "where the rest shape is curved or has holes)",
-        .choices = distances},
+constexpr std::array fields = {
+    field<&Tethers::per_vertex>(
+        {.name = "per_vertex",
+         .unit = "1",
+         .meaning =
+             "at most so many tethers of a vertex: to the nearest vertex of each connected group of pins, "
+             "nearest groups first",
+         .minimum = 1,
+         .maximum = 64}),
+    field<&Tethers::slack>({.name = "slack",
+                            .unit = "1",
+                            .meaning = "a tether is longer than the cloth by this fraction",
+                            .minimum = 0}),
+    field<&Tethers::distance>(
+        {.name = "distance",
+         .meaning =
+             "length of the cloth between vertex and pin: along the rest surface, or straight (too short "
+             "where the rest shape is curved or has holes)",
+         .choices = distance_names}),
 };
 
 struct Tether {
@@ -73,13 +67,13 @@ GeodesicDistances straight_distances(const RestMesh& rest, std::span<const int> 
 }
 
 // Ordered by vertex, with the tether to the nearest pin last: what comes last is met exactly.
-std::vector<Tether> tethers_of(const EffectInput& input) {
-  const bool straight = input.parameters.text("distance") == "straight";
+std::vector<Tether> tethers_of(const Tethers& settings, const EffectInput& input) {
+  const bool straight = settings.distance == Tethers::Distance::straight;
   std::vector<GeodesicDistances> from;
   for (const std::vector<int>& group : groups_of(input.rest, input.pins))
     from.push_back(straight ? straight_distances(input.rest, group) : geodesic_distances(input.rest, group));
-  const auto most = static_cast<std::size_t>(input.parameters.integer("per_vertex"));
-  const double longer = 1 + input.parameters.number("slack");
+  const auto most = static_cast<std::size_t>(settings.per_vertex);
+  const double longer = 1 + settings.slack;
   std::vector<Tether> tethers;
   for (int v = 0; v < input.rest.vertex_count(); ++v) {
     if (input.pins.pinned(v)) continue;
@@ -96,8 +90,8 @@ std::vector<Tether> tethers_of(const EffectInput& input) {
 }
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const auto tethers = std::make_shared<const std::vector<Tether>>(tethers_of(input));
+std::vector<Pass<Real>> compile(const Tethers& settings, const EffectInput& input) {
+  const auto tethers = std::make_shared<const std::vector<Tether>>(tethers_of(settings, input));
   if (tethers->empty()) return {};
   return {{"tethers", Stage::project, [tethers](PassContext<Real>& context) {
              Points<Real>& points = context.state.position;
@@ -114,17 +108,18 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
 
 }  // namespace
 
-namespace effect {
-extern const Effect tethers{
+constinit const EffectKind Tethers::kind{
     .name = "tethers",
     .summary =
         "long-range attachments: no vertex gets farther from a pin than the cloth between them is long",
     .source = "Kim, Chentanez and Müller-Fischer 2012, §3",
-    .parameters = parameters,
+    .settings = table_of<Tethers>(fields),
     .needs_projection = true,
     .helps_projection = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
+    .needs_pins = true,
+    .keeps_momentum = true,
+    .bounds_strain = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
 };
-}  // namespace effect
 }  // namespace bendlab

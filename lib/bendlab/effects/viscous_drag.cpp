@@ -6,32 +6,29 @@
 #include <vector>
 
 #include "bendlab/constraints/build.hpp"
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "coefficient",
-        .type = ParameterType::number,
-        .unit = "N s/m³",
-        .default_value = 0.1,
-        .meaning =
-            "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area; a "
-            "free sheet of ρ kg/m² falls at ρ g/c in the end, with pbd by g h/2 slower in substeps of h",
-        .minimum = 0},
+constexpr std::array fields = {
+    field<&ViscousDrag::coefficient>(
+        {.name = "coefficient",
+         .unit = "N s/m³",
+         .meaning =
+             "c: the force on a vertex is -c A v, where A is a third of its triangles' rest area; a "
+             "free sheet of ρ kg/m² falls at ρ g/c in the end, with pbd by g h/2 slower in substeps of h",
+         .minimum = 0}),
 };
 
 // Without other forces v' = -(c A / m) v has the solution v exp(-c A h / m): it reverses no velocity, however
 // long the step. Gravity is added before it in one piece, so a falling sheet ends at g h / (exp(k h) - 1)
 // with k = c A / m: less than g / k by the fraction k h / 2.
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  const double coefficient = input.parameters.number("coefficient");
-  if (coefficient == 0) return {};
+std::vector<Pass<Real>> compile(const ViscousDrag& settings, const EffectInput& input) {
+  if (settings.coefficient == 0) return {};
   // c A in kg/s: the lumped mass of a cloth of density c.
-  const std::vector<double> listed = lumped_masses(input.rest, coefficient);
+  const std::vector<double> listed = lumped_masses(input.rest, settings.coefficient);
   std::vector<double> drag(listed.size());
   for (int v = 0; v < input.rest.vertex_count(); ++v)
     drag[input.permuted(v)] = listed[static_cast<std::size_t>(v)];
@@ -53,17 +50,20 @@ std::vector<Pass<Real>> compile(const EffectInput& input) {
            nullptr, std::move(drag)}};
 }
 
+bool idle(const ViscousDrag& settings) {
+  return settings.coefficient == 0;
+}
+
 }  // namespace
 
-namespace effect {
-extern const Effect viscous_drag{
+constinit const EffectKind ViscousDrag::kind{
     .name = "viscous_drag",
     .summary = "drag of a viscous medium at rest on every free vertex, in proportion to velocity and area",
     .source = "Stokes' law for a surface, F = -c A v; exact over a substep without other forces",
-    .parameters = parameters,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle = [](const ParameterValues& values) { return values.number("coefficient") == 0; },
+    .settings = table_of<ViscousDrag>(fields),
+    .damps = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
 };
-}  // namespace effect
 }  // namespace bendlab

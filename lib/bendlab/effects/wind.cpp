@@ -16,80 +16,64 @@
 // triangles would have as free pieces, weighted by mass. So (Jensen's inequality) the kinetic energy of a
 // free cloth relative to a steady uniform wind does not grow either, whatever h. If s ≥ 1, that is if (D² +
 // L²) / D ≤ m |u| / h, the force is exactly the law's.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 
 #include "bendlab/constraints/build.hpp"
-#include "bendlab/effects/effect.hpp"
+#include "bendlab/effects/effects.hpp"
 #include "bendlab/effects/gusts.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array<double, 3> breeze = {0, 5, 0};
-
-constexpr std::array parameters = {
-    Parameter{
-        .name = "velocity",
-        .type = ParameterType::numbers,
-        .unit = "m/s",
-        .default_value = std::span<const double>(breeze),
-        .meaning =
-            "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it "
-            "is listed: on the velocities at the start of the substep. So terminal velocities are exact, "
-            "unless the cloth would gain more speed in a substep than that",
-        .length = 3},
-    Parameter{.name = "air_density",
-              .type = ParameterType::number,
-              .unit = "kg/m³",
-              .default_value = 1.204,
-              .meaning = "ρ; the default is dry air at 20 °C and 101325 Pa",
-              .minimum = 0},
-    Parameter{.name = "drag_coefficient",
-              .type = ParameterType::number,
-              .unit = "1",
-              .default_value = 1.28,
-              .meaning = "C_D, of a flat plate across the flow: 1.28 (NASA Glenn, kite aerodynamics)",
-              .minimum = 0,
-              .above = true},
-    Parameter{
-        .name = "lift_coefficient",
-        .type = ParameterType::number,
-        .unit = "1",
-        .default_value = 1.0,
-        .meaning = "C_L; at 45 degrees, where it is greatest, the lift is that of a wing with half of it",
-        .minimum = 0},
-    Parameter{
-        .name = "gust_amplitude",
-        .type = ParameterType::number,
-        .unit = "1",
-        .default_value = 0.0,
-        .meaning =
-            "standard deviation of each component of the air's velocity, as a fraction of the mean speed "
-            "(turbulence intensity); it never exceeds 2.01 times that",
-        .minimum = 0},
-    Parameter{.name = "gust_time",
-              .type = ParameterType::number,
-              .unit = "s",
-              .default_value = 0.5,
-              .meaning = "time from one gust to the next, which is independent of it",
-              .minimum = 0,
-              .above = true},
-    Parameter{
-        .name = "gusts_travel",
-        .type = ParameterType::boolean,
-        .default_value = false,
-        .meaning =
-            "gusts are carried along with the mean velocity (Taylor's frozen turbulence); otherwise the "
-            "air has one velocity everywhere"},
-    Parameter{.name = "seed",
-              .type = ParameterType::integer,
-              .unit = "1",
-              .default_value = 1,
-              .meaning = "seed of the gusts: the same bits for the same seed",
-              .minimum = 0},
+constexpr std::array fields = {
+    field<&Wind::velocity>(
+        {.name = "velocity",
+         .unit = "m/s",
+         .meaning =
+             "mean velocity of the air; 0, 0, 0 is air at rest. Wind acts before other effects, wherever it "
+             "is listed: on the velocities at the start of the substep. So terminal velocities are exact, "
+             "unless the cloth would gain more speed in a substep than that"}),
+    field<&Wind::air_density>({.name = "air_density",
+                               .unit = "kg/m³",
+                               .meaning = "ρ; the default is dry air at 20 °C and 101325 Pa",
+                               .minimum = 0}),
+    field<&Wind::drag_coefficient>(
+        {.name = "drag_coefficient",
+         .unit = "1",
+         .meaning = "C_D, of a flat plate across the flow: 1.28 (NASA Glenn, kite aerodynamics)",
+         .minimum = 0,
+         .above = true}),
+    field<&Wind::lift_coefficient>(
+        {.name = "lift_coefficient",
+         .unit = "1",
+         .meaning = "C_L; at 45 degrees, where it is greatest, the lift is that of a wing with half of it",
+         .minimum = 0}),
+    field<&Wind::gust_amplitude>(
+        {.name = "gust_amplitude",
+         .unit = "1",
+         .meaning =
+             "standard deviation of each component of the air's velocity, as a fraction of the mean speed "
+             "(turbulence intensity); it never exceeds 2.01 times that",
+         .minimum = 0}),
+    field<&Wind::gust_time>({.name = "gust_time",
+                             .unit = "s",
+                             .meaning = "time from one gust to the next, which is independent of it",
+                             .minimum = 0,
+                             .above = true}),
+    field<&Wind::gusts_travel>(
+        {.name = "gusts_travel",
+         .meaning =
+             "gusts are carried along with the mean velocity (Taylor's frozen turbulence); otherwise the "
+             "air has one velocity everywhere"}),
+    field<&Wind::seed>({.name = "seed",
+                        .unit = "1",
+                        .meaning = "seed of the gusts: the same bits for the same seed",
+                        .minimum = 0}),
 };
 
 struct Air {
@@ -97,11 +81,10 @@ struct Air {
   Gusts gusts;
   bool travel;
 
-  explicit Air(const ParameterValues& values)
-      : mean(values.numbers("velocity").data()),
-        gusts{values.number("gust_amplitude") * mean.norm(), values.number("gust_time"),
-              static_cast<std::uint64_t>(values.integer("seed"))},
-        travel(values.boolean("gusts_travel") && gusts.deviation > 0) {}
+  explicit Air(const Wind& settings)
+      : mean(settings.velocity),
+        gusts{settings.gust_amplitude * mean.norm(), settings.gust_time, settings.seed},
+        travel(settings.gusts_travel && gusts.deviation > 0) {}
 
   Vector3 velocity_at(double time) const {
     return gusts.deviation > 0 ? Vector3(mean + gusts.at(time)) : mean;
@@ -114,7 +97,7 @@ struct Air {
 };
 
 template <class Real>
-class Wind {
+class Blowing {
   using Vector = Vector3Of<Real>;
 
   struct Triangle {
@@ -128,11 +111,11 @@ class Wind {
   std::vector<Vector> impulse_;  // #V, N s
 
  public:
-  explicit Wind(const EffectInput& input)
-      : air_(input.parameters), impulse_(static_cast<std::size_t>(input.rest.vertex_count())) {
-    const double half_density = 0.5 * input.parameters.number("air_density");
-    drag_ = static_cast<Real>(half_density * input.parameters.number("drag_coefficient"));
-    lift_ = static_cast<Real>(half_density * input.parameters.number("lift_coefficient"));
+  Blowing(const Wind& settings, const EffectInput& input)
+      : air_(settings), impulse_(static_cast<std::size_t>(input.rest.vertex_count())) {
+    const double half_density = 0.5 * settings.air_density;
+    drag_ = static_cast<Real>(half_density * settings.drag_coefficient);
+    lift_ = static_cast<Real>(half_density * settings.lift_coefficient);
     const std::vector<double> area = lumped_masses(input.rest, 1);
     for (int t = 0; t < input.rest.triangle_count(); ++t) {
       Triangle triangle{};
@@ -195,24 +178,62 @@ class Wind {
 };
 
 template <class Real>
-std::vector<Pass<Real>> compile(const EffectInput& input) {
-  if (input.parameters.number("air_density") == 0) return {};
-  return {{"wind", Stage::force, Wind<Real>(input)}};
+std::vector<Pass<Real>> compile(const Wind& settings, const EffectInput& input) {
+  if (settings.air_density == 0) return {};
+  return {{"wind", Stage::force, Blowing<Real>(settings, input)}};
+}
+
+bool idle(const Wind& settings) {
+  return settings.air_density == 0;
+}
+
+// Wind of air at rest only takes energy.
+bool drives(const Wind& settings) {
+  return !settings.velocity.isZero(0) || settings.gust_amplitude != 0;
+}
+
+// Drag and lift on the whole cloth.
+double largest_force(const Wind& settings, double area) {
+  constexpr double highest_gust = 3.5;  // 2.01 times the amplitude in each of three components
+  const double speed = settings.velocity.norm() * (1 + highest_gust * settings.gust_amplitude);
+  return 0.5 * settings.air_density * speed * speed * area *
+         (settings.drag_coefficient + settings.lift_coefficient);
+}
+
+// The wind takes no more than the speed that a substep has, so that cloth does not fly up against it. Cloth
+// at the speed u with respect to the air is slowed within τ = ρ / (½ ρ_air C_D u): a substep h of more than τ
+// cuts the force, and a sheet that falls at its terminal speed (τ = u/g) falls faster, by 23 % at h = 1.2 τ.
+std::optional<Doubt> doubt(const Wind& settings, const DoubtInput& input) {
+  const double drag = 0.5 * settings.air_density * settings.drag_coefficient,
+               terminal = std::sqrt(input.density * input.gravity / drag);
+  if (!(drag > 0)) return std::nullopt;
+  const double slowed_within = input.density / (drag * std::max(settings.velocity.norm(), terminal));  // s
+  if (!(input.substep > slowed_within)) return std::nullopt;
+  constexpr double wanted = 0.5;  // substeps
+  const double times = input.substep / slowed_within;
+  return Doubt{
+      fmt::format("a substep of {:.2g} s is long for the wind, which brings this cloth to its own speed "
+                  "within {:.2g} s: its force is cut. Take about {} /solver/substeps",
+                  input.substep, slowed_within,
+                  static_cast<long>(std::ceil(input.substeps * times / wanted))),
+      times, fmt::format("{:.2g} times", times)};
 }
 
 }  // namespace
 
-namespace effect {
-extern const Effect wind{
+constinit const EffectKind Wind::kind{
     .name = "wind",
     .summary = "aerodynamic drag and lift on every triangle, of a steady or gusting wind or of air at rest",
     .source =
         "Wilson et al. 2014 (drag, direction of lift) with Keckeisen et al. 2004's lift, zero along the flow",
-    .parameters = parameters,
+    .settings = table_of<Wind>(fields),
     .acts_first = true,
-    .compile_float = compile<float>,
-    .compile_double = compile<double>,
-    .idle = [](const ParameterValues& values) { return values.number("air_density") == 0; },
+    .force_follows_pose = true,
+    .compile_float = erased<compile<float>>,
+    .compile_double = erased<compile<double>>,
+    .idle = erased<idle>,
+    .drives = erased<drives>,
+    .largest_force = erased<largest_force>,
+    .doubt = erased<doubt>,
 };
-}  // namespace effect
 }  // namespace bendlab

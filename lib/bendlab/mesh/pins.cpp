@@ -9,13 +9,10 @@
 #include <stdexcept>
 
 #include "bendlab/mesh/rings.hpp"
+#include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
-
-constexpr std::array<std::string_view, 13> selectors = {
-    "upper_right", "upper_left", "lower_right", "lower_left", "top",    "bottom",  "left",
-    "right",       "centre",     "top_rim",     "bottom_rim", "circle", "interior"};
 
 constexpr double relative_tolerance = 1e-6;  // of the size: wider than rounding, far below any edge length
 
@@ -146,28 +143,38 @@ NamedAxes named_axes(const RestMesh& rest) {
   return {};
 }
 
-std::vector<int> select_vertices(const RestMesh& rest, std::string_view name) {
+std::vector<int> select_vertices(const RestMesh& rest, Place place) {
   const NamedAxes axes = named_axes(rest);
   const Vector2 low = on_face(axes, rest.box_min()), high = on_face(axes, rest.box_max());
-  if (name == "upper_right") return {nearest_vertex(rest, high)};
-  if (name == "upper_left") return {nearest_vertex(rest, {low.x(), high.y()})};
-  if (name == "lower_right") return {nearest_vertex(rest, {high.x(), low.y()})};
-  if (name == "lower_left") return {nearest_vertex(rest, low)};
-  if (name == "centre") return {nearest_vertex(rest, on_face(axes, rest.centre()))};
-  if (name == "top") return side_vertices(rest, axes.up, high.y());
-  if (name == "bottom") return side_vertices(rest, axes.up, low.y());
-  if (name == "left") return side_vertices(rest, axes.right, low.x());
-  if (name == "right") return side_vertices(rest, axes.right, high.x());
-  if (name == "top_rim") return rim_vertices(rest, name, rest.box_max().z());
-  if (name == "bottom_rim") return rim_vertices(rest, name, rest.box_min().z());
-  if (name == "circle") return circle_vertices(rest);
-  if (name == "interior") return interior_vertices(rest);
-  throw std::invalid_argument(
-      fmt::format("'{}' names no vertices; allowed: {}", name, fmt::join(selectors, ", ")));
-}
-
-std::span<const std::string_view> vertex_selectors() {
-  return selectors;
+  switch (place) {
+    case Place::upper_right:
+      return {nearest_vertex(rest, high)};
+    case Place::upper_left:
+      return {nearest_vertex(rest, {low.x(), high.y()})};
+    case Place::lower_right:
+      return {nearest_vertex(rest, {high.x(), low.y()})};
+    case Place::lower_left:
+      return {nearest_vertex(rest, low)};
+    case Place::top:
+      return side_vertices(rest, axes.up, high.y());
+    case Place::bottom:
+      return side_vertices(rest, axes.up, low.y());
+    case Place::left:
+      return side_vertices(rest, axes.right, low.x());
+    case Place::right:
+      return side_vertices(rest, axes.right, high.x());
+    case Place::centre:
+      return {nearest_vertex(rest, on_face(axes, rest.centre()))};
+    case Place::top_rim:
+      return rim_vertices(rest, name_in(place_names, place), rest.box_max().z());
+    case Place::bottom_rim:
+      return rim_vertices(rest, name_in(place_names, place), rest.box_min().z());
+    case Place::circle:
+      return circle_vertices(rest);
+    case Place::interior:
+      return interior_vertices(rest);
+  }
+  throw std::logic_error("select_vertices: unknown place");
 }
 
 }  // namespace bendlab

@@ -1,8 +1,8 @@
 // Which vertices are pinned: those that the scene names, and the rings around them.
 #pragma once
 
-#include <span>
-#include <string>
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -31,21 +31,30 @@ struct NamedAxes {
 /// its side: z is up then, and right is x, or y if it is thin along x.
 NamedAxes named_axes(const RestMesh& rest);
 
-/// Vertices by name, on that face of the rest box (x-y, unless the sheet stands):
-///
-/// * `upper_right`, `upper_left`, `lower_right`, `lower_left`: the vertex nearest to that corner;
-/// * `top`, `bottom`, `left`, `right`: all vertices within 10⁻⁶ sizes of that side;
-/// * `centre`: the vertex nearest to the centre;
-/// * `top_rim`, `bottom_rim`: all vertices at the largest or smallest z, the ends of a tube;
-/// * `circle`: the outermost vertices within a quarter of the box's smaller x-y extent of the `centre`;
-/// * `interior`: four, nearest to 0.3 and 0.7 of the box's width and height.
-///
-/// Of vertices that are equally near (within 10⁻⁶ sizes) the frontmost is taken, then the lowest, then the
-/// leftmost: their order in the mesh decides nothing.
-/// Throws std::invalid_argument for another name, and for a rim of a flat mesh, because that is every vertex.
-std::vector<int> select_vertices(const RestMesh& rest, std::string_view name);
+/// Places of a rest mesh by name.
+enum class Place {
+  upper_right,  ///< a corner: the vertex nearest to it
+  upper_left,
+  lower_right,
+  lower_left,
+  top,  ///< a side: all vertices within 10⁻⁶ sizes of it
+  bottom,
+  left,
+  right,
+  centre,      ///< the vertex nearest to the centre
+  top_rim,     ///< all vertices at the largest z, an end of a tube
+  bottom_rim,  ///< all vertices at the smallest z
+  circle,      ///< the outermost vertices within a quarter of the box's smaller x-y extent of the centre
+  interior,    ///< four vertices, nearest to 0.3 and 0.7 of the box's width and height
+};
+inline constexpr std::array<std::string_view, 13> place_names = {
+    "upper_right", "upper_left", "lower_right", "lower_left", "top",    "bottom",  "left",
+    "right",       "centre",     "top_rim",     "bottom_rim", "circle", "interior"};
 
-/// The names that select_vertices() knows.
-std::span<const std::string_view> vertex_selectors();
+/// The vertices at a place, on the face of the rest box that names mean (x-y, unless the sheet stands). Of
+/// vertices that are equally near (within 10⁻⁶ sizes) the frontmost is taken, then the lowest, then the
+/// leftmost: their order in the mesh decides nothing. Throws std::invalid_argument for a rim of a flat mesh,
+/// because that is every vertex.
+std::vector<int> select_vertices(const RestMesh& rest, Place place);
 
 }  // namespace bendlab

@@ -83,7 +83,7 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
       throw std::invalid_argument(fmt::format(
           "{}: the force of {} jumps where it is straight, so that no constant metric resembles it: take the "
           "method newton, or another bending model",
-          input.method->name, Kind::name));
+          input.method.name(), Kind::name));
     for (std::size_t e = 0; e < list.size(); ++e)
       bending.add<Kind::arity>(list.vertices[e],
                                weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),

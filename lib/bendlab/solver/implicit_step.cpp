@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "bendlab/constraints/batches.hpp"
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/memory.hpp"
 
@@ -28,19 +27,20 @@ void require_energy(const SimulationInput& input) {
   if ((input.strain.size() > 0 && !has_energy(input.strain_stiffness)) ||
       (bends && !has_energy(input.bending_stiffness)))
     throw std::invalid_argument(fmt::format(
-        "{}: every stiffness has to be a compliance above 0: only that has an energy", input.method->name));
+        "{}: every stiffness has to be a compliance above 0: only that has an energy", input.method.name()));
 }
 
 }  // namespace
 
 template <class Real>
-ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, std::vector<int> permutation)
-    : TimeStep<Real>(input, std::move(permutation)), constraint_count_(count_constraints(input)) {
+ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, Integrator integrator, double tolerance,
+                                 std::vector<int> permutation)
+    : TimeStep<Real>(input, std::move(permutation)),
+      integrator_(integrator),
+      tolerance_(tolerance * input.size),
+      size_(input.size),
+      constraint_count_(count_constraints(input)) {
   require_energy(input);
-  const ParameterValues own = own_settings(input);
-  integrator_ = named<Integrator>(own.text("integrator"), integrator_names);
-  size_ = input.size;
-  tolerance_ = own.number("tolerance") * size_;
   base_ = target_ = velocity_ = earlier_velocity_ = state_.position;
   for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
     has_unknowns_ |= state_.position[v].w > 0;

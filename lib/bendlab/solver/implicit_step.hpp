@@ -28,31 +28,30 @@
 #include <utility>
 
 #include "bendlab/solver/contact_forces.hpp"
-#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
 
-enum class Integrator { euler, bdf2 };
 inline constexpr std::array<std::string_view, 2> integrator_names = {"euler", "bdf2"};
 
-/// Settings of every implicit method, and the passes of its plan.
+/// The rows of settings of every implicit method.
 // clang-format off
-inline constexpr Parameter integrator_parameter{
-    .name = "integrator", .type = ParameterType::text, .unit = "", .default_value = "bdf2",
-    .meaning = "How a substep goes on in time. euler: backward Euler, of first order, which damps motion; "
-               "bdf2: of second order, which hardly does, and gains energy where iterations are too few. "
-               "quasi_newton begins with euler, the others with bdf2",
-    .choices = integrator_names};
-inline constexpr Parameter tolerance_parameter{
-    .name = "tolerance", .type = ParameterType::number, .unit = "1", .default_value = 1e-7,
-    .meaning = "A substep ends before its iterations do once no vertex is farther from its aim than this "
-               "times the cloth's size, as far as the last moves tell; 0: never",
-    .minimum = 0};
+template <class Settings>
+inline constexpr std::array implicit_fields = {
+    field<&Settings::integrator>({.name = "integrator",
+        .meaning = "How a substep goes on in time. euler: backward Euler, of first order, which damps "
+                   "motion; bdf2: of second order, which hardly does, and gains energy where iterations are "
+                   "too few. quasi_newton begins with euler, the others with bdf2",
+        .choices = integrator_names}),
+    field<&Settings::tolerance>({.name = "tolerance", .unit = "1",
+        .meaning = "A substep ends before its iterations do once no vertex is farther from its aim than this "
+                   "times the cloth's size, as far as the last moves tell; 0: never",
+        .minimum = 0}),
+};
 // clang-format on
-/// Effects that change positions: P(x) in each iteration.
-inline constexpr std::array<std::string_view, 8> effects_of_iterations = {
-    "moving_pins", "plane", "sphere", "capsule", "disc", "mesh_obstacle", "friction", "self_collision"};
+
+/// The passes of the plan of every implicit method.
 template <std::size_t N>
 constexpr std::array<MethodPass, 4> implicit_passes(const char (&iteration)[N]) {
   return {MethodPass{"start", "forces are part of the minimum, not of the first guess"},
@@ -72,7 +71,11 @@ class ImplicitStep : public TimeStep<Real> {
 
  protected:
   /// Throws std::invalid_argument unless every stiffness is a compliance above 0.
-  ImplicitStep(const SimulationInput& input, std::vector<int> permutation);
+  template <class Settings>
+  ImplicitStep(const SimulationInput& input, const Settings& settings, std::vector<int> permutation)
+      : ImplicitStep(input, settings.integrator, settings.tolerance, std::move(permutation)) {}
+  ImplicitStep(const SimulationInput& input, Integrator integrator, double tolerance,
+               std::vector<int> permutation);
 
   /// Call it once, when the derived class is complete. Contacts push with κ = `per_weight` w, and another
   /// `mean` N/m in the mean over free vertices, in proportion to their masses.

@@ -55,7 +55,7 @@ struct SortedByLowest {
 // A batch of a list's constraints with permuted vertices, ordered by `colour`, and the tiles through which
 // one thread goes. Several threads go colour by colour.
 template <class Real, class List, class Colour, class Make>
-auto batch_of(const SimulationInput& input, const List& list, Colour colour, Make make,
+auto batch_of(const SimulationInput& input, ConstraintOrder in, const List& list, Colour colour, Make make,
               std::vector<StackRange>* tiles) {
   const auto vertex_count = static_cast<int>(input.positions.rows());
   const auto ordered = [&](const auto& corners) {
@@ -64,7 +64,7 @@ auto batch_of(const SimulationInput& input, const List& list, Colour colour, Mak
       *tiles = tiled(order, corners, vertex_count, tile_vertices<Real>);
     return order;
   };
-  const bool in_list_order = input.settings.order != ConstraintOrder::colour;
+  const bool in_list_order = in != ConstraintOrder::colour;
   if (input.permutation.empty())
     return make(list, in_list_order ? list_order(list.size()) : ordered(list.vertices), vertex_count);
   const List permuted_list = renumbered(list, input.permutation);
@@ -106,12 +106,13 @@ class ComplianceRange {
 
 template <class Real>
 Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<Real>* rest_points,
-                                      ConstraintTiles* tiles) {
+                                      const Ordering& ordering) {
   Constraints<Real> constraints;
-  const int projections = input.settings.projections_per_substep();
+  const int projections = ordering.projections;
+  ConstraintTiles* const tiles = ordering.tiles;
   const ComplianceRange<Real> range(input.settings.dt / input.settings.substeps);
   StrainBatch<Real>& strain = constraints.strain;
-  strain = batch_of<Real>(input, input.strain, colour_order<3>, make_strain_batch<Real>,
+  strain = batch_of<Real>(input, ordering.order, input.strain, colour_order<3>, make_strain_batch<Real>,
                           tiles ? &tiles->strain : nullptr);
   const StrainStiffness& s = input.strain_stiffness;
   const auto fraction = [&](double k) { return static_cast<Real>(k_of_projection(s.kind, k, projections)); };
@@ -121,7 +122,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
   if (s.kind == StiffnessKind::compliance) strain.multiplier.assign(4 * strain.a.size(), 0);
 
   DistanceBatch<Real>& distance = constraints.distance;
-  distance = batch_of<Real>(input, input.distance, star_order, make_distance_batch<Real>,
+  distance = batch_of<Real>(input, ordering.order, input.distance, star_order, make_distance_batch<Real>,
                             tiles ? &tiles->distance : nullptr);
   const BendingStiffness& d = input.bending_stiffness;
   strain.rest_points = distance.rest_points = rest_points;
@@ -132,8 +133,9 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
 
   for_each_kind(input.elements, [&]<class Kind>(const ElementList<Kind>& list) {
     auto& batch = std::get<ElementBatch<Real, Kind>>(constraints.elements);
-    batch = batch_of<Real>(input, list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
-                           tiles ? &tiles->elements[kind_index<Kind>] : nullptr);
+    batch =
+        batch_of<Real>(input, ordering.order, list, colour_order<Kind::arity>, make_element_batch<Real, Kind>,
+                       tiles ? &tiles->elements[kind_index<Kind>] : nullptr);
     batch.kind = d.kind, batch.compliance = range.held(d.compliance);
     range.hold(batch.softness, batch.compliance);
     batch.rest_points = rest_points;
@@ -152,10 +154,9 @@ const BatchOrder& element_order_of(const Constraints<Real>& constraints, std::st
   return *orders[index_of_kind(kind)];
 }
 
-template Constraints<float> ordered_constraints(const SimulationInput&, const Point<float>*,
-                                                ConstraintTiles*);
+template Constraints<float> ordered_constraints(const SimulationInput&, const Point<float>*, const Ordering&);
 template Constraints<double> ordered_constraints(const SimulationInput&, const Point<double>*,
-                                                 ConstraintTiles*);
+                                                 const Ordering&);
 template const BatchOrder& element_order_of(const Constraints<float>&, std::string_view);
 template const BatchOrder& element_order_of(const Constraints<double>&, std::string_view);
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "bendlab/constraints/state.hpp"
-#include "bendlab/solver/simulation.hpp"
+#include "bendlab/solver/method.hpp"
 #include "bendlab/solver/tiling.hpp"
 
 namespace bendlab {
@@ -17,12 +17,18 @@ struct ConstraintTiles {
   std::array<std::vector<StackRange>, std::tuple_size_v<ElementKinds>> elements;  ///< by kind_index
 };
 
-/// The batches of input's lists in input.settings.order, on vertices permuted by input.permutation, with
-/// their stiffness. A k is that of one projection; a compliance has its multipliers, which are 0. Fills
-/// `tiles` unless it is null.
+/// How constraints are put in order.
+struct Ordering {
+  ConstraintOrder order = ConstraintOrder::colour;
+  int projections = 1;               ///< of each constraint in a substep
+  ConstraintTiles* tiles = nullptr;  ///< to be filled; null: none
+};
+
+/// The batches of input's lists in that order, on vertices permuted by input.permutation, with their
+/// stiffness. A k is that of one projection; a compliance has its multipliers, which are 0.
 template <class Real>
 Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<Real>* rest_points,
-                                      ConstraintTiles* tiles);
+                                      const Ordering& ordering = {});
 
 /// The order of the element batch of that Kind::name; throws as index_of_kind() does.
 template <class Real>

@@ -1,4 +1,4 @@
-// What a solver method (method.hpp) gets from a scene, and what callers get from any method: a simulation.
+// What a solver method (methods.hpp) gets from a scene, and what callers get from any method: a simulation.
 #pragma once
 
 #include <array>
@@ -14,41 +14,20 @@
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
 #include "bendlab/parameters/archive.hpp"
-#include "bendlab/parameters/parameter.hpp"
+#include "bendlab/parameters/family.hpp"
 
 namespace bendlab {
 
-struct Method;
-const Method& default_method();  ///< the first of methods.def
+struct MethodKind;
+/// A solver method with its settings: `Method method = QuasiNewton{.history = 8};`
+using Method = Chosen<MethodKind>;
 
-enum class Sweep {
-  forward,    ///< one pass over the constraints per iteration
-  symmetric,  ///< forward, then backward: two projections per iteration; gains no energy at small steps
-};
-inline constexpr std::array<std::string_view, 2> sweep_names = {"forward", "symmetric"};
-
-enum class ConstraintOrder {
-  colour,  ///< by colour, with lanes and threads side by side
-  mesh,    ///< in the order of the lists, one after another, by the oracle
-  pins,    ///< like mesh, with lists that order_from_pins() has sorted
-};
-inline constexpr std::array<std::string_view, 3> constraint_order_names = {"colour", "mesh", "pins"};
-
-enum class FirstConstraint { strain, bending };
-inline constexpr std::array<std::string_view, 2> first_constraint_names = {"strain", "bending"};
-
-/// Settings that several methods read. Method::shared says which ones a method does.
+/// Settings that several methods read.
 struct SolverSettings {
   double dt = 1.0 / 60;  ///< s
   int substeps = 1;
   int iterations = 10;  ///< per substep
-  Sweep sweep = Sweep::forward;
-  ConstraintOrder order = ConstraintOrder::colour;
-  FirstConstraint first = FirstConstraint::strain;
   int threads = 1;
-  ParameterValues own = {};  ///< of the method's own table; a setting that is not there has its default
-
-  int projections_per_substep() const { return iterations * (sweep == Sweep::symmetric ? 2 : 1); }
 };
 
 /// Where the first pose of a simulation comes from.
@@ -73,6 +52,7 @@ struct BendingStiffness {
 
 /// What a method gets from a scene.
 struct SimulationInput {
+  Method method;
   Positions positions;   ///< #V by 3, m: where the cloth starts
   Positions velocities;  ///< #V by 3, m/s, or empty: at rest
   Positions rest;        ///< #V by 3, m: the shape by which collapsed elements open; empty: they stay
@@ -89,12 +69,11 @@ struct SimulationInput {
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
   double push_tension = 0;  ///< N/m, with which springs that push stretch the rest shape
-  const Method* method = &default_method();
   SolverSettings settings;
   StartingFrom starting_from = StartingFrom::scene;
   /// Single precision: whether a substep moves the cloth by little more than the last digit of its positions.
-  /// A method that can (Method::keeps_moves_apart) then keeps moves apart from positions, in up to a fifth
-  /// more time. See Places.
+  /// A method that can (MethodKind::keeps_moves_apart) then keeps moves apart from positions, in up to a
+  /// fifth more time. See Places.
   bool moves_apart = true;
 };
 

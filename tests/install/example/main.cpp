@@ -8,22 +8,28 @@
 
 using namespace bendlab;
 
-constexpr std::array settings = {Parameter{
-    .name = "power", .unit = "1", .default_value = 1.0, .meaning = "p of ½ k |e|^p θ²", .minimum = 0}};
+struct EdgeHinge {
+  double power = 1;
+  static const BendingKind kind;
+};
 
-const BendingModel edge_hinge{
+constexpr std::array fields = {
+    field<&EdgeHinge::power>({.name = "power", .unit = "1", .meaning = "p of ½ k |e|^p θ²", .minimum = 0})};
+
+BendingConstraints build(const EdgeHinge& settings, const BendingInput& input) {
+  BendingConstraints constraints;
+  std::get<ElementList<HingeAngle>>(constraints.elements) =
+      angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
+                        [&](const RestHinge& hinge) { return std::pow(hinge.edge, -settings.power); });
+  return constraints;
+}
+
+const BendingKind EdgeHinge::kind{
     .name = "edge_hinge",
     .label = "edge hinge",
     .summary = "the fold angle at every interior edge, as stiff as a power of the edge's length",
-    .parameters = settings,
-    .build = [](const BendingInput& input) {
-      const double power = input.parameters.number("power");
-      BendingConstraints constraints;
-      std::get<ElementList<HingeAngle>>(constraints.elements) =
-          angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
-                            [&](const RestHinge& hinge) { return std::pow(hinge.edge, -power); });
-      return constraints;
-    }};
+    .settings = table_of<EdgeHinge>(fields),
+    .build = erased<build>};
 
 struct Height final : Measurement {
   void finish(const RunEnd& end, Findings& findings) override {
@@ -41,7 +47,7 @@ const Measure height{
     .begin = [](auto&, auto&) -> std::unique_ptr<Measurement> { return std::make_unique<Height>(); }};
 
 int main(int argc, char** argv) {
-  register_bending_model(edge_hinge);
+  register_bending_model(EdgeHinge::kind);
   register_measure(height);
   if (argc > 1) return command_line(argc, argv);  // the whole program: run, plan, models, schema, advise, …
 

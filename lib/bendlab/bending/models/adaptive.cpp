@@ -1,33 +1,27 @@
 // The paper's adaptive springs: levels from the mesh, tight around the pins, loose elsewhere.
-#include "bendlab/bending/levels.hpp"
-#include "bendlab/bending/ring_springs.hpp"
+#include "bendlab/bending/models.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr auto parameters = joined(level_parameters, ring_fill_parameter, ring_rule_parameters);
+constexpr auto fields = joined(level_fields<Adaptive>, ring_fill_field<Adaptive>, ring_rule_fields<Adaptive>);
 
-BendingConstraints build(const BendingInput& input) {
-  const Levels levels = adaptive_levels(input.rest, input.parameters);
-  RingRule rule = ring_rule(input.parameters);
-  rule.fill = ring_fill(input.parameters);
-  return {.distance = ring_springs(
-              input.rest, input.pins,
-              level_of_vertices(input.rest, input.pins, input.parameters, levels.m, levels.n), rule),
+BendingConstraints build(const Adaptive& settings, const BendingInput& input) {
+  const Levels levels = adaptive_levels(input.rest, settings);
+  return {.distance = ring_springs(input.rest, input.pins,
+                                   level_of_vertices(input.rest, input.pins, settings, levels.m, levels.n),
+                                   ring_rule(settings, settings.rings)),
           .facts = facts_of(levels)};
 }
 
-ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
-  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, values);
-  RingRule rule = ring_rule(values);
-  rule.fill = ring_fill(values);
-  return expected_ring_springs(mesh, rule, levels.m, levels.n);
+ExpectedConstraints expect(const Adaptive& settings, const ExpectedMesh& mesh) {
+  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, settings);
+  return expected_ring_springs(mesh, ring_rule(settings, settings.rings), levels.m, levels.n);
 }
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel adaptive{
+constinit const BendingKind Adaptive::kind{
     .name = "adaptive",
     .label = "adaptive",
     .summary =
@@ -37,10 +31,9 @@ extern constinit const BendingModel adaptive{
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction; with m = 1 (coarse "
         "meshes) free vertices have no bending at all",
     .compliance = "1 / k of every spring, k in N/m",
-    .parameters = parameters,
+    .settings = table_of<Adaptive>(fields),
     .springs_only = true,
-    .build = build,
-    .expect = expect,
+    .build = erased<build>,
+    .expect = erased<expect>,
 };
-}  // namespace models
 }  // namespace bendlab

@@ -1,10 +1,11 @@
 // The bending element with the elastic force of Bridson, Marino and Fedkiw.
+#include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
 namespace {
 
-BendingConstraints build(const BendingInput& input) {
+BendingConstraints build(const Bridson&, const BendingInput& input) {
   BendingConstraints constraints;
   // The force is k_e edge² / (|N1| + |N2|) (sin θ/2 - sin θ0/2) u, |N| twice a triangle's area. So the energy
   // is k_e edge² / (2 area) V with V of HingeAngle::Law::half_sine, at rest lengths and areas.
@@ -16,8 +17,7 @@ BendingConstraints build(const BendingInput& input) {
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel bridson{
+constinit const BendingKind Bridson::kind{
     .name = "bridson",
     .label = "Bridson",
     .summary = "bending element: moment ∝ sin(θ/2) - sin(θ0/2) over every interior edge",
@@ -28,9 +28,8 @@ extern constinit const BendingModel bridson{
         "physical: bent a little it has 0.75 of the stated rigidity on alternating diagonals and 0.93 on "
         "irregular meshes, see /bending/deflection",
     .compliance = "1 / k_e, k_e in N m; flexural rigidity k_e / 4 on equilateral triangles",
-    .parameters = {},
+    .settings = table_of<Bridson>({}),
     .softness_needs_compliance = true,
-    .build = build,
+    .build = erased<build>,
 };
-}  // namespace models
 }  // namespace bendlab

@@ -1,35 +1,31 @@
 // Choi and Ko's model: cloth that is pushed together does not shorten, it buckles. Their flexion springs join
 // vertices two edges apart and push like the ends of a buckled arc.
-#include "bendlab/bending/ring_springs.hpp"
+#include "bendlab/bending/models.hpp"
 #include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{.name = "ring",
-              .type = ParameterType::integer,
-              .unit = "1",
-              .default_value = 2,
-              .meaning = "edges between the vertices that a spring joins",
-              .minimum = 2,
-              .maximum = 1000},
-    Parameter{.name = "force",
-              .type = ParameterType::text,
-              .default_value = "exact",
-              .meaning =
-                  "the push of a buckled arc, or the polynomial of degree 4 that stands for it in cloth "
-                  "solvers (within 1.6 %); with k both are the same",
-              .choices = ArcSpring::law_names},
+constexpr std::array fields = {
+    field<&ChoiKo::ring>({.name = "ring",
+                          .unit = "1",
+                          .meaning = "edges between the vertices that a spring joins",
+                          .minimum = 2,
+                          .maximum = 1000}),
+    field<&ChoiKo::force>(
+        {.name = "force",
+         .meaning = "the push of a buckled arc, or the polynomial of degree 4 that stands for it in cloth "
+                    "solvers (within 1.6 %); with k both are the same",
+         .choices = ArcSpring::law_names}),
 };
 
-BendingConstraints build(const BendingInput& input) {
-  const auto ring = static_cast<int>(input.parameters.integer("ring"));
+BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
+  const int ring = settings.ring;
   const std::vector<int> levels(static_cast<std::size_t>(input.rest.vertex_count()), ring);
   const DistanceConstraints pairs = ring_springs(input.rest, input.pins, levels, {.fill = RingFill::last});
   BendingConstraints constraints;
   auto& list = std::get<ElementList<ArcSpring>>(constraints.elements);
-  list.law = named<ArcSpring::Law>(input.parameters.text("force"), ArcSpring::law_names);
+  list.law = settings.force;
   for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
     if (!(pairs.rest(pair) > 0)) continue;  // no arc without a length
     list.vertices.push_back(pairs.vertices[pair]);
@@ -45,16 +41,15 @@ BendingConstraints build(const BendingInput& input) {
   return constraints;
 }
 
-ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues& values) {
-  const auto ring = static_cast<int>(values.integer("ring"));
+ExpectedConstraints expect(const ChoiKo& settings, const ExpectedMesh& mesh) {
+  const int ring = settings.ring;
   return {.arcs = expected_ring_springs(mesh, {.fill = RingFill::last}, ring, ring).springs,
           .reach = static_cast<double>(ring)};
 }
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel choi_ko{
+constinit const BendingKind ChoiKo::kind{
     .name = "choi_ko",
     .label = "Choi-Ko",
     .summary =
@@ -66,10 +61,9 @@ extern constinit const BendingModel choi_ko{
         "depends on the directions of the mesh's lines; with k it is a one-sided distance constraint",
     .compliance =
         "1 / k_b, k_b in N m² (flexural rigidity 3/4 k_b / width for one line of segments at ring 2)",
-    .parameters = parameters,
+    .settings = table_of<ChoiKo>(fields),
     .one_sided = true,
-    .build = build,
-    .expect = expect,
+    .build = erased<build>,
+    .expect = erased<expect>,
 };
-}  // namespace models
 }  // namespace bendlab

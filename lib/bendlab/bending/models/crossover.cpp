@@ -9,22 +9,20 @@
 #include <cmath>
 #include <set>
 
-#include "bendlab/bending/model.hpp"
+#include "bendlab/bending/models.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr std::array<std::string_view, 2> pair_choices = {"opposite", "straight"};
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "pairs",
-        .type = ParameterType::text,
-        .default_value = "opposite",
-        .meaning =
-            "what a spring joins: the two vertices opposite an interior edge, or two neighbours of a vertex "
-            "on a straight line through it (two edges apart)",
-        .choices = pair_choices},
+constexpr std::array fields = {
+    field<&Crossover::pairs>(
+        {.name = "pairs",
+         .meaning =
+             "what a spring joins: the two vertices opposite an interior edge, or two neighbours of a vertex "
+             "on a straight line through it (two edges apart)",
+         .choices = pair_choices}),
 };
 
 std::vector<std::array<int, 2>> opposite_pairs(const RestMesh& rest) {
@@ -67,8 +65,8 @@ std::vector<std::array<int, 2>> straight_pairs(const RestMesh& rest) {
   return pairs;
 }
 
-BendingConstraints build(const BendingInput& input) {
-  const bool opposite = input.parameters.text("pairs") == "opposite";
+BendingConstraints build(const Crossover& settings, const BendingInput& input) {
+  const bool opposite = settings.pairs == Crossover::Pairs::opposite;
   BendingConstraints constraints;
   constraints.distance = springs_at_rest_in(input.rest.positions());
   for (const auto& [a, b] :
@@ -79,7 +77,7 @@ BendingConstraints build(const BendingInput& input) {
   return constraints;
 }
 
-ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues&) {
+ExpectedConstraints expect(const Crossover&, const ExpectedMesh& mesh) {
   // Where rings grow by 8, half of the vertices have four edges. The springs over two opposite ones of these
   // join the same vertices: one of them is left.
   const bool fours = mesh.ring_growth > 7.5;
@@ -88,8 +86,7 @@ ExpectedConstraints expect(const ExpectedMesh& mesh, const ParameterValues&) {
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel crossover{
+constinit const BendingKind Crossover::kind{
     .name = "crossover",
     .label = "crossover",
     .summary = "one spring over every interior edge, between the two opposite vertices (one per pair)",
@@ -98,10 +95,9 @@ extern constinit const BendingModel crossover{
         "no linear bending stiffness (moment ∝ κ³), does not know the fold's direction, softer on finer "
         "meshes",
     .compliance = "1 / k of every spring, k in N/m",
-    .parameters = parameters,
+    .settings = table_of<Crossover>(fields),
     .springs_only = true,
-    .build = build,
-    .expect = expect,
+    .build = erased<build>,
+    .expect = erased<expect>,
 };
-}  // namespace models
 }  // namespace bendlab

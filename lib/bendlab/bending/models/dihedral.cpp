@@ -1,4 +1,5 @@
 // The dihedral angle as a constraint, as position-based cloth has used it since 2007.
+#include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
@@ -6,19 +7,17 @@ namespace {
 
 constexpr std::array<std::string_view, 2> weights = {"uniform", "area"};
 
-constexpr std::array parameters = {
-    Parameter{
-        .name = "weight",
-        .type = ParameterType::text,
-        .default_value = "uniform",
-        .meaning =
-            "XPBD: every hinge alike (energy ½ k (θ - θ0)², flexural rigidity √3/2 k on equilateral "
-            "triangles), or times edge² / area of both triangles (flexural rigidity k at any resolution)",
-        .choices = weights},
+constexpr std::array fields = {
+    field<&Dihedral::weight>(
+        {.name = "weight",
+         .meaning =
+             "XPBD: every hinge alike (energy ½ k (θ - θ0)², flexural rigidity √3/2 k on equilateral "
+             "triangles), or times edge² / area of both triangles (flexural rigidity k at any resolution)",
+         .choices = weights}),
 };
 
-BendingConstraints build(const BendingInput& input) {
-  const bool uniform = input.parameters.text("weight") == "uniform";
+BendingConstraints build(const Dihedral& settings, const BendingInput& input) {
+  const bool uniform = settings.weight == Dihedral::Weight::uniform;
   BendingConstraints constraints;
   std::get<ElementList<HingeAngle>>(constraints.elements) =
       angle_constraints(rest_hinges(input.rest, input.pins), HingeAngle::Law::angle,
@@ -28,8 +27,7 @@ BendingConstraints build(const BendingInput& input) {
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel dihedral{
+constinit const BendingKind Dihedral::kind{
     .name = "dihedral",
     .label = "dihedral",
     .summary = "the angle between two triangles, signed, over every interior edge",
@@ -40,9 +38,9 @@ extern constinit const BendingModel dihedral{
         "one to the other side; physical: bent a little it has 0.75 of the stated rigidity on alternating "
         "diagonals and 0.93 on irregular meshes, see /bending/deflection",
     .compliance = "1 / k, k in N m (energy ½ k (θ - θ0)² per hinge, times the weight)",
-    .parameters = parameters,
+    .settings = table_of<Dihedral>(fields),
     .softness_needs_compliance = true,
-    .build = build,
+    .is_reference = true,
+    .build = erased<build>,
 };
-}  // namespace models
 }  // namespace bendlab

@@ -1,10 +1,11 @@
 // The hinge energy of discrete shells.
+#include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_hinges.hpp"
 
 namespace bendlab {
 namespace {
 
-BendingConstraints build(const BendingInput& input) {
+BendingConstraints build(const DiscreteShells&, const BendingInput& input) {
   BendingConstraints constraints;
   // E = K (θ - θ0)² edge / height, height a third of the mean one: K · 3 edge² / area (θ - θ0)². Its flexural
   // rigidity on equilateral triangles is D = 6 K.
@@ -16,8 +17,7 @@ BendingConstraints build(const BendingInput& input) {
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel discrete_shells{
+constinit const BendingKind DiscreteShells::kind{
     .name = "discrete_shells",
     .label = "discrete shells",
     .summary = "hinge energy ∝ (θ - θ0)² edge² / area over every interior edge",
@@ -29,9 +29,8 @@ extern constinit const BendingModel discrete_shells{
         "meshes, see /bending/deflection",
     .compliance =
         "1 / D, D the flexural rigidity in N m on equilateral triangles (6 times Grinspun's constant)",
-    .parameters = {},
+    .settings = table_of<DiscreteShells>({}),
     .softness_needs_compliance = true,
-    .build = build,
+    .build = erased<build>,
 };
-}  // namespace models
 }  // namespace bendlab

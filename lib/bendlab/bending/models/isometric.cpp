@@ -1,19 +1,19 @@
 // Quadratic bending of inextensible sheets.
 #include <Eigen/Geometry>
 
+#include "bendlab/bending/models.hpp"
 #include "bendlab/bending/rest_hinges.hpp"
 #include "bendlab/parameters/names.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array parameters = {
-    Parameter{.name = "constraint",
-              .type = ParameterType::text,
-              .default_value = "norm",
-              .meaning = "C = |Kx|, whose XPBD energy is Bergou's; or C = ½ xᵀQx, Bergou's energy itself as "
-                         "libraries ship it, whose XPBD energy is quartic in the angle",
-              .choices = QuadraticBend::law_names},
+constexpr std::array fields = {
+    field<&Isometric::constraint>(
+        {.name = "constraint",
+         .meaning = "C = |Kx|, whose XPBD energy is Bergou's; or C = ½ xᵀQx, Bergou's energy itself as "
+                    "libraries ship it, whose XPBD energy is quartic in the angle",
+         .choices = QuadraticBend::law_names}),
 };
 
 double cotangent(const Vector3& a, const Vector3& b) {
@@ -28,10 +28,10 @@ std::array<double, 4> weights_of(const RestHinge& h) {
   return {c03 + c04, c01 + c02, -c01 - c03, -c02 - c04};
 }
 
-BendingConstraints build(const BendingInput& input) {
+BendingConstraints build(const Isometric& settings, const BendingInput& input) {
   BendingConstraints constraints;
   auto& list = std::get<ElementList<QuadraticBend>>(constraints.elements);
-  list.law = named<QuadraticBend::Law>(input.parameters.text("constraint"), QuadraticBend::law_names);
+  list.law = settings.constraint;
   const bool norm = list.law == QuadraticBend::Law::norm;
   for (const RestHinge& h : rest_hinges(input.rest, input.pins)) {
     const std::array<double, 4> k = weights_of(h);
@@ -50,8 +50,7 @@ BendingConstraints build(const BendingInput& input) {
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel isometric{
+constinit const BendingKind Isometric::kind{
     .name = "isometric",
     .label = "isometric",
     .summary = "quadratic bending energy with the cotangents of the rest shape, over every interior edge",
@@ -62,9 +61,8 @@ extern constinit const BendingModel isometric{
         "little it has 0.75 of the stated rigidity on alternating diagonals and 0.93 on irregular meshes, "
         "see /bending/deflection",
     .compliance = "1 / k of the energy ½ k xᵀQx, k in N m; flexural rigidity 3 k on equilateral triangles",
-    .parameters = parameters,
+    .settings = table_of<Isometric>(fields),
     .softness_needs_compliance = true,
-    .build = build,
+    .build = erased<build>,
 };
-}  // namespace models
 }  // namespace bendlab

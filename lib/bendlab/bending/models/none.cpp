@@ -1,19 +1,20 @@
 // No bending: the control.
-#include "bendlab/bending/model.hpp"
+#include "bendlab/bending/models.hpp"
 
-namespace bendlab::models {
+namespace bendlab {
 
-extern constinit const BendingModel none{
+constinit const BendingKind None::kind{
     .name = "none",
     .label = "no bending",
     .summary = "no bending constraints; the control beside every other model",
     .source = "control",
     .limits = "resists no bending, but for what the membrane resists by itself on some meshes",
     .compliance = "no constraints",
-    .parameters = {},
+    .settings = table_of<None>({}),
+    .bends = false,
     .springs_only = true,
-    .build = [](const BendingInput&) { return BendingConstraints{}; },
-    .expect = [](const ExpectedMesh&, const ParameterValues&) { return ExpectedConstraints{}; },
+    .build = [](const void*, const BendingInput&) { return BendingConstraints{}; },
+    .expect = [](const void*, const ExpectedMesh&) { return ExpectedConstraints{}; },
 };
 
-}  // namespace bendlab::models
+}  // namespace bendlab

@@ -1,19 +1,22 @@
 // The paper's level-of-detail ring, thinned to a few evenly spread springs per vertex.
-#include "bendlab/bending/thinned_rings.hpp"
+#include "bendlab/bending/models.hpp"
 
 namespace bendlab {
 namespace {
 
 // Bent to the curvature κ, a span of length l shortens by δ = l³ κ² / 24. If all springs have the same energy
 // ½ δ² / α, the sheet is equally stiff in all directions.
-BendingConstraints build(const BendingInput& input) {
-  return thinned_rings(input, 6);
+BendingConstraints build(const SparseLod& settings, const BendingInput& input) {
+  return thinned_rings(settings, input, 6);
+}
+
+ExpectedConstraints expect(const SparseLod& settings, const ExpectedMesh& mesh) {
+  return expected_thinned_rings(settings, mesh);
 }
 
 }  // namespace
 
-namespace models {
-extern constinit const BendingModel sparse_lod{
+constinit const BendingKind SparseLod::kind{
     .name = "sparse_lod",
     .label = "sparse LOD",
     .summary =
@@ -25,11 +28,10 @@ extern constinit const BendingModel sparse_lod{
         "than t edges can escape the long springs; with k all springs are alike and short ones bend less",
     .compliance =
         "1 / k of a spring as long as t mean edges, k in N/m; others so that all resist bending alike",
-    .parameters = thinned_ring_parameters,
+    .settings = table_of<SparseLod>(thinned_ring_fields<SparseLod>),
     .springs_only = true,
     .softness_needs_compliance = true,
-    .build = build,
-    .expect = expected_thinned_rings,
+    .build = erased<build>,
+    .expect = erased<expect>,
 };
-}  // namespace models
 }  // namespace bendlab

@@ -38,7 +38,7 @@
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
-#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/supernodal_solver.hpp"
 #include "bendlab/solver/time_step.hpp"
 
@@ -60,9 +60,9 @@ constexpr double longest_move = 0.2;            // of the cloth's size, per step
 constexpr double crept = 1e-4;  // of the cloth's size: steps this short do not lead away from a saddle
 constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
 
-class Equilibrium final : public TimeStep<double> {
+class EquilibriumSearch final : public TimeStep<double> {
  public:
-  Equilibrium(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
+  EquilibriumSearch(const SimulationInput& input, std::vector<Pass<double>> effect_passes)
       : TimeStep<double>(input, {}),
         system_(input),
         positions_(input.positions),
@@ -119,10 +119,10 @@ class Equilibrium final : public TimeStep<double> {
       plan_.push_back(
           {[this, action](PassContext<double>& c) { (this->*action)(c.substep); }, add_statistics(name)});
     };
-    add("gradient", &Equilibrium::find_gradient);
-    add("Hessian", &Equilibrium::assemble);
-    add("factorise", &Equilibrium::factorise);
-    add("move", &Equilibrium::move);
+    add("gradient", &EquilibriumSearch::find_gradient);
+    add("Hessian", &EquilibriumSearch::assemble);
+    add("factorise", &EquilibriumSearch::factorise);
+    add("move", &EquilibriumSearch::move);
   }
 
   void find_gradient(double h) {
@@ -257,13 +257,12 @@ class Equilibrium final : public TimeStep<double> {
 };
 
 std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
-  return std::make_unique<Equilibrium>(input, std::move(effect_passes));
+  return std::make_unique<EquilibriumSearch>(input, std::move(effect_passes));
 }
 
 }  // namespace
 
-namespace method {
-extern constinit const Method equilibrium{
+constinit const MethodKind Equilibrium::kind{
     .name = "equilibrium",
     .summary =
         "the static equilibrium of loads and elastic energies by Newton's method; a step of it takes dt, and "
@@ -274,6 +273,7 @@ extern constinit const Method equilibrium{
     .limits =
         "of energies only: every stiffness is a compliance above 0; in double precision; has no motion; "
         "takes no effects that act among projections; of several equilibria it finds one",
+    .settings = table_of<Equilibrium>({}),
     .passes = own_passes,
     .factorised = Factorised::blocks,
     .needs_compliance = "k has no energy and so no equilibrium",
@@ -281,5 +281,4 @@ extern constinit const Method equilibrium{
     .mesh_order = true,
     .make_double = make,
 };
-}  // namespace method
 }  // namespace bendlab

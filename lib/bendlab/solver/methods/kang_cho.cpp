@@ -37,12 +37,11 @@
 #include <array>
 #include <stdexcept>
 
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/kang_cho_kernel.hpp"
 #include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
-#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -51,14 +50,7 @@ namespace {
 // About 10 µs of springs: for less, a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 8192;
 
-constexpr std::array<std::string_view, 2> shared = {"substeps", "precision"};
-
-// The part of a spring's tangent that is implicit.
-enum class Tangent {
-  along,      // k along the spring, nothing across it: J = k d dᵀ / |d|², as in the source
-  taut,       // also k (1 - L / |d|) across a spring that is longer than L
-  isotropic,  // k in every direction: J = k 1
-};
+using Tangent = KangCho::Tangent;
 constexpr std::array<std::string_view, 3> tangent_names = {"along", "taut", "isotropic"};
 
 constexpr std::array own_passes = {
@@ -70,12 +62,12 @@ constexpr std::array own_passes = {
 };
 
 // clang-format off
-constexpr std::array parameters = {
-    Parameter{.name = "tangent", .type = ParameterType::text, .unit = "", .default_value = "along",
+constexpr std::array fields = {
+    field<&KangCho::tangent>({.name = "tangent",
               .meaning = "kang_cho: which stiffness of a spring is implicit. along: k along the spring, as "
                          "in the source; taut: also k (1 - L/l) across a spring stretched from L to l; "
                          "isotropic: k in every direction",
-              .choices = tangent_names},
+              .choices = tangent_names}),
 };
 // clang-format on
 
@@ -95,7 +87,7 @@ class KangChoStep final : public TimeStep<Real> {
       : Base(input, input.permutation),
         orders_(input),
         spring_count_(input.edges.size() + input.distance.size()),
-        across_(across_tangent<Real>(named<Tangent>(own_settings(input).text("tangent"), tangent_names))) {
+        across_(across_tangent<Real>(settings_of<KangCho>(input).tangent)) {
     check(input, effect_passes);
     fill_springs(input);
     compile_plan(std::move(effect_passes));
@@ -225,8 +217,7 @@ std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<
 
 }  // namespace
 
-namespace method {
-extern constinit const Method kang_cho{
+constinit const MethodKind KangCho::kind{
     .name = "kang_cho",
     .summary = "an approximate implicit step of masses and springs, the membrane a spring along every edge",
     .source = "Kang and Cho 2002; other tangents are ours",
@@ -234,8 +225,7 @@ extern constinit const Method kang_cho{
         "springs alone, of known stiffness: takes bending models made of springs and no form, warp, weft, "
         "shear or area of strain; gains mass, so that long steps fall too slowly; keeps neither momentum nor "
         "energy; takes no effects that act among projections",
-    .parameters = parameters,
-    .shared = shared,
+    .settings = table_of<KangCho>(fields),
     .passes = own_passes,
     .membrane = Membrane::edges,
     .springs_only = true,
@@ -244,5 +234,4 @@ extern constinit const Method kang_cho{
     .make_float = make<float>,
     .make_double = make<double>,
 };
-}  // namespace method
 }  // namespace bendlab

@@ -44,15 +44,13 @@
 #include "bendlab/solver/coarse_levels.hpp"
 #include "bendlab/solver/force_steps.hpp"
 #include "bendlab/solver/memory.hpp"
-#include "bendlab/solver/method.hpp"
+#include "bendlab/solver/methods.hpp"
+#include "bendlab/solver/order_from_pins.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
 namespace {
-
-constexpr std::array<std::string_view, 6> shared = {"substeps", "iterations", "sweep",
-                                                    "order",    "first",      "precision"};
 
 constexpr std::array own_passes = {
     MethodPass{"predict", "x += h v"},
@@ -62,22 +60,41 @@ constexpr std::array own_passes = {
 };
 
 // clang-format off
-constexpr std::array parameters = {
-    Parameter{.name = "flight_limit", .type = ParameterType::number, .unit = "1", .default_value = 0.0,
+constexpr std::array<std::string_view, 2> sweep_names = {"forward", "symmetric"};
+constexpr std::array<std::string_view, 3> order_names = {"colour", "mesh", "pins"};
+constexpr std::array<std::string_view, 2> first_names = {"strain", "bending"};
+
+constexpr std::array fields = {
+    field<&Pbd::sweep>({.name = "sweep",
+        .meaning = "Order within an iteration. forward: from the first constraint to the last; symmetric: "
+                   "forward, then backward, which avoids jitter at small time steps and takes twice as many "
+                   "projections",
+        .choices = sweep_names}),
+    field<&Pbd::order>({.name = "order",
+        .meaning = "colour: in groups, in which no two constraints share a vertex; mesh: one after another, "
+                   "as the model lists them; pins: one after another, those nearest to a pinned vertex first",
+        .choices = order_names}),
+    field<&Pbd::first>({.name = "first",
+        .meaning = "Which constraints are projected first in an iteration", .choices = first_names}),
+    field<&Pbd::flight_limit>({.name = "flight_limit", .unit = "1",
               .meaning = "Largest change of a triangle's deformation gradient by the forces of a substep, "
                          "before anything is projected; where forces do more, at pins for example, the "
                          "substep is cut into equal parts, at most 1000. 0: none is cut. Gravity changes it "
                          "by g h² / a in a pinned row of triangles of height a: 0.17 for 64 cells a metre "
                          "and 1/60 s",
-              .minimum = 0},
-    Parameter{.name = "levels", .type = ParameterType::integer, .unit = "", .default_value = 0,
+              .minimum = 0}),
+    field<&Pbd::levels>({.name = "levels",
               .meaning = "Most coarse levels before the constraints of each iteration: spans between "
                          "ever fewer vertices that are slack up to their length along the cloth at rest. "
                          "The cloth stretches less for few substeps; 12: as many as the mesh has. 0: none, "
                          "as where there are as many substeps as edges across the cloth",
-              .minimum = 0, .maximum = 12},
+              .minimum = 0, .maximum = 12}),
 };
 // clang-format on
+
+int sweeps_per_iteration(const Pbd& settings) {
+  return settings.sweep == Sweep::symmetric ? 2 : 1;
+}
 
 // For ranges with less work than this (about 10 µs of projections) a second thread is not worthwhile.
 constexpr std::size_t worthwhile_lanes = 2048;
@@ -145,7 +162,7 @@ class PbdStep final : public TimeStep<Real> {
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.permutation),
-        force_step_limit_(own_settings(input).number("flight_limit")),
+        pbd_(settings_of<Pbd>(input)),
         on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
       predicted_.resize(state_.position.size());
@@ -155,10 +172,10 @@ class PbdStep final : public TimeStep<Real> {
         if (state_.position[v].w == 0) pinned_.push_back(v);
       put_.resize(pinned_.size());
     }
-    constraints_ = ordered_constraints<Real>(input, this->rest_points(), &tiles_);
-    if (const auto most = static_cast<int>(own_settings(input).integer("levels"));
-        most > 0 && levels_are_worthwhile(input))
-      levels_.emplace(input, most);
+    constraints_ = ordered_constraints<Real>(
+        input, this->rest_points(),
+        {.order = pbd_.order, .projections = bendlab::projections_per_substep(input), .tiles = &tiles_});
+    if (const auto most = pbd_.levels; most > 0 && levels_are_worthwhile(input)) levels_.emplace(input, most);
     compile_plan(std::move(effect_passes));
   }
 
@@ -205,7 +222,7 @@ class PbdStep final : public TimeStep<Real> {
  private:
   void substep(PassContext<Real>& context) override {
     const Real whole = context.substep;
-    const int steps = force_step_limit_ > 0 ? needed_force_steps(context) : 1;
+    const int steps = pbd_.flight_limit > 0 ? needed_force_steps(context) : 1;
     context.substep = whole / static_cast<Real>(steps);
     last_substep_ = static_cast<double>(context.substep);
     for (int step = 0; step < steps; ++step) {
@@ -214,7 +231,7 @@ class PbdStep final : public TimeStep<Real> {
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
         run(before_sweep_, context);
         run(forward_, context);
-        if (settings_.sweep == Sweep::symmetric) run(backward_, context);
+        if (pbd_.sweep == Sweep::symmetric) run(backward_, context);
       }
       run(after_, context);
       context.time += static_cast<double>(context.substep);
@@ -233,11 +250,13 @@ class PbdStep final : public TimeStep<Real> {
         largest_gained_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
     std::swap(state_.velocity, before_forces_);
     state_.velocity_remainder = remainder;
-    return force_steps(gained * context.substep, force_step_limit_);
+    return force_steps(gained * context.substep, pbd_.flight_limit);
   }
 
   std::uint64_t projections_per_substep() const override {
-    return static_cast<std::uint64_t>(settings_.projections_per_substep()) * constraint_count();
+    return static_cast<std::uint64_t>(
+               static_cast<std::uint64_t>(settings_.iterations * sweeps_per_iteration(pbd_))) *
+           constraint_count();
   }
 
   std::size_t constraint_count() const {
@@ -273,7 +292,7 @@ class PbdStep final : public TimeStep<Real> {
       before_sweep_.push_back(
           {[this](PassContext<Real>& c) { levels_->correct(places(), c.substep, workers_); },
            add_statistics("levels")});
-    const bool strain_first = settings_.first == FirstConstraint::strain;
+    const bool strain_first = pbd_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     add_projection(constraints_.distance, tiles_.distance, "bending");
     for_each_kind(constraints_.elements, [&]<class Kind>(ElementBatch<Real, Kind>& batch) {
@@ -430,7 +449,7 @@ class PbdStep final : public TimeStep<Real> {
 
   // 1, the setting flight_limit: the forces of a substep may change a deformation gradient by no more, see
   // force_steps.hpp. 0: no limit.
-  double force_step_limit_;
+  Pbd pbd_;
   // Single precision: whether projections change moves that are kept apart from positions (see Places), or
   // whole positions.
   bool on_moves_;
@@ -452,10 +471,98 @@ std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<
   return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
 }
 
+bool carries_stretch(const Pbd& settings) {
+  return settings.levels > 0;
+}
+
+void sort(const Pbd& settings, SimulationInput& input, const RestMesh& rest) {
+  if (settings.order == ConstraintOrder::pins) order_from_pins(input, rest);
+}
+
+// ---- what helps a run that failed
+
+// The trials: scenes that broke a bound, each with one thing changed. Numbers are the worst stretch of any
+// triangle in any frame of 2 s. A sheet of 1 m under gravity, steps of 1/60 s × 10 iterations, normalised
+// form, single precision, k = 0.5, unless it says otherwise.
+//
+//   a  crossover, 64 cells, one corner's vertex pinned (the paper's)
+//   b  none, 32 cells, pinned as a
+//   c  k_ring, 64 cells, pinned as a
+//   d  adaptive, 32 cells, pinned as a, steps of 1/15 s
+//   h  crossover, k = 1, 16 cells, two corners, 1 s a step
+//   i  none, 48 cells alternating, hung from its top at 90 degrees, 0.05 m/s sideways, order: mesh
+//
+//   changed                        a      b      c      d      h      i      time
+//   nothing                      390   1132     40    120    494   1426      1
+//   tethers                      1.5    1.5    1.5    1.4    2.8      -      1.0 to 1.15
+//   4 substeps × 10               13    2.6    4.0    5.8     28    1.1      4
+//   10 substeps × 10             1.9    1.3    1.5    1.8    6.5      -      10
+//   10 substeps × 1               16   1233    6.0    9.4    507      -      1.2
+//   10 × 1, tethers, angle       1.7    1.3    1.5    1.6    2.9      -      1.1 to 1.6
+//   40 iterations                 78     11     11     19     98      -      4
+//   dt / 4                        13    2.6    4.0    5.8     84      -      4
+//   form: angle                   76     18     41     63    466    3.9      1.0
+//   flight_limit 0.25            390   1132     40    9.6    2.1      -      1, but d 3 and h 10
+//   the other precision          381   1099     40    183    491      -      1.5
+//   k / 10                       973      -    864    915   1680      -      1.0
+//   order: pins                  130    482     51    173    444      -      15 to 25
+//   sweep: symmetric             970   1192   1063    657   1008      -      1.9
+//   pins/ring 1                   37   1111     19     96      -      -      1.0
+//
+// Tethers repair what tears at a pin, at hardly any cost; substeps, each with all its iterations, repair it
+// at theirs. Changes in the table that the code below does not name did not help, or not in most scenes.
+// (All but i were run before single precision stored what a substep changes apart from positions.)
+//
+// Further trials. A free sheet stretched 100 times both ways (dihedral, k = 1, 16 cells, no gravity) ends
+// with a mean strain of 1260; form: angle ends with 0.04, k = 0.1 with 0.12, isometric with 0.05, 10
+// substeps × 10 with 1260, the other precision with 1240. prestressed with an excess of 1 and k = 1 (16
+// cells, one corner) ends with a mean strain of 1.3; k = 0.1 with 0.57, 10 substeps × 10 with 1.33,
+// isometric with 0.04.
+
+// Forward sweeps add energy in short substeps: a level sheet of 16 cells without pins and bending that fell
+// for 0.5 s in 1024 substeps × 1 had a mean strain of 4e-4 to 7e-4 and gained 1.3 to 7 times its energy
+// scale, in both precisions and forms; with symmetric sweeps 1e-7 and no energy. With 256 substeps neither
+// gained any.
+constexpr int many_substeps = 300;
+
+std::vector<std::string_view> remedies(const Pbd& settings, const FailedRun& run) {
+  const SolverSettings& steps = run.input.settings;
+  constexpr double long_step = 1.0 / 20;  // s: between d's and the others'
+  std::vector<std::string_view> texts;
+  if (run.fell_wrong) {
+    if (run.single_precision) texts.push_back("/solver/precision: auto or double");
+    return texts;
+  }
+  if (settings.sweep == Sweep::forward && steps.substeps >= many_substeps)
+    texts.push_back(
+        "/solver/sweep: symmetric (a free sheet with 1024 substeps gained no energy, instead of 1.3 to 7 "
+        "times its energy scale)");
+  if (run.is_prestressed)
+    texts.push_back(
+        "/bending/k: 0.1 (mean strain 0.57 instead of 1.3), or another /bending/model such as isometric "
+        "(0.04)");
+  if (run.is_pinned && !run.helps_projection)
+    texts.push_back(
+        "the effect tethers (triangles 1.5 instead of 40 to 1132 times as long as at rest, in about the same "
+        "time)");
+  if (settings.flight_limit == 0 && steps.dt / steps.substeps > long_step)
+    texts.push_back(
+        "/solver/flight_limit: 0.25 (triangles 9.6 instead of 120 times as long with steps of 1/15 s, 2.1 "
+        "instead of 494 with steps of 1 s)");
+  if (!run.is_pinned && run.input.strain_stiffness.form == StrainForm::normalised)
+    texts.push_back(
+        "/material/strain/form: angle (mean strain 0.04 instead of 1260, for a free sheet that starts "
+        "stretched)");
+  if (run.is_pinned && steps.substeps < 10)
+    texts.push_back(
+        "/solver/substeps: 10, each with as many /solver/iterations (triangles 1.3 to 1.9 instead of 40 to "
+        "1132 times as long, in ten times the time)");
+  return texts;
+}
+
 }  // namespace
 
-namespace method {
-extern constinit const Method pbd{
+constinit const MethodKind Pbd::kind{
     .name = "pbd",
     .summary =
         "position-based dynamics: predict, project every constraint several times, velocities from what "
@@ -464,16 +571,18 @@ extern constinit const Method pbd{
     .limits =
         "stiffness given as k depends on substeps and iterations, and a compliance is met only as far as the "
         "iterations converge; energy is not kept; forward sweeps gain some at short substeps",
-    .parameters = parameters,
-    .shared = shared,
+    .settings = table_of<Pbd>(fields),
     .passes = own_passes,
     .projects = true,
     .default_substeps = 8,
     .default_iterations = 1,
     .keeps_momentum = true,
     .keeps_moves_apart = true,
+    .sweeps_per_iteration = erased<sweeps_per_iteration>,
+    .carries_stretch = erased<carries_stretch>,
+    .remedies = erased<remedies>,
+    .sort = erased<sort>,
     .make_float = make<float>,
     .make_double = make<double>,
 };
-}  // namespace method
 }  // namespace bendlab

@@ -1,0 +1,191 @@
+#include "experiments/config/experiment.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "bendlab/parameters/input_file.hpp"
+#include "bendlab/scene/defaults.hpp"
+#include "bendlab/scene/pointers.hpp"
+#include "bendlab/scene/start_after.hpp"
+#include "experiments/config/config_tables.hpp"
+#include "experiments/config/expectations.hpp"
+#include "experiments/config/overrides.hpp"
+#include "experiments/config/references.hpp"
+#include "experiments/config/settings_by_pointer.hpp"
+#include "experiments/config/sweep.hpp"
+
+namespace bendlab {
+namespace {
+
+std::string read_file(const std::filesystem::path& file) try {
+  constexpr std::uint64_t most = 64 << 20;  // bytes: a million values of a sweep have 20 MB
+  return read_input_file(file, most);
+} catch (const std::runtime_error& error) {
+  throw ConfigError(file.string(), {{"", fmt::format("the file cannot be read: it {}", error.what())}});
+}
+
+// Takes `key` out of the document.
+Json take(Json& document, const std::string& key, Json if_absent) {
+  if (!document.contains(key)) return if_absent;
+  Json value = std::move(document[key]);
+  document.erase(key);
+  return value;
+}
+
+// The settings as they stand, but where an axis fills a gap: its own values are checked with the sweep.
+void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+  ConfigProblems found;
+  read_run(with_first_values(settings, axes), found);
+  const auto is_swept_gap = [&](const ConfigProblem& problem) {
+    return std::ranges::any_of(axes, [&](const Axis& axis) {
+      return lies_within(problem.pointer, axis.first) && value_at(settings, axis.first) == nullptr;
+    });
+  };
+  std::erase_if(found, is_swept_gap);
+  problems.insert(problems.begin(), found.begin(), found.end());
+}
+
+// An expectation that no run can meet checks nothing, which nobody would notice.
+void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
+  for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
+    if (std::ranges::none_of(experiment.runs, [&](const RunConfig& run) {
+          return matches(experiment.expectations[i], experiment, run);
+        }))
+      problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
+}
+
+// A reason for a setting that isn't there would mislead.
+void check_reasons(const Json& because, const Json& settings, ConfigProblems& problems) {
+  if (!because.is_object()) {
+    problems.push_back(
+        {"/because", "expected an object {\"/json/pointer\": text}, got " + given_text(because)});
+    return;
+  }
+  const std::vector<std::string> known = known_pointers(settings);
+  for (const auto& [pointer, reason] : because.items())
+    if (const std::string place = child_pointer("/because", pointer);
+        std::ranges::find(known, pointer) == known.end())
+      problems.push_back({place, unknown_pointer_text(pointer, known)});
+    else if (!reason.is_string() || reason.get_ref<const std::string&>().empty())
+      problems.push_back({place, "expected a text that gives the reason, got " + given_text(reason)});
+}
+
+// Before anything is computed; the first that is wrong, others most likely are for the same reason.
+void check_earlier_scenes(const std::vector<RunConfig>& runs, std::string_view source_name) {
+  for (const RunConfig& run : runs) try {
+      earlier_scene(run.scene());
+    } catch (const ConfigError& error) {
+      throw ConfigError(std::string(source_name), {{"/initial/after", error.what()}});
+    }
+}
+
+// The config's JSON with default effects and overrides in place; ConfigError where it is no JSON object at
+// all.
+Json read_document(std::string_view text, std::string_view source_name,
+                   std::span<const std::string> overrides, ConfigProblems& problems) {
+  std::optional<Json> document = read_strict_json(text, problems);
+  if (document && !document->is_object())
+    problems.push_back({"", "a config is a JSON object {\"name\": …, …}"});
+  if (!document || !document->is_object()) throw ConfigError(source_name, std::move(problems));
+  // Written out, so that overrides and axes can name their entries.
+  // Which effects they are an override may say.
+  if (!document->contains("effects")) {
+    Json chosen = *document;
+    ConfigProblems told_below;
+    apply_overrides(chosen, overrides, told_below);
+    if (value_at(chosen, "/sweep/~1defaults") == nullptr) (*document)["effects"] = default_effects(chosen);
+  }
+  apply_overrides(*document, overrides, problems);
+  return *std::move(document);
+}
+
+// `reading`: what was wrong in the text, or in the overrides that `settings` has.
+Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
+                          const std::filesystem::path& folder, std::span<const std::string> overrides) {
+  const Json schema = take(settings, "$schema", "");  // for editors
+  const Json sweep = take(settings, "sweep", Json::object());
+  const Json expect = take(settings, "expect", Json::array());
+  const Json because = take(settings, "because", Json::object());
+  const bool covered = settings.contains("cover");
+  const Json given_cover = take(settings, "cover", Json());
+
+  Experiment experiment;
+  ConfigProblems problems;
+  if (!schema.is_string()) problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
+  experiment.axes = read_axes(sweep, settings, covered, problems);
+  const std::size_t of_axes = problems.size();
+  experiment.expectations = read_expectations(expect, settings, problems);
+  check_reasons(because, settings, problems);
+  const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
+  ConfigProblems beside_axes;
+  if (!cover) check_settings(settings, experiment.axes, beside_axes);
+  beside_axes.insert(beside_axes.begin(), reading.begin(), reading.end());
+  problems.insert(problems.begin(), beside_axes.begin(), beside_axes.end());
+  const std::size_t before_runs = problems.size();
+  if (problems.empty())
+    experiment.runs =
+        cover ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, problems)
+              : expand_sweep(settings, folder, experiment.axes, problems);
+  // Where all runs are right, all values are. Where not, a value alone says more than its combinations.
+  if (!covered && !problems.empty()) {
+    ConfigProblems of_values;
+    check_values(settings, experiment.axes, of_values);
+    if (before_runs == 0 && !of_values.empty()) problems.clear();
+    const std::size_t place = before_runs == 0 ? 0 : beside_axes.size() + of_axes;
+    problems.insert(problems.begin() + static_cast<std::ptrdiff_t>(place), of_values.begin(),
+                    of_values.end());
+  }
+  // What no combination mends is wrong beside the sweep; without an axis there is nothing else to be wrong.
+  if (cover && experiment.runs.empty()) {
+    ConfigProblems beside;
+    check_settings(settings, experiment.axes, beside);
+    if (!beside.empty()) problems.resize(before_runs);
+    problems.insert(problems.end(), beside.begin(), beside.end());
+  }
+  experiment.settings = std::move(settings);
+  // With overrides the sweep may be a part of the one that the expectations were written for.
+  if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
+  if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
+
+  experiment.name = experiment.settings["name"];
+  experiment.description = experiment.settings.value("description", "");
+  if (const Json* allow = value_at(experiment.settings, "/allow"); allow != nullptr && allow->is_array())
+    experiment.allow = *allow;
+  check_earlier_scenes(experiment.runs, source_name);
+  check_references(experiment.runs, source_name);
+  return experiment;
+}
+
+Experiment parse(std::string_view text, std::string_view source_name, const std::filesystem::path& source,
+                 std::span<const std::string> overrides) {
+  ConfigProblems problems;
+  Json settings = read_document(text, source_name, overrides, problems);
+  Experiment experiment =
+      parse_document(std::move(settings), std::move(problems), source_name, source.parent_path(), overrides);
+  experiment.source = source;
+  experiment.overrides.assign(overrides.begin(), overrides.end());
+  return experiment;
+}
+
+}  // namespace
+
+bool Experiment::allows(RunStatus status) const {
+  return std::ranges::find(allow, to_string(status)) != allow.end();
+}
+
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides) {
+  return parse(read_file(file), file.string(), file, overrides);
+}
+
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides) {
+  return parse(text, source_name, {}, overrides);
+}
+
+Experiment parse_config(std::string_view text, const std::filesystem::path& source,
+                        std::span<const std::string> overrides) {
+  return parse(text, source.string(), source, overrides);
+}
+
+}  // namespace bendlab

@@ -1,0 +1,67 @@
+// A config: strict JSON read against the tables of settings, defaults filled in, sweeps expanded.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "bendlab/io/run_file.hpp"
+#include "bendlab/scene/strict_json.hpp"
+#include "experiments/config/run_config.hpp"
+
+namespace bendlab {
+
+/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
+struct Expectation {
+  std::string metric;
+  std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
+  std::string why;
+  /// {json pointer: value}: only runs whose config has these values; empty: all.
+  Json where = Json::object();
+};
+
+/// A swept pointer and its values, normalised.
+using Axis = std::pair<std::string, std::vector<Json>>;
+
+/// How much of a sweep a covering array has.
+struct Covered {
+  int strength = 0;  ///< every combination of values of this many axes is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< how many such combinations there are
+  std::size_t missing = 0;           ///< how many of them are in no run
+  std::vector<std::string> refused;  ///< the missing ones, as "/a = 1, /b = 2"
+};
+
+struct Experiment {
+  std::string name, description;
+  std::filesystem::path source;  ///< the config's file, empty if it came from text
+  /// The sweep expanded in order, last axis fastest, or covered; equal points appear once.
+  std::vector<RunConfig> runs;
+  std::vector<Axis> axes;  ///< the sweep
+  Covered cover;
+  std::vector<Expectation> expectations;
+  /// Statuses that do not make the exit code a failure. They do not change what a run is.
+  std::vector<std::string> allow;
+  Json settings;  ///< as written, with overrides, without `sweep` and `expect`
+  std::vector<std::string> overrides;
+
+  bool allows(RunStatus status) const;
+};
+
+/// Reads, checks and expands. `overrides` are "/json/pointer=value" texts (value as JSON, else as plain
+/// text); on a swept pointer an override replaces that axis. Throws ConfigError with every problem found; a
+/// file that cannot be read is one too.
+Experiment load_experiment(const std::filesystem::path& file, std::span<const std::string> overrides = {});
+
+/// The same from text; a mesh file is then relative to the working directory.
+Experiment parse_experiment(std::string_view text, std::string_view source_name,
+                            std::span<const std::string> overrides = {});
+
+/// The same from the text that a config's file had; a mesh file is relative to that file's folder.
+Experiment parse_config(std::string_view text, const std::filesystem::path& source,
+                        std::span<const std::string> overrides = {});
+
+}  // namespace bendlab

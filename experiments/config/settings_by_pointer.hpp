@@ -1,0 +1,26 @@
+// Which JSON pointers name a setting of a config.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "bendlab/parameters/field.hpp"
+#include "bendlab/scene/pointers.hpp"
+
+namespace bendlab {
+
+/// Every pointer that a sweep may vary: settings, whole sections, `/effects`, its entries and their settings.
+std::vector<std::string> known_pointers(const Json& settings);
+
+/// The row of the setting at `pointer`, or nullptr if it is no setting. `settings` says of which type an
+/// effect is.
+const Field* find_setting(const Json& settings, std::string_view pointer);
+
+/// "there is no setting '/mesh/cels'; did you mean …?"
+std::string unknown_pointer_text(std::string_view pointer, const std::vector<std::string>& known);
+
+/// "; did you mean '/solver/dt'?" if a pointer in `known` ends in the same key, else "".
+std::string same_key_suggestion(std::string_view key, const std::vector<std::string>& known);
+
+}  // namespace bendlab

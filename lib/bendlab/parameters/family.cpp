@@ -1,0 +1,32 @@
+#include "bendlab/parameters/family.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace bendlab::detail {
+
+void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken,
+                    bool too_late) {
+  const auto allowed = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  if (name.empty() || !std::ranges::all_of(name, allowed))
+    throw std::invalid_argument(
+        fmt::format("the {} '{}' cannot be registered: a name holds letters (a-z, A-Z), digits, '_' and '-' "
+                    "only, and at least one of them",
+                    family, name));
+  if (std::ranges::find(taken, name) != taken.end())
+    throw std::invalid_argument(fmt::format(
+        "the {} '{}' cannot be registered: there is one of that name; choose another name than {}", family,
+        name, fmt::join(taken, ", ")));
+  if (too_late)
+    throw std::logic_error(
+        fmt::format("the {} '{}' is registered too late: a config or the list of all was read without it; "
+                    "register it at the start of main()",
+                    family, name));
+}
+
+}  // namespace bendlab::detail

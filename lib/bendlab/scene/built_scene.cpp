@@ -1,0 +1,395 @@
+#include "bendlab/scene/built_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "bendlab/bending/calibration.hpp"
+#include "bendlab/bending/push_bound.hpp"
+#include "bendlab/constraints/build.hpp"
+#include "bendlab/effects/effect.hpp"
+#include "bendlab/mesh/delaunay.hpp"
+#include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/flaws.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/numbering.hpp"
+#include "bendlab/mesh/refined.hpp"
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/gravity.hpp"
+#include "bendlab/scene/initial_pose.hpp"
+#include "bendlab/scene/membrane.hpp"
+#include "bendlab/scene/rules.hpp"
+#include "bendlab/solver/method.hpp"
+
+namespace bendlab {
+namespace {
+
+// As many as make the cells of a grid squares; more than a mesh may have are as many as an int holds.
+int rows_of_squares(double width, double height, int cells) {
+  constexpr double most = std::numeric_limits<int>::max();
+  return static_cast<int>(std::clamp(std::round(cells * height / width), 1.0, most));
+}
+
+TriangleMesh generate(const Mesh& mesh) {
+  switch (mesh.generator) {
+    case Generator::grid:
+      return grid(mesh.width, mesh.height, mesh.cells, rows_of_squares(mesh.width, mesh.height, mesh.cells),
+                  mesh.diagonal);
+    case Generator::equilateral:
+      return equilateral(mesh.width, mesh.height, mesh.cells, mesh.rows.value_or(Rows::parallel));
+    case Generator::delaunay:
+      return delaunay(mesh.width, mesh.height, mesh.cells, mesh.seed);
+    case Generator::disc:
+      return disc(mesh.radius, mesh.cells);
+    case Generator::tube:
+      return tube(mesh.radius, mesh.radius_top.value_or(mesh.radius), mesh.height, mesh.cells);
+    case Generator::sphere:
+      return sphere(mesh.radius, mesh.cells);
+  }
+  throw std::logic_error("generate: unknown generator");
+}
+
+// A cone whose tip is far smaller than its base, for example, has triangles that count as having no area.
+void require_areas(const TriangleMesh& mesh) {
+  const std::vector<char> without = triangles_without_area(mesh);
+  if (const auto count = std::ranges::count_if(without, [](char each) { return each != 0; }); count > 0)
+    throw std::invalid_argument(fmt::format(
+        "with these lengths {} of {} triangles have no area (they are thinner than {:.0e} of the mesh); "
+        "choose lengths that differ less",
+        count, without.size(), zero_area_thickness));
+}
+
+// A generated mesh is sound unless /mesh/flaw puts a defect into it.
+AcceptedMesh generated_mesh(const Mesh& mesh) {
+  TriangleMesh generated;
+  try {
+    generated = generate(mesh);
+    if (mesh.shuffle) generated = shuffled(generated, *mesh.shuffle);
+    require_areas(generated);
+  } catch (const std::invalid_argument& error) {  // settings that are fine one by one but not together
+    throw ConfigError("mesh generator", {{"/mesh", error.what()}});
+  }
+  if (mesh.flaw == "none") return {.mesh = std::move(generated)};
+  try {
+    return accept(to_soup(with_flaw(std::move(generated), mesh.flaw)), mesh.bad_triangles);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(fmt::format("mesh with the flaw {}: {}", mesh.flaw, error.what()));
+  }
+}
+
+AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles policy) {
+  try {
+    return read_mesh(file, policy);
+  } catch (const MeshFileError& error) {
+    if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+    throw;
+  }
+}
+
+// Names take z for up in a sheet that stands; in a plane x = const gravity may say that it is y.
+void require_up(const RestMesh& rest, const std::vector<Place>& names, const Vector3& down) {
+  const NamedAxes axes = named_axes(rest);
+  if (names.empty() || axes.front != 0 || std::abs(down.z()) >= std::abs(down.y())) return;
+  throw ConfigError(
+      "/pins/vertices",
+      {{"/pins/vertices",
+        fmt::format("'{}' is not known of this sheet: it stands in a plane x = const, where names take z for "
+                    "up, but gravity pulls along y. Turn the mesh so that it lies in the x-y plane or that z "
+                    "is up, or pin by /pins/indices, with \"vertices\": []",
+                    name_in(place_names, names.front()))}});
+}
+
+// The mesh refined and jittered, as far as the config asks for it.
+TriangleMesh altered(TriangleMesh mesh, const Mesh& settings) {
+  const char* setting = "/mesh/refine";
+  try {
+    if (settings.refine) mesh = refined(mesh, *settings.refine);
+    setting = "/mesh/jitter";
+    if (settings.jitter) mesh = jittered(mesh, *settings.jitter, settings.seed);
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(setting, {{setting, error.what()}});
+  }
+  return mesh;
+}
+
+Pins pins_of(const Scene& scene, const RestMesh& rest, const std::vector<std::string>& mesh_notes,
+             bool renumbered, const Vector3& down) {
+  const Pinning& pinning = scene.pins;
+  require_up(rest, pinning.vertices, down);
+  if (renumbered && !pinning.indices.empty())
+    throw MeshError(fmt::format(
+        "{}: {}; /pins/indices would then mean other vertices than in the original mesh. Repair the file "
+        "itself, or pin by name with /pins/vertices",
+        scene.mesh.file ? (scene.folder / *scene.mesh.file).string() : "mesh", fmt::join(mesh_notes, "; ")));
+  std::vector<int> seeds;
+  for (const Place place : pinning.vertices) try {
+      for (const int vertex : select_vertices(rest, place)) seeds.push_back(vertex);
+    } catch (const std::invalid_argument& error) {  // a name that this mesh has no place for
+      throw ConfigError("/pins/vertices", {{"/pins/vertices", error.what()}});
+    }
+  for (const int index : pinning.indices) {
+    if (index >= rest.vertex_count())
+      throw ConfigError("/pins/indices",
+                        {{"/pins/indices", fmt::format("vertex {} is not in the mesh, which has vertices "
+                                                       "0 to {}",
+                                                       index, rest.vertex_count() - 1)}});
+    seeds.push_back(index);
+  }
+  return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
+}
+
+// Areas and their inverses have to stay within single precision. An offset rounds coordinates, by less than
+// the height of a triangle that counts as one without area.
+void require_numbers_hold(const TriangleMesh& mesh, bool has_offset) {
+  constexpr double smallest = 1e-18, largest = 1e18, epsilon = std::numeric_limits<double>::epsilon();
+  const double size = (mesh.positions.colwise().maxCoeff() - mesh.positions.colwise().minCoeff()).norm(),
+               farthest = mesh.positions.cwiseAbs().maxCoeff();
+  if (!(size >= smallest && size <= largest))
+    throw MeshError(
+        fmt::format("mesh: can't be simulated: it is {:.3g} m large, and the numbers of a simulation hold "
+                    "sizes from {} to {} m; check its extent and /mesh/scale",
+                    size, smallest, largest));
+  if (has_offset && !(farthest * epsilon <= zero_area_thickness * size))
+    throw MeshError(
+        fmt::format("mesh: can't be simulated: {:.3g} m from the origin coordinates are rounded to {:.2g} m, "
+                    "too coarse for a mesh of {:.3g} m; choose a smaller /mesh/offset",
+                    farthest, farthest * epsilon, size));
+}
+
+// A physical stiffness is one compliance for all triangles, or each constraint's own.
+StiffnessKind kind_of(Stiffness stiffness) {
+  return stiffness == Stiffness::physical ? StiffnessKind::compliance : static_cast<StiffnessKind>(stiffness);
+}
+
+StrainStiffness strain_stiffness(const Strain& strain) {
+  return {.form = strain.form,
+          .kind = kind_of(strain.stiffness),
+          .warp = strain.warp,
+          .weft = strain.weft,
+          .shear = strain.shear,
+          .area = strain.area,
+          .compliance =
+              strain.stiffness == Stiffness::physical ? 1 / strain.membrane_stiffness : strain.compliance};
+}
+
+// A physical stiffness is in each constraint's own softness, at a compliance of 1.
+BendingStiffness bending_stiffness(const Bending& bending) {
+  return {.kind = kind_of(bending.stiffness),
+          .k = bending.k,
+          .compliance = bending.stiffness == Stiffness::physical ? 1 : bending.compliance};
+}
+
+// The model's constraints, calibrated if a physical stiffness is stated.
+BendingConstraints bending_constraints(const Bending& bending, const RestMesh& rest, const Pins& pins) {
+  BendingConstraints constraints = constraints_of(bending.model, {rest, pins});
+  if (bending.stiffness != Stiffness::physical) {
+    const bool by_k = bending.stiffness != Stiffness::compliance;
+    if (const auto why = unknown_to_k(bending.model.kind(), constraints); by_k && why)
+      throw ConfigError("bending stiffness", {{"/bending/stiffness", *why}});
+    return constraints;
+  }
+  const BendingKind& model = bending.model.kind();
+  const bool at_curvature = model.springs_only && !model.prestressed;
+  try {
+    calibrate(constraints, rest, pins,
+              {bending.flexural_rigidity, bending.quartic_coefficient,
+               at_curvature ? bending.at_curvature : std::nullopt,
+               model.springs_only ? Deflection::large : bending.deflection});
+  } catch (const std::invalid_argument& error) {  // a target that does not suit this mesh or this model
+    throw ConfigError("physical stiffness", {{"/bending/stiffness", error.what()}});
+  }
+  return constraints;
+}
+
+// Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
+std::vector<double> masses_of(const Material& material, const RestMesh& rest) {
+  const double density = material.density, ratio = material.density_ratio;
+  std::vector<double> mass = lumped_masses(rest, density);
+  for (int t = 0; ratio != 1 && t < rest.triangle_count(); ++t) {
+    const auto corner = rest.triangles().row(t);
+    const double x = (rest.position(corner(0)) + rest.position(corner(1)) + rest.position(corner(2))).x() / 3;
+    if (x <= rest.centre().x()) continue;
+    for (const int v : corner)
+      mass[static_cast<std::size_t>(v)] +=
+          (ratio - 1) * density * rest.areas()[static_cast<std::size_t>(t)] / 3;
+  }
+  return mass;
+}
+
+std::vector<InverseRest> material_coordinates(const Material& material, const TriangleMesh& mesh,
+                                              const std::vector<std::string>& mesh_notes) {
+  if (material.coordinates == MaterialCoordinates::warp)
+    return inverse_rest_from_warp(mesh, material.warp_direction);
+  try {
+    return inverse_rest_from_texture(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(fmt::format("/material/coordinates: {}{}", error.what(),
+                                mesh_notes.empty() ? "" : fmt::format(" ({})", fmt::join(mesh_notes, "; "))));
+  }
+}
+
+int count_beyond_ring_1(const RestMesh& rest, const DistanceConstraints& springs) {
+  return static_cast<int>(
+      std::count_if(springs.vertices.begin(), springs.vertices.end(), [&](const auto& pair) {
+        const auto ring = rest.one_ring()[pair[0]];
+        return !std::binary_search(ring.begin(), ring.end(), pair[1]);
+      }));
+}
+
+// The compiled passes of the effect at `index`, under its name. Throws ConfigError for settings that do not
+// go together, or not with this mesh.
+template <class Real>
+std::vector<Pass<Real>> passes_at(const BuiltScene& scene, std::size_t index) {
+  const Effect& effect = scene.effects[index];
+  const EffectKind& kind = effect.kind();
+  const MethodKind& method = scene.input.method.kind();
+  if (!method.takes_effect(kind.needs_projection, kind.acts_in_iterations)) return {};
+  if (kind.helps_projection && membrane_needs_no_tethers(scene)) return {};
+  const bool contacts_used =  // implicit steps tell obstacles from layers of cloth by them
+      !method.projects ||
+      std::ranges::any_of(scene.effects, [](const Effect& each) { return each.kind().uses_contacts; });
+  std::vector<Pass<Real>> passes;
+  try {
+    passes = passes_of<Real>(effect,
+                             {scene.rest, scene.pins, scene.input.permutation, contacts_used, scene.folder});
+  } catch (const MeshFileError& error) {
+    if (error.kind() == MeshFileError::Kind::refused) throw MeshError(error.what());
+    throw;
+  } catch (const std::invalid_argument& error) {
+    throw ConfigError(kind.name, {{fmt::format("/effects/{}", index), error.what()}});
+  }
+  const std::string name = pass_name(scene.effects, index);
+  for (Pass<Real>& pass : passes) pass.name = name + pass.name.substr(kind.name.size());
+  return passes;
+}
+
+Precision precision_of(const BuiltScene& scene, ChosenPrecision asked) {
+  if (scene.input.method.kind().make_float == nullptr || asked == ChosenPrecision::double_precision)
+    return Precision::double_precision;
+  return asked == ChosenPrecision::single_precision || single_suffices(scene) ? Precision::single_precision
+                                                                              : Precision::double_precision;
+}
+
+template <class Real>
+std::unique_ptr<Simulation> simulation_in(const BuiltScene& scene) {
+  std::vector<Pass<Real>> passes;
+  for (const bool first : {true, false})
+    for (std::size_t index = 0; index < scene.effects.size(); ++index)
+      if (scene.effects[index].kind().acts_first == first)
+        for (Pass<Real>& pass : passes_at<Real>(scene, index)) passes.push_back(std::move(pass));
+  try {
+    return make_simulation<Real>(scene.input, std::move(passes));
+  } catch (const std::invalid_argument& error) {  // a method that does not suit this scene
+    throw ConfigError("solver method", {{"/solver/method", error.what()}});
+  }
+}
+
+}  // namespace
+
+AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder) {
+  AcceptedMesh accepted = mesh.given  ? accept(to_soup(*mesh.given), mesh.bad_triangles)
+                          : mesh.file ? mesh_from_file(folder / *mesh.file, mesh.bad_triangles)
+                                      : generated_mesh(mesh);
+  accepted.mesh = altered(std::move(accepted.mesh), mesh);
+  accepted.mesh.positions *= mesh.scale;
+  accepted.mesh.positions.rowwise() += mesh.offset.transpose();
+  require_numbers_hold(accepted.mesh, !mesh.offset.isZero(0));
+  return accepted;
+}
+
+BuiltScene build_scene(const Scene& stated) {
+  AcceptedMesh accepted = rest_mesh_of(stated.mesh, stated.folder);
+  BuiltScene scene{.rest = RestMesh(std::move(accepted.mesh)),
+                   .mesh_notes = std::move(accepted.notes),
+                   .input = {.method = stated.solver.method}};
+  const RestMesh& rest = scene.rest;
+  scene.folder = stated.folder;
+  scene.effects = stated.effects;
+  scene.down = direction_of_gravity(scene.effects);
+  scene.pins = pins_of(stated, rest, scene.mesh_notes, accepted.renumbered, scene.down);
+
+  SimulationInput& input = scene.input;
+  const MethodKind& method = input.method.kind();
+  input.positions = initial_positions(stated.initial, rest, scene.pins);
+  input.velocities = initial_velocities(stated.initial, input.positions, rest.centre());
+  input.rest = rest.positions();
+  input.origin = rest.centre();
+  input.size = rest.size();
+  input.mass = masses_of(stated.material, rest);
+  input.is_pinned = scene.pins.is_pinned;
+  if (!method.mesh_order) input.permutation = local_numbering(rest);
+  input.settings = {.dt = stated.solver.dt,
+                    .substeps = substeps_of(stated.solver),
+                    .iterations = iterations_of(stated.solver),
+                    .threads = stated.solver.threads};
+  if (method.membrane == Membrane::edges)
+    input.edges = edge_springs(rest, scene.pins);
+  else
+    input.strain = strain_constraints(
+        rest, scene.pins, material_coordinates(stated.material, rest.mesh(), scene.mesh_notes),
+        stated.mesh.bad_triangles == BadTriangles::membrane_off ? dispensable_triangles(rest)
+                                                                : std::vector<char>{});
+  input.strain_stiffness = strain_stiffness(stated.material.strain);
+
+  const Bending& stated_bending = stated.bending;
+  input.bending_stiffness = bending_stiffness(stated_bending);
+  BendingConstraints bending = bending_constraints(stated_bending, rest, scene.pins);
+  const SolverSettings& settings = input.settings;
+  const bool prestressed = stated_bending.model.kind().prestressed;
+  if (method.projects && prestressed && stated_bending.stiffness == Stiffness::physical) {
+    scene.push = bound_push(bending.distance, rest, input.mass, settings.dt / settings.substeps,
+                            projections_per_substep(input));
+    if (scene.push) std::ranges::move(facts_of(*scene.push), std::back_inserter(bending.facts));
+  }
+  if (input.bending_stiffness.kind == StiffnessKind::compliance && input.bending_stiffness.compliance > 0 &&
+      prestressed)
+    input.push_tension = push_tension(bending.distance, rest, input.bending_stiffness.compliance);
+  scene.springs_beyond_ring_1 = count_beyond_ring_1(rest, bending.distance);
+  scene.bending_facts = std::move(bending.facts);
+  input.distance = std::move(bending.distance);
+  input.elements = std::move(bending.elements);
+  if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);
+  input.moves_apart = !rounding_speed(scene).whole_suffices();
+  scene.precision = precision_of(scene, stated.solver.precision);
+  return scene;
+}
+
+std::string pass_name(const std::vector<Effect>& effects, std::size_t index) {
+  const EffectKind& kind = effects[index].kind();
+  const auto same = [&](const Effect& each) { return &each.kind() == &kind; };
+  if (std::ranges::count_if(effects, same) == 1) return std::string(kind.name);
+  const auto before = effects.begin() + static_cast<std::ptrdiff_t>(index);
+  return fmt::format("{} {}", kind.name, 1 + std::count_if(effects.begin(), before, same));
+}
+
+std::vector<std::size_t> idle_effects(const BuiltScene& scene) {
+  std::vector<std::size_t> idle;
+  for (std::size_t index = 0; index < scene.effects.size(); ++index) {
+    const Effect& effect = scene.effects[index];
+    if ((effect.kind().idle && effect.kind().idle(effect.settings())) ||
+        passes_at<double>(scene, index).empty())
+      idle.push_back(index);
+  }
+  return idle;
+}
+
+bool moves_vertices(const BuiltScene& scene) {
+  for (std::size_t index = 0; index < scene.effects.size(); ++index)
+    for (const Pass<float>& pass : passes_at<float>(scene, index))
+      if (pass.stage != Stage::force && pass.stage != Stage::damp) return true;
+  return false;
+}
+
+Mesh grid(double width, double height, int cells, Diagonal diagonal) {
+  return {
+      .generator = Generator::grid, .width = width, .height = height, .cells = cells, .diagonal = diagonal};
+}
+
+std::unique_ptr<Simulation> simulation_of(const BuiltScene& scene) {
+  return scene.precision == Precision::double_precision ? simulation_in<double>(scene)
+                                                        : simulation_in<float>(scene);
+}
+
+}  // namespace bendlab

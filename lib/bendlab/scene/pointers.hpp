@@ -1,0 +1,24 @@
+// JSON pointers: how a value gets to its place.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "bendlab/scene/strict_json.hpp"
+
+namespace bendlab {
+
+/// Pointer to `key` of the object (or entry of the list) at `parent`, escaped.
+std::string child_pointer(std::string_view parent, std::string_view key);
+
+/// Whether `pointer` is `container` or points to something inside it.
+bool lies_within(std::string_view pointer, std::string_view container);
+
+/// The value at `pointer`, or nullptr if there is none.
+const Json* value_at(const Json& document, const std::string& pointer);
+
+/// Puts a value at `pointer`, creating objects on the way. False, and nothing changed there, if the way leads
+/// through something that is no object or past the end of a list.
+bool set_at(Json& document, const std::string& pointer, Json value);
+
+}  // namespace bendlab

@@ -1,0 +1,276 @@
+#include "bendlab/scene/rules.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+#include <vector>
+
+#include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/fields_json.hpp"
+#include "bendlab/scene/pointers.hpp"
+#include "bendlab/scene/scene_tables.hpp"
+
+namespace bendlab {
+namespace {
+
+// Along the sides that pins name: rows across a clamp lock the membrane.
+Rows rows_of_lattice(const Mesh& mesh, const Pinning& pins) {
+  const auto names = [&](std::initializer_list<Place> sides) {
+    return std::ranges::find_first_of(pins.vertices, sides) != pins.vertices.end();
+  };
+  const bool along_x = names({Place::top, Place::bottom}), along_y = names({Place::left, Place::right});
+  if (along_x == along_y) return Rows::parallel;
+  return along_x == (mesh.width >= mesh.height) ? Rows::parallel : Rows::perpendicular;
+}
+
+// A ring of two vertices is no tube; a lattice of one triangle's width has no second row.
+void check_cells(const Scene& scene, ConfigProblems& problems) {
+  const Mesh& mesh = scene.mesh;
+  if (mesh.file || mesh.given) return;
+  const int least = mesh.generator == Generator::tube ? 3 : mesh.generator == Generator::equilateral ? 2 : 1;
+  if (mesh.cells < least)
+    problems.push_back({"/mesh/cells", fmt::format("expected at least {} for the generator {}, got {}", least,
+                                                   name_in(generator_names, mesh.generator), mesh.cells)});
+}
+
+// The rigidity that springs and arcs give a sheet is known for flat rest shapes only.
+void check_springs_lie_flat(const Scene& scene, ConfigProblems& problems) {
+  const Mesh& mesh = scene.mesh;
+  if (scene.bending.stiffness != Stiffness::physical || mesh.file || mesh.given) return;
+  const BendingKind& model = scene.bending.model.kind();
+  const bool shortens = (model.springs_only && model.bends) || model.one_sided;
+  if (shortens && (mesh.generator == Generator::tube || mesh.generator == Generator::sphere))
+    problems.push_back(
+        {"/bending/stiffness",
+         fmt::format("the physical stiffness of {} is known for flat rest shapes only, not "
+                     "for a {}: choose a model made of hinges ({}), or state it by k or compliance",
+                     model.name, name_in(generator_names, mesh.generator),
+                     fmt::join(models_of_hinges(), ", "))});
+}
+
+// A run has at least a step, and so few that they can be counted and waited for.
+void check_times(const Scene& scene, ConfigProblems& problems) {
+  constexpr double most = 1e9, rounding = 1e-6;
+  const double duration = scene.duration, dt = scene.solver.dt;
+  if (duration < dt * (1 - rounding))
+    problems.push_back(
+        {"/duration", fmt::format("is shorter than a step: {} s, and /solver/dt is {} s", duration, dt)});
+  if (duration / dt > most)
+    problems.push_back(
+        {"/duration",
+         fmt::format("is {:.3g} steps of /solver/dt, and a run has at most {:.3g}", duration / dt, most)});
+}
+
+void check_warp_direction(const Scene& scene, ConfigProblems& problems) {
+  if (scene.material.warp_direction.isZero(0))
+    problems.push_back({"/material/warp_direction", "is the zero vector, which has no direction"});
+}
+
+// What a physical stiffness needs of each model.
+void check_bending_stiffness(const Bending& bending, ConfigProblems& problems) {
+  if (bending.stiffness != Stiffness::physical) return;
+  const BendingKind& model = bending.model.kind();
+  const auto report = [&](const char* key, const char* message) {
+    problems.push_back({fmt::format("/bending/{}", key), fmt::format(fmt::runtime(message), model.name)});
+  };
+  if (model.springs_only && bending.deflection != Deflection::large)
+    report("deflection", "is for models made of hinges only: remove it for {}");
+  if (!model.bends || !bending.quartic_coefficient) return;
+  if (!model.springs_only || model.prestressed)
+    report("quartic_coefficient",
+           "is for springs that are at rest in the flat sheet, and {} has none: give flexural_rigidity (in "
+           "N m)");
+  else if (bending.flexural_rigidity)
+    report("quartic_coefficient",
+           "is given, and flexural_rigidity too, but the springs of {} have one stiffness: remove one of the "
+           "two");
+}
+
+void check_repeats(const Scene& scene, ConfigProblems& problems) {
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      if (const EffectKind& kind = scene.effects[i].kind();
+          &kind == &scene.effects[j].kind() && !kind.repeatable) {
+        problems.push_back({fmt::format("/effects/{}", i),
+                            fmt::format("effect \"{}\" is there already at /effects/{}; list each type once",
+                                        kind.name, j)});
+        break;
+      }
+}
+
+// Checks what a method needs.
+class MethodRules {
+ public:
+  MethodRules(const Scene& scene, ConfigProblems& problems)
+      : scene_(scene),
+        problems_(problems),
+        method_(scene.solver.method.kind()),
+        model_(scene.bending.model.kind()) {}
+
+  void check() {
+    const std::string_view why = method_.needs_compliance;
+    const Strain& strain = scene_.material.strain;
+    if (!why.empty()) check_compliance("/material/strain", strain.stiffness, strain.compliance, why);
+    if (method_.springs_only && !model_.springs_only)
+      refuse_model();
+    else if (method_.factorised == Factorised::scalars && model_.one_sided)
+      report("/bending/model",
+             fmt::format("the force of {} jumps where it is straight, so that no constant matrix resembles "
+                         "it: choose the method newton, or another model",
+                         model_.name));
+    else if (!why.empty() && model_.bends)
+      check_compliance("/bending", scene_.bending.stiffness, scene_.bending.compliance, why);
+    if (!method_.projects) check_projection_effects();
+    if (method_.carries_stretch != nullptr && method_.carries_stretch(scene_.solver.method.settings()))
+      check_all_directions();
+  }
+
+ private:
+  // A coarse span knows no direction.
+  void check_all_directions() {
+    const Strain& strain = scene_.material.strain;
+    for (const auto& [name, k] :
+         {std::pair{"warp", strain.warp}, {"weft", strain.weft}, {"shear", strain.shear}})
+      if (k == 0)
+        problems_.push_back({fmt::format("/material/strain/{}", name),
+                             "expected a number above 0 (because /solver/levels resist in every direction), "
+                             "got 0; 0 /solver/levels would do"});
+  }
+
+  void report(const std::string& pointer, const std::string& message) {
+    problems_.push_back({pointer, fmt::format("{} (because /solver/method is {})", message, method_.name)});
+  }
+
+  void check_compliance(const std::string& pointer, Stiffness stiffness, double compliance,
+                        std::string_view why) {
+    if (stiffness == Stiffness::physical) return;
+    if (stiffness != Stiffness::compliance)
+      report(pointer + "/stiffness",
+             fmt::format("must be \"physical\", or \"compliance\" with {}/compliance above 0{}: {}", pointer,
+                         pointer == "/bending" ? "" : ", 1e-4 m/N for example", why));
+    else if (!(compliance > 0))
+      report(pointer + "/compliance", fmt::format("must be above 0: {}", why));
+  }
+
+  // Refuses effects that need projections. Those that only help them do nothing, but stay in the list: the
+  // others keep their places in it.
+  void check_projection_effects() {
+    for (std::size_t i = 0; i < scene_.effects.size(); ++i)
+      if (const EffectKind& effect = scene_.effects[i].kind();
+          !takes(method_, effect) && !effect.helps_projection)
+        report(
+            fmt::format("/effects/{}", i),
+            fmt::format("{} acts between iterations, and this method does not take it: remove it, or choose "
+                        "one of {}",
+                        effect.name, fmt::join(takers_of(effect), ", ")));
+  }
+
+  static bool takes(const MethodKind& method, const EffectKind& effect) {
+    return method.takes_effect(effect.needs_projection, effect.acts_in_iterations);
+  }
+  static std::vector<std::string_view> takers_of(const EffectKind& effect) {
+    std::vector<std::string_view> takers;
+    for (const MethodKind* each : methods())
+      if (takes(*each, effect)) takers.push_back(each->name);
+    return takers;
+  }
+
+  void refuse_model() {
+    std::vector<std::string_view> allowed;
+    for (const BendingKind* each : bending_models())
+      if (each->springs_only) allowed.push_back(each->name);
+    report("/bending/model",
+           fmt::format("{} is not made of springs, but this method needs springs: choose one of {}",
+                       model_.name, fmt::join(allowed, ", ")));
+  }
+
+  const Scene& scene_;
+  ConfigProblems& problems_;
+  const MethodKind& method_;
+  const BendingKind& model_;
+};
+
+void check_table(const FieldTable& table, const void* owner, const Scene& scene, const std::string& pointer,
+                 ConfigProblems& problems) {
+  for (const Field& field : table.fields)
+    if (field.read_when == nullptr || field.read_when(&scene))
+      read_value(field, json_of(field.of(owner)), child_pointer(pointer, field.name), problems);
+}
+
+}  // namespace
+
+void settle(Scene& scene) {
+  if (!scene.mesh.rows)
+    scene.mesh.rows = scene.mesh.generator == Generator::equilateral ? rows_of_lattice(scene.mesh, scene.pins)
+                                                                     : Rows::parallel;
+  const MethodKind& method = scene.solver.method.kind();
+  if (!scene.solver.substeps && method.default_substeps > 0) scene.solver.substeps = method.default_substeps;
+  if (!scene.solver.iterations && method.default_iterations > 0)
+    scene.solver.iterations = method.default_iterations;
+}
+
+void check_stated(const Json& given, const Scene& scene, ConfigProblems& problems) {
+  if (!scene.mesh.file) return;
+  const Part& part = scene_parts().front();
+  for (const Field& field : part.table.fields)
+    if (const std::string pointer = child_pointer(part.pointer, field.name);
+        field.read_when != nullptr && !field.read_when(&scene) && value_at(given, pointer) != nullptr)
+      problems.push_back({pointer,
+                          "does not go with /mesh/file, which brings the whole mesh (only scale, offset, "
+                          "bad_triangles, refine, jitter and with that seed go with it): remove one of the "
+                          "two; to vary meshes, sweep or set /mesh as a whole"});
+}
+
+void check_scene(const Scene& scene, ConfigProblems& problems) {
+  check_repeats(scene, problems);
+  check_cells(scene, problems);
+  check_times(scene, problems);
+  check_warp_direction(scene, problems);
+  check_bending_stiffness(scene.bending, problems);
+  check_springs_lie_flat(scene, problems);
+  MethodRules(scene, problems).check();
+}
+
+void check_ranges(const Scene& scene, ConfigProblems& problems) {
+  check_table(scene_table(), &scene, scene, "", problems);
+  for (const Part& part : scene_parts())
+    check_table(part.table, part.in(scene), scene, std::string(part.pointer), problems);
+  const BendingModel& model = scene.bending.model;
+  const Method& method = scene.solver.method;
+  check_table(model.kind().settings, model.settings(), scene, fmt::format("/bending/{}", model.name()),
+              problems);
+  check_table(method.kind().settings, method.settings(), scene, "/solver", problems);
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    check_table(scene.effects[i].kind().settings, scene.effects[i].settings(), scene,
+                fmt::format("/effects/{}", i), problems);
+}
+
+void check_unread(const Scene& scene, ConfigProblems& problems) {
+  for (const Part& part : scene_parts())
+    for (const Field& field : part.table.fields) {
+      const Value value = field.of(part.in(scene));
+      if (field.read_when == nullptr || field.read_when(&scene) || value == part.table.default_of(field))
+        continue;
+      problems.push_back(
+          {child_pointer(part.pointer, field.name),
+           fmt::format("is {}, and nothing reads it beside the other settings: leave it at its "
+                       "default",
+                       json_of(value).dump())});
+    }
+}
+
+int substeps_of(const Solver& solver) {
+  const int usual = solver.method.kind().default_substeps;
+  return usual > 0 ? solver.substeps.value_or(usual) : 1;
+}
+
+int iterations_of(const Solver& solver) {
+  const int usual = solver.method.kind().default_iterations;
+  return usual > 0 ? solver.iterations.value_or(usual) : 1;
+}
+
+}  // namespace bendlab

@@ -1,0 +1,131 @@
+// A scene as a value: what a simulation is made from. Everything has a default, so that a Scene is a sheet of
+// 1 m that hangs from a corner. What each setting means is in scene_tables.cpp, and `bendlab schema` prints
+// it. The path to a member is its pointer in a config: scene.mesh.cells is /mesh/cells.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bendlab/bending/calibration.hpp"
+#include "bendlab/bending/models.hpp"
+#include "bendlab/constraints/batches.hpp"
+#include "bendlab/effects/effects.hpp"
+#include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/mesh/generators.hpp"
+#include "bendlab/mesh/material_coordinates.hpp"
+#include "bendlab/mesh/pins.hpp"
+#include "bendlab/solver/methods.hpp"
+
+namespace bendlab {
+
+/// The rest mesh: generated, read from a file, or given. Lengths in m.
+struct Mesh {
+  Generator generator = Generator::grid;
+  std::optional<std::string> file;  ///< instead of a generator, relative to Scene::folder
+  double width = 1, height = 1;     ///< along x and y
+  int cells = 32;                   ///< along the width
+  Diagonal diagonal = Diagonal::same;
+  std::optional<Rows> rows;  ///< absent: along the sides that pins name, else parallel
+  double radius = 0.5;
+  std::optional<double> radius_top;  ///< absent: as radius
+  std::uint32_t seed = 1;
+  std::optional<int> refine;
+  std::optional<double> jitter;
+  double scale = 1;
+  Vector3 offset{0, 0, 0};
+  std::optional<std::uint32_t> shuffle;  ///< a seed
+  std::string flaw = "none";
+  BadTriangles bad_triangles = BadTriangles::refuse;
+  /// Instead of generator and file, from C++.
+  std::shared_ptr<const TriangleMesh> given;
+};
+
+/// Which vertices are held fixed.
+struct Pinning {
+  std::vector<Place> vertices{Place::upper_right};
+  std::vector<int> indices;
+  int ring = 0;
+  double distance = 0;  ///< m
+};
+
+/// How a stiffness is stated: as k of projections, as a compliance, or in the units of the cloth.
+enum class Stiffness { k, k_per_step, compliance, physical };
+
+/// Strain constraints of the triangles: the membrane.
+struct Strain {
+  StrainForm form = StrainForm::angle;
+  Stiffness stiffness = Stiffness::physical;
+  /// N/m: a thin cotton has about this when it is pulled along its threads.
+  double membrane_stiffness = 1e4;
+  double warp = 1, weft = 1, shear = 1, area = 0;  ///< k
+  double compliance = 0;                           ///< m/N
+};
+
+struct Material {
+  double density = 0.2;  ///< kg/m²
+  double density_ratio = 1;
+  MaterialCoordinates coordinates = MaterialCoordinates::warp;
+  Vector3 warp_direction{1, 0, 0};
+  Strain strain;
+};
+
+struct Bending {
+  BendingModel model = DiscreteShells{};
+  Stiffness stiffness = Stiffness::physical;
+  double k = 0.5;
+  double compliance = 0;  ///< m/N or 1/(N m)
+  /// N m: a light cotton. At 0.2 kg/m² its bending length (B/ρg)^⅓ is 17 mm; strips of shirt fabrics have 15
+  /// to 25 mm by ASTM D1388.
+  std::optional<double> flexural_rigidity = 1e-5;
+  std::optional<double> quartic_coefficient;  ///< N m³
+  /// 1/m: a fold of 5 cm radius, where springs, which have no one rigidity, get the stated one.
+  std::optional<double> at_curvature = 20;
+  Deflection deflection = Deflection::large;
+};
+
+/// Of a scene: automatic takes single where that suffices.
+enum class ChosenPrecision { automatic, single_precision, double_precision };
+
+struct Solver {
+  Method method = QuasiNewton{};
+  double dt = 1.0 / 60;                     ///< s
+  std::optional<int> substeps, iterations;  ///< absent: the method's own defaults
+  ChosenPrecision precision = ChosenPrecision::automatic;
+  int threads = 1;
+};
+
+/// The pose at time 0.
+struct Initial {
+  int folds = 0;
+  double fold_gap = 0.01;  ///< m
+  int creases = 0;
+  Vector3 scale{1, 1, 1};
+  double tilt = 0;                      ///< degrees
+  double perturbation = 0, random = 0;  ///< of the size
+  Vector3 velocity{0, 0, 0};            ///< m/s
+  Vector3 spin{0, 0, 0};                ///< rad/s
+  std::uint32_t seed = 1;
+  /// Changes, "/json/pointer=value", that make of this scene the one at whose end it starts.
+  std::optional<std::vector<std::string>> after;
+};
+
+struct Scene {
+  Mesh mesh;
+  Pinning pins;
+  Material material;
+  Bending bending;
+  Solver solver;
+  std::vector<Effect> effects{Gravity{}, ViscousDrag{}};
+  Initial initial;
+  double duration = 4;           ///< s, of a run
+  std::filesystem::path folder;  ///< files are relative to it; empty: to the working directory
+};
+
+/// A sheet of squares, each split by a diagonal: width by height (m), with `cells` squares along the width.
+Mesh grid(double width, double height, int cells, Diagonal diagonal = Diagonal::same);
+
+}  // namespace bendlab

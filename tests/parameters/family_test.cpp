@@ -1,0 +1,57 @@
+#include "bendlab/parameters/family.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "tests/catch.hpp"
+
+namespace {
+
+using bendlab::Registry;
+using Catch::Matchers::ContainsSubstring;
+
+struct Shape {
+  std::string_view name;
+  int corners;
+};
+constexpr Shape triangle{"triangle", 3}, square{"square", 4}, hexagon{"hexagon", 6};
+constexpr std::array<const Shape*, 2> listed = {&triangle, &square};
+
+std::vector<int> corners(std::span<const Shape* const> shapes) {
+  std::vector<int> all;
+  for (const Shape* shape : shapes) all.push_back(shape->corners);
+  return all;
+}
+
+}  // namespace
+
+TEST_CASE("registry: what a program adds comes behind what is listed", "[parameters]") {
+  Registry<Shape> shapes("shape", listed);
+  CHECK(shapes.added().empty());
+  shapes.add(hexagon);
+  CHECK(corners(shapes.so_far()) == std::vector{3, 4, 6});
+  CHECK(corners(shapes.added()) == std::vector{6});
+  CHECK(corners(shapes.all()) == std::vector{3, 4, 6});
+}
+
+TEST_CASE("registry: a name that is taken or no name is refused, and nothing is added", "[parameters]") {
+  Registry<Shape> shapes("shape", listed);
+  constexpr Shape other{"square", 5};
+  CHECK_THROWS_WITH(shapes.add(other), ContainsSubstring("shape 'square'") && ContainsSubstring("triangle"));
+  for (const char* name : {"", "a/b", "a~b", "a b", "größe"}) {
+    const Shape odd{name, 1};
+    CHECK_THROWS_AS(shapes.add(odd), std::invalid_argument);
+  }
+  CHECK(corners(shapes.so_far()) == std::vector{3, 4});
+}
+
+TEST_CASE("registry: what comes after the kinds were read is too late", "[parameters]") {
+  Registry<Shape> shapes("shape", listed);
+  CHECK(shapes.find("square") == &square);
+  CHECK(shapes.find("hexagon") == nullptr);
+  CHECK_THROWS_AS(shapes.add(hexagon), std::logic_error);
+  CHECK_THROWS_WITH(shapes.add(hexagon), ContainsSubstring("'hexagon'") && ContainsSubstring("main()"));
+  CHECK(shapes.all().size() == 2);
+}

@@ -1,0 +1,103 @@
+// A scene from C++.
+#include "bendlab/bendlab.hpp"
+#include "experiments/config/experiment.hpp"
+#include "tests/catch.hpp"
+
+namespace bendlab {
+
+using Catch::Matchers::ContainsSubstring;
+
+namespace {
+
+std::string refused(const Scene& scene) {
+  try {
+    simulate(scene);
+  } catch (const ConfigError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// What a config's run is after that many steps.
+Positions of_config(const std::string& settings, int steps) {
+  const RunConfig run = parse_experiment(R"({"name": "same", )" + settings + "}", "test").runs.front();
+  const BuiltScene built = build_scene(run.scene());
+  const auto simulation = simulation_of(built);
+  for (int step = 0; step < steps; ++step) REQUIRE(simulation->step());
+  return simulation->positions();
+}
+
+}  // namespace
+
+TEST_CASE("simulate: a scene of defaults is a config of defaults, to the bit", "[scene]") {
+  Cloth cloth = simulate(Scene{});
+  for (int step = 0; step < 10; ++step) cloth.step();
+  CHECK(cloth.time() == 10 * Scene{}.solver.dt);
+  CHECK(cloth.positions() == of_config(R"("description": "")", 10));
+}
+
+TEST_CASE("simulate: members are what their pointers are in a config, to the bit", "[scene]") {
+  Scene scene;
+  scene.mesh = grid(1, 0.5, 12, Diagonal::alternating);
+  scene.pins.vertices = {Place::upper_left, Place::upper_right};
+  scene.bending.model = Dihedral{.weight = Dihedral::Weight::area};
+  scene.bending.flexural_rigidity = 1e-4;
+  scene.solver.method = QuasiNewton{.history = 8};
+  scene.solver.iterations = 12;
+  scene.effects = {Gravity{}, Wind{.velocity = {0, 3, 0}}, Sphere{.centre = {0, 0, -0.4}}};
+  Cloth cloth = simulate(scene);
+  cloth.run(0.3);
+  CHECK(cloth.positions() == of_config(R"("mesh": {"width": 1, "height": 0.5, "cells": 12,
+      "diagonal": "alternating"}, "pins": {"vertices": ["upper_left", "upper_right"]},
+      "bending": {"model": "dihedral", "flexural_rigidity": 1e-4, "dihedral": {"weight": "area"}},
+      "solver": {"method": "quasi_newton", "history": 8, "iterations": 12},
+      "effects": [{"type": "gravity"}, {"type": "wind", "velocity": [0, 3, 0]},
+                  {"type": "sphere", "centre": [0, 0, -0.4]}])",
+                                       18));
+}
+
+TEST_CASE("simulate: JSON of a scene is that scene again", "[scene]") {
+  Scene scene;
+  scene.bending.model = Lod{.t = 3};
+  scene.bending.stiffness = Stiffness::compliance, scene.bending.compliance = 0.1;
+  scene.solver.method = Newton{.integrator = Integrator::euler};
+  scene.effects = {Gravity{.acceleration = {0, -9.81, 0}}, Friction{.at_rest = 0.3},
+                   Plane{.point = {0, 0, -1}}};
+  ConfigProblems problems;
+  const Scene again = read_scene(to_json(scene), {}, problems);
+  CHECK(problems.empty());
+  CHECK(to_json(again) == to_json(again));
+  CHECK(again.bending.model.as<Lod>()->t == 3);
+  CHECK(again.effects.at(1).as<Friction>()->at_rest == 0.3);
+  CHECK(again.solver.method.as<Newton>()->integrator == Integrator::euler);
+}
+
+TEST_CASE("simulate: everything that is wrong is said at once, by pointer", "[scene]") {
+  Scene scene;
+  scene.mesh.cells = 0;
+  scene.material.density = -1;
+  scene.effects = {Gravity{}, Gravity{}, ViscousDrag{.coefficient = -2}};
+  const std::string text = refused(scene);
+  CHECK_THAT(text, ContainsSubstring("/mesh/cells") && ContainsSubstring("/material/density") &&
+                       ContainsSubstring("/effects/1") && ContainsSubstring("/effects/2/coefficient"));
+}
+
+TEST_CASE("simulate: a setting that nothing reads is refused", "[scene]") {
+  Scene scene;
+  scene.bending.k = 0.7;  // but its stiffness is physical
+  CHECK_THAT(refused(scene), ContainsSubstring("/bending/k") && ContainsSubstring("nothing reads it"));
+  scene.bending.stiffness = Stiffness::k;
+  CHECK_THAT(refused(scene), ContainsSubstring("/bending/stiffness"));  // which quasi_newton does not take
+}
+
+TEST_CASE("simulate: a mesh of one's own", "[scene]") {
+  Scene scene;
+  scene.mesh.given = std::make_shared<TriangleMesh>(equilateral(1, 1, 8));
+  scene.pins = {.vertices = {}, .indices = {0}};
+  Cloth cloth = simulate(scene);
+  CHECK(cloth.positions().isApprox(scene.mesh.given->positions, 1e-6));  // of single precision
+  cloth.step();
+  CHECK(cloth.triangles() == scene.mesh.given->triangles);
+}
+
+}  // namespace bendlab
