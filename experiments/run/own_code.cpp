@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <vector>
 
-#include "bendlab/bending/model.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/run/run.hpp"
@@ -11,10 +10,14 @@
 namespace bendlab {
 namespace {
 
-bool has_added_model(const RunConfig& config) {
-  return std::ranges::any_of(added_bending_models(), [&](const BendingKind* model) {
-    return model->name == config.scene().bending.model.name();
-  });
+bool has_added_kind(const Scene& scene) {
+  const auto is_in = [](const auto& added, const auto& kind) {
+    return std::ranges::find(added, &kind) != added.end();
+  };
+  return is_in(added_bending_models(), scene.bending.model.kind()) ||
+         is_in(added_methods(), scene.solver.method.kind()) ||
+         std::ranges::any_of(scene.effects,
+                             [&](const Effect& effect) { return is_in(added_effects(), effect.kind()); });
 }
 
 // Whether a measure applies is known only when there is a scene: here it counts if it may.
@@ -28,7 +31,7 @@ bool may_have_added_measure(const RunConfig& config) {
 }  // namespace
 
 std::string own_code_hash(const RunConfig& config) {
-  if (!has_added_model(config) && !may_have_added_measure(config)) return "";
+  if (!has_added_kind(config.scene()) && !may_have_added_measure(config)) return "";
   static const std::string hash = hex_hash(read_input_file("/proc/self/exe"));
   return hash;
 }

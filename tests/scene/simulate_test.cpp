@@ -1,5 +1,6 @@
 // A scene from C++.
 #include "bendlab/bendlab.hpp"
+#include "bendlab/solver/time_step.hpp"
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 
@@ -26,6 +27,62 @@ Positions of_config(const std::string& settings, int steps) {
   for (int step = 0; step < steps; ++step) REQUIRE(simulation->step());
   return simulation->positions();
 }
+
+// An effect, a model and a method that nobody registered.
+struct Push {
+  double acceleration = 2;  // m/s²
+  static const EffectKind kind;
+};
+
+template <class Real>
+std::vector<Pass<Real>> compile(const Push& settings, const EffectInput&) {
+  return {{"push", Stage::force, [a = settings.acceleration](PassContext<Real>& context) {
+             for (int v = 0; v < context.state.vertex_count; ++v)
+               context.state.accelerate(static_cast<std::size_t>(v),
+                                        {0, 0, static_cast<Real>(a) * context.substep});
+           }}};
+}
+
+constexpr std::array push_fields = {field<&Push::acceleration>({.name = "acceleration"})};
+const EffectKind Push::kind{.name = "push",
+                            .settings = table_of<Push>(push_fields),
+                            .compile_float = erased<compile<float>>,
+                            .compile_double = erased<compile<double>>};
+
+struct Loose {
+  static const BendingKind kind;
+};
+const BendingKind Loose::kind{.name = "loose",
+                              .label = "loose",
+                              .settings = table_of<Loose>({}),
+                              .build = [](const void*, const BendingInput&) { return BendingConstraints{}; }};
+
+// x += h v, and no constraint acts.
+struct Ballistic {
+  static const MethodKind kind;
+};
+
+class BallisticStep final : public TimeStep<double> {
+ public:
+  BallisticStep(const SimulationInput& input, std::vector<Pass<double>> effects) : TimeStep(input, {}) {
+    append_effects(plan_, effects, Stage::force);
+  }
+
+ private:
+  void substep(PassContext<double>& context) override {
+    run(plan_, context);
+    for (auto v = 0ul; v < state_.mass.size(); ++v)
+      state_.position[v].set(state_.position[v].vector() + context.substep * state_.velocity[v].vector());
+    find_divergence();
+  }
+  std::uint64_t projections_per_substep() const override { return 0; }
+  Passes plan_;
+};
+const MethodKind Ballistic::kind{.name = "ballistic",
+                                 .settings = table_of<Ballistic>({}),
+                                 .default_substeps = 4,
+                                 .mesh_order = true,
+                                 .make_double = make_step<BallisticStep>};
 
 }  // namespace
 
@@ -88,6 +145,20 @@ TEST_CASE("simulate: a setting that nothing reads is refused", "[scene]") {
   CHECK_THAT(refused(scene), ContainsSubstring("/bending/k") && ContainsSubstring("nothing reads it"));
   scene.bending.stiffness = Stiffness::k;
   CHECK_THAT(refused(scene), ContainsSubstring("/bending/stiffness"));  // which quasi_newton does not take
+}
+
+TEST_CASE("simulate: structs of one's own need no registration", "[scene]") {
+  Scene scene;
+  scene.pins.vertices = {};
+  scene.bending.model = Loose{};
+  scene.effects = {Push{.acceleration = 3}};
+  scene.solver.method = Ballistic{};
+  Cloth cloth = simulate(scene);
+  cloth.run(0.5);
+  // v += h a before x += h v: after n substeps of h they have moved by a h² n (n + 1) / 2.
+  const double n = 0.5 * 60 * 4, h = 0.5 / n;
+  const double moved = 3 * h * h * n * (n + 1) / 2;
+  CHECK((cloth.positions().col(2).array() - moved).abs().maxCoeff() < 1e-12);
 }
 
 TEST_CASE("simulate: a mesh of one's own", "[scene]") {

@@ -31,4 +31,8 @@ void register_effect(const EffectKind& kind) {
   registry().add(kind);
 }
 
+std::span<const EffectKind* const> added_effects() {
+  return registry().added();
+}
+
 }  // namespace bendlab

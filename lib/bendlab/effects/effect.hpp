@@ -136,5 +136,9 @@ const EffectKind* find_effect(std::string_view name);
 
 /// Adds an effect of the program's own, before a config is read. See Registry::add().
 void register_effect(const EffectKind& kind);
+void register_effect(const EffectKind&&) = delete;
+
+/// The effects that the program added.
+std::span<const EffectKind* const> added_effects();
 
 }  // namespace bendlab

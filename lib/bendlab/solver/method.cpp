@@ -30,6 +30,10 @@ void register_method(const MethodKind& kind) {
   registry().add(kind);
 }
 
+std::span<const MethodKind* const> added_methods() {
+  return registry().added();
+}
+
 int projections_per_substep(const SimulationInput& input) {
   const auto sweeps = input.method.kind().sweeps_per_iteration;
   return input.settings.iterations * (sweeps != nullptr ? sweeps(input.method.settings()) : 1);

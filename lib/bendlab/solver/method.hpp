@@ -52,6 +52,12 @@ struct FailedRun {
 template <class Real>
 using MakeSimulation = std::unique_ptr<Simulation> (*)(const SimulationInput&, std::vector<Pass<Real>>);
 
+/// A MakeSimulation that constructs a class with what it gets.
+template <class Step, class Real>
+std::unique_ptr<Simulation> make_step(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) {
+  return std::make_unique<Step>(input, std::move(effect_passes));
+}
+
 enum class ConstraintOrder {
   colour,  ///< by colour, with lanes and threads side by side
   mesh,    ///< in the order of the lists, one after another, by the oracle
@@ -135,5 +141,9 @@ const MethodKind* find_method(std::string_view name);
 
 /// Adds a method of the program's own, before a config is read. See Registry::add().
 void register_method(const MethodKind& kind);
+void register_method(const MethodKind&&) = delete;
+
+/// The methods that the program added.
+std::span<const MethodKind* const> added_methods();
 
 }  // namespace bendlab

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/memory.hpp"
 
 namespace bendlab {
@@ -20,6 +21,14 @@ TimeStep<Real>::TimeStep(const SimulationInput& input, std::vector<int> permutat
       workers_(input.settings.threads),
       bound_(static_cast<Real>(divergence_bound * input.size)) {
   fill_state(input);
+  lists_.emplace(input);
+  constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
+}
+
+template <class Real>
+void TimeStep<Real>::order_constraints(const SimulationInput& input, const Ordering& ordering) {
+  constraints_ = ordered_constraints<Real>(input, rest_points(), ordering);
+  lists_.reset();
 }
 
 template <class Real>

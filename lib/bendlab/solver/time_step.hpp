@@ -2,7 +2,8 @@
 // test for divergence. A method adds the substep.
 #pragma once
 
-#include "bendlab/solver/simulation.hpp"
+#include "bendlab/solver/list_orders.hpp"
+#include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/workers.hpp"
 
 namespace bendlab {
@@ -32,6 +33,13 @@ class TimeStep : public Simulation {
   std::uint64_t projections() const override { return substeps() * projections_per_substep(); }
   std::uint64_t substeps() const final { return substeps_done_ + cut_substeps_; }
   std::size_t memory_bytes() const override;
+  const BatchOrder& strain_order() const final { return lists_ ? lists_->strain : constraints_.strain.order; }
+  const BatchOrder& distance_order() const final {
+    return lists_ ? lists_->distance : constraints_.distance.order;
+  }
+  const BatchOrder& element_order(std::string_view kind) const final {
+    return lists_ ? lists_->of_elements(kind) : element_order_of(constraints_, kind);
+  }
   void archive(Archive& state) override;
 
  protected:
@@ -39,6 +47,9 @@ class TimeStep : public Simulation {
 
   /// `permutation`: the index of each vertex in the arrays; empty: its own.
   TimeStep(const SimulationInput& input, std::vector<int> permutation);
+
+  /// Fills constraints_, where effects find them. Without it constraints_ are empty.
+  void order_constraints(const SimulationInput& input, const Ordering& ordering = {});
 
   virtual void substep(PassContext<Real>& context) = 0;
   virtual std::uint64_t projections_per_substep() const = 0;
@@ -85,6 +96,7 @@ class TimeStep : public Simulation {
 
   Real bound_;
   Points<Real> rest_;
+  std::optional<ListOrders> lists_;  // unless constraints_ are ordered
   std::vector<PassStatistics> statistics_;
   std::vector<std::function<void(Archive&)>> effect_archives_;
   double earlier_helper_seconds_ = 0;  // read from an archive

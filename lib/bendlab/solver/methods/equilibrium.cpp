@@ -34,9 +34,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
-#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/supernodal_solver.hpp"
@@ -71,21 +69,15 @@ class EquilibriumSearch final : public TimeStep<double> {
         size_(input.size),
         strain_compliance_(input.strain.size() > 0 ? input.strain_stiffness.compliance : 0),
         last_move_(whole_ ? 0 : size_),
-        starting_from_(input.starting_from),
-        orders_(input) {
+        starting_from_(input.starting_from) {
     for (std::size_t v = 0; v < input.mass.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         masses_.segment<3>(3 * at).setConstant(input.mass[v]);
-    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
     compile_plan(std::move(effect_passes));
   }
 
   bool settled() const override { return softness_ == 1 && balanced() && whole_; }
   std::optional<double> unbalanced() const override { return unbalanced_; }
-
-  const BatchOrder& strain_order() const override { return orders_.strain; }
-  const BatchOrder& distance_order() const override { return orders_.distance; }
-  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
 
   void archive(Archive& state) override {
     TimeStep<double>::archive(state);
@@ -252,13 +244,8 @@ class EquilibriumSearch final : public TimeStep<double> {
   double size_, strain_compliance_, softness_ = 1, last_move_, scale_ = 0, unbalanced_ = 1, rounding_ = 0,
                                     inverse_tau_squared_ = -1;
   StartingFrom starting_from_;
-  ListOrders orders_;
   Passes plan_;
 };
-
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
-  return std::make_unique<EquilibriumSearch>(input, std::move(effect_passes));
-}
 
 }  // namespace
 
@@ -279,6 +266,6 @@ constinit const MethodKind Equilibrium::kind{
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,
     .mesh_order = true,
-    .make_double = make,
+    .make_double = make_step<EquilibriumSearch>,
 };
 }  // namespace bendlab

@@ -37,9 +37,7 @@
 #include <array>
 #include <stdexcept>
 
-#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/kang_cho_kernel.hpp"
-#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/time_step.hpp"
@@ -85,7 +83,6 @@ class KangChoStep final : public TimeStep<Real> {
  public:
   KangChoStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
       : Base(input, input.permutation),
-        orders_(input),
         spring_count_(input.edges.size() + input.distance.size()),
         across_(across_tangent<Real>(settings_of<KangCho>(input).tangent)) {
     check(input, effect_passes);
@@ -93,9 +90,6 @@ class KangChoStep final : public TimeStep<Real> {
     compile_plan(std::move(effect_passes));
   }
 
-  const BatchOrder& strain_order() const override { return orders_.strain; }
-  const BatchOrder& distance_order() const override { return orders_.distance; }
-  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
   std::size_t memory_bytes() const override {
     return Base::memory_bytes() + bytes_of(springs_.slices) + bytes_of(springs_.other) +
            bytes_of(springs_.rest_length) + bytes_of(springs_.stiffness) + bytes_of(system_.rows) +
@@ -135,7 +129,6 @@ class KangChoStep final : public TimeStep<Real> {
     for (std::size_t v = 0; v < is_free.size(); ++v) is_free[v] = state_.position[v].w > 0;
     springs_ = make_spring_rows<Real>(springs, is_free);
     system_ = ImplicitSystem<Real>(springs_.slice_count(), state_.position.size());
-    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });  // effects find no constraints
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
@@ -201,7 +194,6 @@ class KangChoStep final : public TimeStep<Real> {
     workers_.for_range(0, springs_.slice_count(), springs_.other.size() >= worthwhile_lanes, task);
   }
 
-  ListOrders orders_;
   std::uint64_t spring_count_;
   AcrossTangent<Real> across_;
   SpringRows<Real> springs_;
@@ -209,11 +201,6 @@ class KangChoStep final : public TimeStep<Real> {
   Points<Real> external_;  // what the force passes add to the velocities, m/s; empty without such passes
   typename Base::Passes plan_;
 };
-
-template <class Real>
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) {
-  return std::make_unique<KangChoStep<Real>>(input, std::move(effect_passes));
-}
 
 }  // namespace
 
@@ -231,7 +218,7 @@ constinit const MethodKind KangCho::kind{
     .springs_only = true,
     .needs_compliance = "springs have a stiffness of 1 / compliance in N/m",
     .default_substeps = 8,
-    .make_float = make<float>,
-    .make_double = make<double>,
+    .make_float = make_step<KangChoStep<float>>,
+    .make_double = make_step<KangChoStep<double>>,
 };
 }  // namespace bendlab

@@ -13,10 +13,8 @@
 #include <array>
 #include <stdexcept>
 
-#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/implicit_step.hpp"
-#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/supernodal_solver.hpp"
@@ -41,17 +39,11 @@ class NewtonStep final : public ImplicitStep<double> {
       : ImplicitStep<double>(input, settings_of<Newton>(input), {}),
         system_(input),
         positions_(input.positions),
-        size_(input.size),
-        orders_(input) {
-    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
+        size_(input.size) {
     // Far above the weights, and below the stiffness of the membrane, which rounding already bears.
     const double membrane = input.strain.size() > 0 ? 1 / input.strain_stiffness.compliance : 0;
     compile_plan(std::move(effect_passes), 10, 0.3 * membrane);
   }
-
-  const BatchOrder& strain_order() const override { return orders_.strain; }
-  const BatchOrder& distance_order() const override { return orders_.distance; }
-  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
 
   std::size_t memory_bytes() const override {
     return ImplicitStep<double>::memory_bytes() + system_.memory_bytes() + bytes_of(multipliers_) +
@@ -152,12 +144,7 @@ class NewtonStep final : public ImplicitStep<double> {
   VectorXd multipliers_;
   std::vector<DiagonalBlock> blocks_;  // of contacts
   SupernodalSolver solver_;
-  ListOrders orders_;
 };
-
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
-  return std::make_unique<NewtonStep>(input, std::move(effect_passes));
-}
 
 // The numbers are of the sheets in solver_warnings.cpp; on obstacles of a ball, and a capsule that turns,
 // with 1 × 20.
@@ -191,6 +178,6 @@ constinit const MethodKind Newton::kind{
     .keeps_momentum = true,
     .mesh_order = true,
     .remedy_of_lag = erased<remedy_of_lag>,
-    .make_double = make,
+    .make_double = make_step<NewtonStep>,
 };
 }  // namespace bendlab

@@ -46,7 +46,6 @@
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 #include "bendlab/solver/order_from_pins.hpp"
-#include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/time_step.hpp"
 
 namespace bendlab {
@@ -172,8 +171,8 @@ class PbdStep final : public TimeStep<Real> {
         if (state_.position[v].w == 0) pinned_.push_back(v);
       put_.resize(pinned_.size());
     }
-    constraints_ = ordered_constraints<Real>(
-        input, this->rest_points(),
+    this->order_constraints(
+        input,
         {.order = pbd_.order, .projections = bendlab::projections_per_substep(input), .tiles = &tiles_});
     if (const auto most = pbd_.levels; most > 0 && levels_are_worthwhile(input)) levels_.emplace(input, most);
     compile_plan(std::move(effect_passes));
@@ -186,11 +185,6 @@ class PbdStep final : public TimeStep<Real> {
   void archive(Archive& state) override {
     Base::archive(state);
     state(last_substep_);
-  }
-  const BatchOrder& strain_order() const override { return constraints_.strain.order; }
-  const BatchOrder& distance_order() const override { return constraints_.distance.order; }
-  const BatchOrder& element_order(std::string_view kind) const override {
-    return element_order_of(constraints_, kind);
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -466,11 +460,6 @@ class PbdStep final : public TimeStep<Real> {
   double last_substep_ = 0;  // s, of a part if flight_limit cut the substep; 0: there was none yet
 };
 
-template <class Real>
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) {
-  return std::make_unique<PbdStep<Real>>(input, std::move(effect_passes));
-}
-
 bool carries_stretch(const Pbd& settings) {
   return settings.levels > 0;
 }
@@ -582,7 +571,7 @@ constinit const MethodKind Pbd::kind{
     .carries_stretch = erased<carries_stretch>,
     .remedies = erased<remedies>,
     .sort = erased<sort>,
-    .make_float = make<float>,
-    .make_double = make<double>,
+    .make_float = make_step<PbdStep<float>>,
+    .make_double = make_step<PbdStep<double>>,
 };
 }  // namespace bendlab

@@ -29,7 +29,6 @@
 #include "bendlab/solver/implicit_step.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
-#include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/pair_history.hpp"
 #include "bendlab/solver/soft_membrane.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
@@ -95,7 +94,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     const QuasiNewton& settings = settings_of<QuasiNewton>(input);
     if (settings.membrane == QuasiNewton::Membrane::automatic)
       membrane_error_ = settings.membrane_error, soft_membrane_.emplace(input);
-    constraints_ = ordered_constraints<Real>(input, this->rest_points());
+    this->order_constraints(input);
     force_.resize(state_.position.size());
     edge_ = static_cast<Real>(mean_edge(input.strain));
     gradient_ = applied_ = direction_ = target_change_ = applied_change_ = last_target_ = force_;
@@ -113,11 +112,6 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     this->compile_plan(std::move(effect_passes), contact_per_weight, 0);
   }
 
-  const BatchOrder& strain_order() const override { return constraints_.strain.order; }
-  const BatchOrder& distance_order() const override { return constraints_.distance.order; }
-  const BatchOrder& element_order(std::string_view kind) const override {
-    return element_order_of(constraints_, kind);
-  }
   std::optional<double> membrane_softness() const override { return softness_; }
 
   std::size_t memory_bytes() const override {
@@ -291,11 +285,6 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
   bool stepped_back_ = false;
 };
 
-template <class Real>
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<Real>> effect_passes) {
-  return std::make_unique<QuasiNewtonStep<Real>>(input, std::move(effect_passes));
-}
-
 double error_of_membrane(const QuasiNewton& settings) {
   return settings.membrane == QuasiNewton::Membrane::automatic ? settings.membrane_error : 0;
 }
@@ -348,7 +337,7 @@ constinit const MethodKind QuasiNewton::kind{
     .membrane_error = erased<error_of_membrane>,
     .remedy_of_lag = erased<remedy_of_lag>,
     .remedies = erased<remedies>,
-    .make_float = make<float>,
-    .make_double = make<double>,
+    .make_float = make_step<QuasiNewtonStep<float>>,
+    .make_double = make_step<QuasiNewtonStep<double>>,
 };
 }  // namespace bendlab

@@ -12,10 +12,8 @@
 #include <limits>
 #include <utility>
 
-#include "bendlab/solver/colouring.hpp"
 #include "bendlab/solver/elastic_system.hpp"
 #include "bendlab/solver/implicit_step.hpp"
-#include "bendlab/solver/list_orders.hpp"
 #include "bendlab/solver/memory.hpp"
 #include "bendlab/solver/methods.hpp"
 
@@ -40,15 +38,10 @@ class VbdStep final : public ImplicitStep<double> {
       : ImplicitStep<double>(input, settings_of<Vbd>(input), {}),
         system_(input),
         positions_(input.positions),
-        rho_(settings_of<Vbd>(input).acceleration),
-        orders_(input) {
-    constraints_.for_each([](auto& batch) { batch.order = list_order(0); });
+        rho_(settings_of<Vbd>(input).acceleration) {
     compile_plan(std::move(effect_passes), 10, 0);
   }
 
-  const BatchOrder& strain_order() const override { return orders_.strain; }
-  const BatchOrder& distance_order() const override { return orders_.distance; }
-  const BatchOrder& element_order(std::string_view kind) const override { return orders_.of_elements(kind); }
   std::size_t memory_bytes() const override {
     return ImplicitStep<double>::memory_bytes() + system_.memory_bytes() +
            static_cast<std::size_t>(3 * positions_.size()) * sizeof(double);
@@ -124,12 +117,7 @@ class VbdStep final : public ImplicitStep<double> {
   Positions positions_, before_;       // #V by 3, m, in world coordinates; before the last iteration
   double rho_, omega_ = 1, last_ = 0;  // last_: the longest move of the last iteration, m
   int iteration_ = 0;
-  ListOrders orders_;
 };
-
-std::unique_ptr<Simulation> make(const SimulationInput& input, std::vector<Pass<double>> effect_passes) {
-  return std::make_unique<VbdStep>(input, std::move(effect_passes));
-}
 
 // A vertex goes by 1 / (1 + C²) of its way while its neighbours hold it, with the Courant number C of the
 // membrane. Sheets of 8 and 16 cells, Y = 10 to 10⁵ N/m, n iterations: how far they were from newton's
@@ -163,6 +151,6 @@ constinit const MethodKind Vbd::kind{
     .mesh_order = true,
     .iterations_per_courant = enough_reach,
     .residual_of_lag_on_obstacle = residual_of_lag_on_obstacle,
-    .make_double = make,
+    .make_double = make_step<VbdStep>,
 };
 }  // namespace bendlab
