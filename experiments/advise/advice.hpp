@@ -9,7 +9,7 @@
 
 #include "experiments/advise/front.hpp"
 #include "experiments/advise/reference.hpp"
-#include "experiments/run/warnings.hpp"
+#include "experiments/run/warning.hpp"
 
 namespace bendlab {
 

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <thread>
 
-#include "experiments/campaign/errors.hpp"
 #include "experiments/config/references.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/run/forecast.hpp"
+#include "experiments/run/run_id.hpp"
 
 namespace bendlab {
 

@@ -4,12 +4,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <map>
 #include <regex>
 #include <set>
+#include <stdexcept>
 
-#include "experiments/bench/families.hpp"
-#include "experiments/campaign/errors.hpp"
+#include "bendlab/solver/simulation.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/machine.hpp"
 
 namespace bendlab {
 namespace {
@@ -69,6 +72,18 @@ Spread repeated(const std::string& id, int repetitions, double least_s,
   benchmark::RunSpecifiedBenchmarks(&collector, "all");
   benchmark::ClearRegisteredBenchmarks();
   return spread_of(std::move(collector.seconds));
+}
+
+Spread ns_per(double count, const Spread& seconds) {
+  return {1e9 * seconds.median / count, 1e9 * seconds.lowest / count, 1e9 * seconds.highest / count};
+}
+
+StepSeconds timed_step(Simulation& simulation) {
+  const auto start = std::chrono::steady_clock::now();
+  const double cpu_start = thread_cpu_s();
+  if (!simulation.step()) throw std::runtime_error("the cloth of a benchmark diverged");
+  const double cpu = thread_cpu_s() - cpu_start;
+  return {cpu, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
 }
 
 std::vector<BenchCase> bench_cases(const BenchOptions& options) {

@@ -17,6 +17,8 @@
 
 namespace bendlab {
 
+class Simulation;
+
 struct BenchOptions {
   std::string filter;  ///< regular expression on ids; empty: all
   bool quick = false;  ///< small meshes and short repetitions, to test that it works
@@ -45,10 +47,28 @@ struct BenchRow {
 
 /// One row to be measured. Cases that follow one another may share a scene.
 struct BenchCase {
-  std::string id;      ///< name/scalar, and /threads:N from two on
-  std::string oracle;  ///< id of the case it is compared with; empty: none
+  std::string id;        ///< name/scalar, and /threads:N from two on
+  std::string oracle{};  ///< id of the case it is compared with; empty: none
   std::function<BenchRow()> run;
 };
+
+/// Strain, crossover springs, dense rings and whole steps on a cloth that moves; the oracle beside them.
+std::vector<BenchCase> cloth_cases(const BenchOptions& options);
+
+/// Time of each effect's passes in a step, per vertex and per action, over sizes.
+std::vector<BenchCase> effect_cases(const BenchOptions& options);
+
+/// An iteration of each solver method, per vertex, over sizes; gradient and solve of quasi_newton apart.
+std::vector<BenchCase> method_cases(const BenchOptions& options);
+
+/// Rings, pairs, colours and batches of `adaptive`: seconds and peak memory.
+std::vector<BenchCase> set_up_cases(const BenchOptions& options);
+
+/// Recording beside stepping, and a sweep with one job and with two.
+std::vector<BenchCase> run_cases(const BenchOptions& options);
+
+/// Strain error after the same number of sweeps, order `colour` against `mesh`.
+std::vector<BenchCase> convergence_cases(const BenchOptions& options);
 
 /// `name/scalar[/threads:N]`.
 std::string bench_id(const std::string& name, const std::string& scalar, int threads = 1);
@@ -57,6 +77,16 @@ std::string bench_id(const std::string& name, const std::string& scalar, int thr
 /// each (0: one iteration), and gives seconds per iteration.
 Spread repeated(const std::string& id, int repetitions, double least_s,
                 const std::function<double()>& measure);
+
+/// ns for each of `count` pieces of work that took so long together.
+Spread ns_per(double count, const Spread& seconds);
+
+/// Seconds of a step: processor time of this thread, and wall time.
+struct StepSeconds {
+  double cpu, wall;
+};
+/// Throws std::runtime_error if the cloth diverged.
+StepSeconds timed_step(Simulation& simulation);
 
 /// The cases that the options choose, and the oracles that these are compared with. Throws UsageError if the
 /// filter is no regular expression or chooses nothing.

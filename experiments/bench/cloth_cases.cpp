@@ -1,16 +1,13 @@
 // Kernels in the steps of a cloth that moves, so that positions, branches and caches are as in a run.
 #include <fmt/format.h>
 
-#include <chrono>
 #include <memory>
-#include <stdexcept>
 #include <tuple>
 
 #include "bendlab/scene/built_scene.hpp"
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/bench/roofline.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/machine.hpp"
 
 namespace bendlab {
 namespace {
@@ -63,13 +60,11 @@ class MovingCloth {
   /// Processor time where one thread works, else wall time. A pass has its share of the step's wall time.
   StepTime step() {
     const StepTime before = passes();
-    const double cpu_start = thread_cpu_s();
-    const auto start = std::chrono::steady_clock::now();
-    if (!simulation_->step()) throw std::runtime_error("the cloth of a benchmark diverged");
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double all = threads_ == 1 ? thread_cpu_s() - cpu_start : wall;
+    const StepSeconds took = timed_step(*simulation_);
+    const double all = threads_ == 1 ? took.cpu : took.wall;
     const StepTime after = passes();
-    return {all * (after.strain - before.strain) / wall, all * (after.bending - before.bending) / wall, all};
+    return {all * (after.strain - before.strain) / took.wall,
+            all * (after.bending - before.bending) / took.wall, all};
   }
 
   double mean_speed() const { return simulation_->velocities().rowwise().norm().mean(); }  // m/s
@@ -158,8 +153,7 @@ BenchRow measure(Part part, const ClothKind& kind, MovingCloth& cloth, const Ben
         const StepTime time = cloth.step();
         return part == Part::strain ? time.strain : part == Part::bending ? time.bending : time.all;
       });
-  const double to_ns = 1e9 / static_cast<double>(iterations * row.constraints);
-  row.ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
+  row.ns = ns_per(static_cast<double>(iterations * row.constraints), seconds);
   row.roofline_fraction = iterations * roofline_of(part, kind, cloth) / kind.threads / seconds.median;
   if (part == Part::step) row.more["step_ms"] = 1e3 * seconds.median;
   row.more["mean_speed_m_per_s"] = cloth.mean_speed();

@@ -10,7 +10,7 @@
 
 #include "bendlab/metrics/stretch.hpp"
 #include "bendlab/scene/built_scene.hpp"
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/config/experiment.hpp"
 
 namespace bendlab {
@@ -141,9 +141,8 @@ std::vector<BenchCase> convergence_cases(const BenchOptions& options) {
   for (const ConvergenceScene& scene : scenes)
     for (const int sweeps : options.quick ? std::vector{1, 10} : std::vector{1, 5, 10, 20}) {
       const std::string name = fmt::format("convergence/{}/{}", scene.name, sweeps);
-      cases.push_back({.id = bench_id(name, "double"), .oracle = "", .run = [=, &scene] {
-                         return measure(name, scene, sweeps);
-                       }});
+      cases.push_back(
+          {.id = bench_id(name, "double"), .run = [=, &scene] { return measure(name, scene, sweeps); }});
     }
   return cases;
 }

@@ -4,18 +4,14 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
-#include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <memory>
-#include <numbers>
-#include <stdexcept>
 
+#include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/generators.hpp"
 #include "bendlab/scene/built_scene.hpp"
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/machine.hpp"
 
 namespace bendlab {
 namespace {
@@ -55,27 +51,7 @@ constexpr std::array effect_scenes = {
 /// A ball of 512 triangles around the origin, of radius 1, as a mesh file; removed at the end.
 class BallFile {
  public:
-  BallFile() {
-    constexpr int rings = 16, around = 17;
-    std::ofstream stream(path);
-    stream << "v 0 0 1\n";
-    for (int r = 1; r < rings; ++r)
-      for (int a = 0; a < around; ++a) {
-        const double polar = std::numbers::pi * r / rings, turn = 2 * std::numbers::pi * a / around;
-        stream << fmt::format("v {} {} {}\n", std::sin(polar) * std::cos(turn),
-                              std::sin(polar) * std::sin(turn), std::cos(polar));
-      }
-    stream << "v 0 0 -1\n";
-    const auto vertex = [](int r, int a) { return 2 + (r - 1) * around + a % around; };
-    const int last = 2 + (rings - 1) * around;
-    for (int a = 0; a < around; ++a) {
-      stream << fmt::format("f 1 {} {}\n", vertex(1, a), vertex(1, a + 1));
-      for (int r = 1; r + 1 < rings; ++r)
-        stream << fmt::format("f {} {} {}\nf {} {} {}\n", vertex(r, a), vertex(r + 1, a),
-                              vertex(r + 1, a + 1), vertex(r, a), vertex(r + 1, a + 1), vertex(r, a + 1));
-      stream << fmt::format("f {} {} {}\n", last, vertex(rings - 1, a + 1), vertex(rings - 1, a));
-    }
-  }
+  BallFile() { write_mesh(path, sphere(1, 8)); }
   ~BallFile() { std::filesystem::remove(path); }
   BallFile(const BallFile&) = delete;
   BallFile& operator=(const BallFile&) = delete;
@@ -131,16 +107,11 @@ class CloseWatch {
   /// Processor seconds of the effect's passes in a step.
   double step() {
     const PassStatistics before = effect();
-    const double cpu_start = thread_cpu_s();
-    const auto start = std::chrono::steady_clock::now();
-    if (!simulation_->step()) throw std::runtime_error("the cloth of a benchmark diverged");
-    const double wall = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const double cpu = thread_cpu_s() - cpu_start;
+    const StepSeconds took = timed_step(*simulation_);
     const PassStatistics after = effect();
     acted += (static_cast<double>(after.acted - before.acted) - acted) / ++steps_;  // mean so far
-    const double seconds = cpu * (after.seconds - before.seconds) / wall;
-    share = seconds / cpu;
-    return seconds;
+    share = (after.seconds - before.seconds) / took.wall;
+    return took.cpu * share;
   }
 
   int vertices = 0;
@@ -176,8 +147,7 @@ BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
     return sum;
   };
   const Spread seconds = repeated(bench_id(row.name, row.scalar), options.repetitions, 0, step);
-  const double to_ns = 1e9 / cloth.vertices;  // per vertex and step
-  row.ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
+  row.ns = ns_per(cloth.vertices, seconds);  // per vertex and step
   row.more["acted_per_step"] = cloth.acted;
   if (cloth.acted > 0) row.more["per_action_ns"] = 1e9 * seconds.median / cloth.acted;
   row.more["share_of_step"] = cloth.share;
@@ -194,7 +164,6 @@ std::vector<BenchCase> effect_cases(const BenchOptions& options) {
       // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (scene.effect == "self_collision" && cells == 1000) continue;
       cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
-                       .oracle = "",
                        .run = [=, &scene] { return measure(scene, cells, "float", options); }});
     }
   return cases;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 #include <Eigen/CholmodSupport>
 
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -15,7 +14,7 @@
 #include "bendlab/solver/one_blas_thread.hpp"
 #include "bendlab/solver/ordered_constraints.hpp"
 #include "bendlab/solver/sparse_factor.hpp"
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/bench/roofline.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
@@ -96,11 +95,6 @@ double least_s(const BenchOptions& options) {
   return options.quick ? 0.005 : 0.15;
 }
 
-Spread per(const Spread& seconds, double count) {
-  const double to_ns = 1e9 / count;
-  return {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns};
-}
-
 // ---- the gradient
 
 double least_gradient_seconds(const MovedScene& moved, std::size_t scalar, std::size_t scene_bytes) {
@@ -169,7 +163,7 @@ BenchRow measure_gradient(const std::string& name, const MethodCase& kind, bool 
     row.roofline_fraction =
         least_gradient_seconds(moved, scalar, gradient_bytes(moved, scalar)) / seconds.median;
   }
-  row.ns = per(seconds, static_cast<double>(row.constraints));
+  row.ns = ns_per(static_cast<double>(row.constraints), seconds);
   return row;
 }
 
@@ -195,7 +189,7 @@ BenchRow solved_by_factor(BenchRow row, const Eigen::SparseMatrix<double>& matri
     for (Point<Real>& point : points) point.set(Vector3Of<Real>::Ones());
     return cpu_seconds([&] { factor.solve(points.data()); });
   });
-  row.ns = per(seconds, static_cast<double>(row.vertices));
+  row.ns = ns_per(static_cast<double>(row.vertices), seconds);
   row.roofline_fraction = solve_roofline_seconds(factor.entries(), sizeof(Real)) / seconds.median;
   return row;
 }
@@ -220,7 +214,7 @@ BenchRow measure_solve(const std::string& name, const MethodCase& kind, bool ora
   Eigen::MatrixXd solution;
   const Spread seconds = repeated(bench_id(name, kind.scalar), options.repetitions, least_s(options),
                                   [&] { return cpu_seconds([&] { solution = factor.solve(right); }); });
-  row.ns = per(seconds, static_cast<double>(row.vertices));
+  row.ns = ns_per(static_cast<double>(row.vertices), seconds);
   return row;
 }
 
@@ -247,18 +241,13 @@ BenchRow measure_method(const std::string& name, const MethodCase& kind, const B
   row.vertices = row.constraints = moved.vertices();
   const auto simulation = simulation_of(moved.scene);
   const auto step = [&] {
-    const auto start = std::chrono::steady_clock::now();
-    const double cpu_start = thread_cpu_s();
-    if (!simulation->step()) throw std::runtime_error("the cloth of a benchmark diverged");
-    const double cpu = thread_cpu_s() - cpu_start;
-    return kind.threads == 1
-               ? cpu
-               : std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const StepSeconds seconds = timed_step(*simulation);
+    return kind.threads == 1 ? seconds.cpu : seconds.wall;
   };
   for (int warm = 0; warm < method_warm_up; ++warm) step();  // the first one factorises
   const Spread seconds =
       repeated(bench_id(name, kind.scalar, kind.threads), options.repetitions, least_s(options), step);
-  row.ns = per(seconds, kind.iterations * static_cast<double>(row.vertices));
+  row.ns = ns_per(kind.iterations * static_cast<double>(row.vertices), seconds);
   row.more["step_ms"] = 1e3 * seconds.median;
   row.more["iterations"] = kind.iterations;
   if (kind.method == "quasi_newton")
@@ -276,9 +265,8 @@ std::vector<BenchCase> method_cases(const BenchOptions& options) {
   const Sizes sizes = options.quick ? Sizes{32} : Sizes{32, 64, 128, 256, 512};
   const auto add_method = [&](const MethodCase& kind) {
     const std::string name = fmt::format("method/{}/{}", kind.method, kind.cells);
-    cases.push_back({.id = bench_id(name, kind.scalar, kind.threads), .oracle = "", .run = [=] {
-                       return measure_method(name, kind, options);
-                     }});
+    cases.push_back({.id = bench_id(name, kind.scalar, kind.threads),
+                     .run = [=] { return measure_method(name, kind, options); }});
   };
   const auto add_part = [&](const char* part, auto measure, int cells, const char* scalar,
                             const std::string& oracle) {

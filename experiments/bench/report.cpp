@@ -14,8 +14,8 @@ namespace {
 
 constexpr int schema_version = 1;  // raised when a key changes its meaning
 
-Json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
+Json json_of(const std::optional<double>& value) {
+  return value ? Json(*value) : Json();
 }
 
 Json row_json(const BenchRow& row) {
@@ -24,12 +24,12 @@ Json row_json(const BenchRow& row) {
                {"threads", row.threads},
                {"vertices", row.vertices},
                {"constraints", row.constraints},
-               {"ns_per_constraint", number_or_null(row.ns.median)},
-               {"ns_lowest", number_or_null(row.ns.lowest)},
-               {"ns_highest", number_or_null(row.ns.highest)},
+               {"ns_per_constraint", row.ns.median},
+               {"ns_lowest", row.ns.lowest},
+               {"ns_highest", row.ns.highest},
                {"repetitions", row.repetitions},
-               {"ratio_to_oracle", number_or_null(row.ratio_to_oracle)},
-               {"roofline_fraction", number_or_null(row.roofline_fraction)}};
+               {"ratio_to_oracle", json_of(row.ratio_to_oracle)},
+               {"roofline_fraction", json_of(row.roofline_fraction)}};
   json.update(row.more);
   return json;
 }

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/campaign/campaign.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
@@ -63,13 +63,12 @@ Work work_of(const RunConfig& config) {
 
 BenchRow row_of(const std::string& name, int threads, const Work& work, double runs, const Spread& seconds,
                 int repetitions) {
-  const double to_ns = 1e9 / (runs * work.projections);
   return {.name = name,
           .scalar = "float",
           .threads = threads,
           .vertices = work.vertices,
           .constraints = work.constraints,
-          .ns = {seconds.median * to_ns, seconds.lowest * to_ns, seconds.highest * to_ns},
+          .ns = ns_per(runs * work.projections, seconds),
           .repetitions = repetitions};
 }
 
@@ -143,11 +142,9 @@ std::vector<BenchCase> run_cases(const BenchOptions& options) {
   const std::string recording = fmt::format("recording/{}", cells),
                     sweep = fmt::format("sweep/{}", cells / 2);
   return {{.id = bench_id(recording, "float", 2),
-           .oracle = "",
            .run = [=] { return measure_recording(recording, cells, duration_s, repetitions); }},
-          {.id = bench_id(sweep, "float", 2), .oracle = "", .run = [=] {
-             return measure_sweep(sweep, cells / 2, 2 * duration_s, repetitions);
-           }}};
+          {.id = bench_id(sweep, "float", 2),
+           .run = [=] { return measure_sweep(sweep, cells / 2, 2 * duration_s, repetitions); }}};
 }
 
 }  // namespace bendlab

@@ -10,7 +10,7 @@
 #include <stdexcept>
 
 #include "bendlab/scene/built_scene.hpp"
-#include "experiments/bench/families.hpp"
+#include "experiments/bench/bench.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/machine.hpp"
 
@@ -98,13 +98,12 @@ BenchRow measure(const std::string& name, int cells, int repetitions) {
     return times.springs + times.order;
   });
   const auto count = static_cast<double>(set_up.springs());
-  BenchRow row{
-      .name = name,
-      .scalar = "float",
-      .vertices = set_up.vertices(),
-      .constraints = set_up.springs(),
-      .ns = {1e9 * seconds.median / count, 1e9 * seconds.lowest / count, 1e9 * seconds.highest / count},
-      .repetitions = repetitions};
+  BenchRow row{.name = name,
+               .scalar = "float",
+               .vertices = set_up.vertices(),
+               .constraints = set_up.springs(),
+               .ns = ns_per(count, seconds),
+               .repetitions = repetitions};
   row.more = {{"set_up_s", seconds.median},
               {"rings_and_pairs_s", spread_of(springs).median},
               {"colours_and_batches_s", spread_of(order).median},
@@ -119,10 +118,9 @@ std::vector<BenchCase> set_up_cases(const BenchOptions& options) {
   std::vector<BenchCase> cases;
   for (const int cells : options.quick ? std::vector{32} : std::vector{64, 128, 256}) {
     const std::string name = fmt::format("set_up/{}", cells);
-    cases.push_back(
-        {.id = bench_id(name, "float"), .oracle = "", .run = [=, repetitions = options.repetitions] {
-           return measure(name, cells, repetitions);
-         }});
+    cases.push_back({.id = bench_id(name, "float"), .run = [=, repetitions = options.repetitions] {
+                       return measure(name, cells, repetitions);
+                     }});
   }
   return cases;
 }

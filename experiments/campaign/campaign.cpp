@@ -18,9 +18,10 @@
 #include <thread>
 
 #include "bendlab/io/disk.hpp"
-#include "experiments/campaign/errors.hpp"
-#include "experiments/campaign/run_labels.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/run/folder.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/terminal/progress.hpp"
 #include "experiments/terminal/signals.hpp"
 
@@ -48,8 +49,8 @@ std::vector<std::size_t> first_of_equals(const std::vector<CampaignRun>& runs) {
         fmt::format("{}\n{}", runs[i].experiment->name, identity_text(config.resolved()));
     for (const auto& [pointer, value] : config.point)
       what_names_the_file += fmt::format("\n{} {}", pointer, value.dump());
-    for (const auto& [pointer, path] : input_files(config))
-      what_names_the_file += fmt::format("\n{}", path.string());
+    for (const NamedFile& file : input_files(config))
+      what_names_the_file += fmt::format("\n{}", file.path.string());
     result.push_back(first.try_emplace(what_names_the_file, i).first->second);
   }
   return result;

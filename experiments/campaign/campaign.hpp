@@ -8,8 +8,11 @@
 #include <string>
 #include <vector>
 
+#include "experiments/campaign/run_labels.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/forecast.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_control.hpp"
+#include "experiments/run/run_outcome.hpp"
 
 namespace bendlab {
 
@@ -23,6 +26,12 @@ struct CampaignRun {
 
   bool started() const { return outcome.has_value() || !error.empty(); }
 };
+inline std::string place_text(const CampaignRun& run) {
+  return place_text(*run.experiment, *run.config);
+}
+inline std::string run_text(const CampaignRun& run) {
+  return run_text(*run.experiment, *run.config);
+}
 
 /// A part of a campaign: the `index`-th of `count`.
 struct Shard {
@@ -39,7 +48,7 @@ struct CampaignOptions {
   /// is told on stderr, and why one failed is kept in its folder.
   std::optional<Shard> shard{};
   WhenOwned when_owned = WhenOwned::wait;
-  bool tells_verdicts = true;  ///< each implausible run on stderr, when it is over
+  bool tells_verdicts = true;               ///< each implausible run on stderr, when it is over
   const std::atomic<bool>* stop = nullptr;  ///< set: as after a stop signal; null: that is stop_flag()
 };
 

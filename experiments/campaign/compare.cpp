@@ -44,8 +44,7 @@ bool same(const std::optional<double>& one, const std::optional<double>& other) 
   return one == other || (one && other && std::isnan(*one) && std::isnan(*other));
 }
 
-}  // namespace
-
+// Settings that differ between two configs, by pointer.
 std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other) {
   const std::map<std::string, Json> mine = values_of(one), others = values_of(other);
   const auto value_in = [](const std::map<std::string, Json>& values, const std::string& pointer) {
@@ -60,6 +59,7 @@ std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other)
   return changed;
 }
 
+// Numbers that differ to the bit.
 std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& one,
                                            const std::map<std::string, double>& other) {
   std::vector<ChangedNumber> changed;
@@ -76,6 +76,8 @@ std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& 
   std::ranges::stable_sort(changed, {}, size);
   return changed;
 }
+
+}  // namespace
 
 RunDifference difference(const RunRecord& one, const RunRecord& other) {
   RunDifference found;

@@ -33,12 +33,6 @@ struct RunDifference {
   std::vector<std::string> differing_parts;  ///< of the files, to the bit; empty: the same
 };
 
-/// Settings that differ between two configs, by pointer.
-std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other);
-/// Numbers that differ to the bit.
-std::vector<ChangedNumber> changed_numbers(const std::map<std::string, double>& one,
-                                           const std::map<std::string, double>& other);
-
 /// Throws RunFileError.
 RunDifference difference(const RunRecord& one, const RunRecord& other);
 

@@ -6,7 +6,7 @@
 
 #include "bendlab/io/disk.hpp"
 #include "bendlab/parameters/input_file.hpp"
-#include "experiments/campaign/run_labels.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {

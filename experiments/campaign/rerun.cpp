@@ -5,9 +5,12 @@
 #include <array>
 
 #include "bendlab/io/disk.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
+#include "experiments/run/run_record.hpp"
 
 namespace bendlab {
 namespace {
@@ -18,11 +21,6 @@ namespace fs = std::filesystem;
 constexpr std::array<const char*, 13> decisive = {
     "version",        "git_commit", "git_dirty",   "git_changes", "source_hash", "own_code",    "compiler",
     "compiler_flags", "build_type", "vector_bits", "processor",   "libraries",   "blas_kernels"};
-
-std::string text_in(const RunRecord& run, const char* name) {
-  const auto found = run.provenance.find(name);
-  return found == run.provenance.end() ? "unknown" : found->second;
-}
 
 // The run's settings, with its input files beside them under names of their own.
 Experiment experiment_of(const RunRecord& run, const fs::path& folder) {
@@ -45,7 +43,7 @@ Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl
   Experiment experiment = experiment_of(run, folder);
   experiment.settings = {{"name", run.name}};  // nobody stated the others: no warning is due for them
   RunConfig& config = experiment.runs.front();
-  const Json point = Json::parse(text_in(run, "point"), nullptr, false);
+  const Json point = provenance_json(run, "point");
   if (point.is_object())
     for (const auto& [pointer, value] : point.items()) config.point.emplace_back(pointer, value);
   std::error_code none;
@@ -59,7 +57,8 @@ Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl
   repetition.differing_parts = differing_parts(run.file, repetition.outcome.file);
   const RunRecord now = read_run(repetition.outcome.file);
   for (const char* name : decisive)
-    if (const std::pair texts(text_in(run, name), text_in(now, name)); texts.first != texts.second)
+    if (const std::pair texts(provenance_text(run, name, "unknown"), provenance_text(now, name, "unknown"));
+        texts.first != texts.second)
       repetition.changed.emplace(name, texts);
   return repetition;
 }

@@ -8,7 +8,8 @@
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_control.hpp"
+#include "experiments/run/run_outcome.hpp"
 
 namespace bendlab {
 

@@ -8,7 +8,6 @@
 #include <array>
 #include <charconv>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -17,10 +16,10 @@
 
 #include "bendlab/io/disk.hpp"
 #include "bendlab/parameters/input_file.hpp"
-#include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/strict_json.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/run_record.hpp"
 
 namespace bendlab {
 namespace {
@@ -64,40 +63,12 @@ std::string dumped(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);  // no tab and no new line is left in it
 }
 
-// A number of a run; JSON has none that is not finite.
-json number_json(double number) {
-  return std::isfinite(number) ? json(number)
-         : std::isnan(number)  ? json()
-                               : json(number > 0 ? "inf" : "-inf");
-}
-
-double number_of(const std::string& text) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  return text == "inf" ? infinity : -infinity;
-}
-
-double number_of(const json& value) {
-  if (value.is_number()) return value.get<double>();
-  return value.is_null() ? std::nan("") : number_of(value.get_ref<const std::string&>());
-}
-
 std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord& run) {
-  json passes = json::array(), summary = json::object();
-  for (const PassTime& pass : run.passes) passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
+  json summary = json::object();
   for (const auto& [name, value] : run.summary) summary[name] = number_json(value);
-  const json head = {{"id", run.id},
-                     {"name", run.name},
-                     {"status", to_string(run.status)},
-                     {"frames", run.frames},
-                     {"wall_s", number_json(run.wall_s)},
-                     {"cpu_s", number_json(run.cpu_s)},
-                     {"step_cpu_s", number_json(run.step_cpu_s)},
-                     {"metrics", run.metrics},
-                     {"constraints", run.constraints},
-                     {"passes", std::move(passes)}};
   return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", fs::relative(run.file, folder).string(), stamp.size,
-                     stamp.modified, stamp.changed, dumped(head), dumped(summary), dumped(run.provenance),
-                     Json::parse(run.config).dump());
+                     stamp.modified, stamp.changed, dumped(head_json(run)), dumped(summary),
+                     dumped(run.provenance), Json::parse(run.config).dump());
 }
 
 /// Reads an object of texts and numbers into maps, without making a JSON document of it: there are thousands.
@@ -115,7 +86,7 @@ class FlatObject : public nlohmann::json_sax<json> {
   bool number_unsigned(number_unsigned_t value) override { return put(static_cast<double>(value)); }
   bool number_float(number_float_t value, const string_t&) override { return put(value); }
   bool string(string_t& value) override {
-    if (numbers_) return put(number_of(value));
+    if (numbers_) return put(number_of(json(value)));
     texts_->emplace_hint(texts_->end(), std::move(key_), std::move(value));
     return true;
   }
@@ -149,19 +120,7 @@ struct Entry {
   std::string_view line, head, summary, provenance, config;
 
   RunRecord record(const fs::path& file, Part part) const {
-    const json first = json::parse(head);
-    RunRecord run{.file = file,
-                  .id = first.at("id"),
-                  .name = first.at("name"),
-                  .status = named<RunStatus>(first.at("status").get<std::string>(), run_status_names),
-                  .frames = first.at("frames"),
-                  .wall_s = number_of(first.at("wall_s")),
-                  .cpu_s = number_of(first.at("cpu_s")),
-                  .step_cpu_s = number_of(first.at("step_cpu_s")),
-                  .metrics = first.at("metrics"),
-                  .constraints = first.at("constraints")};
-    for (const json& pass : first.at("passes"))
-      run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
+    RunRecord run = record_of(json::parse(head), file);
     if (part == Part::state) return run;
     run.config = config;
     FlatObject(run.summary).read(summary);

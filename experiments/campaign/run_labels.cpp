@@ -85,19 +85,18 @@ std::vector<std::string> axis_cells(const Experiment& experiment, const RunConfi
   return cells;
 }
 
-std::string place_text(const CampaignRun& run) {
-  if (run.config->point.empty()) return run.experiment->name;
-  const std::vector<std::string> headings = axis_headings(*run.experiment);
-  const std::vector<std::string> cells = axis_cells(*run.experiment, *run.config);
+std::string place_text(const Experiment& experiment, const RunConfig& config) {
+  if (config.point.empty()) return experiment.name;
+  const std::vector<std::string> headings = axis_headings(experiment), cells = axis_cells(experiment, config);
   std::string text;
   for (std::size_t i = 0; i < cells.size(); ++i)
     if (!cells[i].empty()) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", headings[i], cells[i]);
   return text;
 }
 
-std::string run_text(const CampaignRun& run) {
-  if (run.config->point.empty()) return run.experiment->name;
-  return fmt::format("{} ({})", run.experiment->name, place_text(run));
+std::string run_text(const Experiment& experiment, const RunConfig& config) {
+  return config.point.empty() ? experiment.name
+                              : fmt::format("{} ({})", experiment.name, place_text(experiment, config));
 }
 
 }  // namespace bendlab

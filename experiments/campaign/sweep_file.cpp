@@ -4,7 +4,7 @@
 
 #include "bendlab/io/disk.hpp"
 #include "experiments/config/schema.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {

@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 
 namespace bendlab {

@@ -7,21 +7,14 @@
 #include <limits>
 
 #include "bendlab/scene/counted.hpp"
-#include "experiments/campaign/run_labels.hpp"
 
 namespace bendlab {
 namespace {
 
-struct RunText {
-  std::string kind, message;
-  double severity = 0;
-  std::string measured;
-};
-
-void collect(std::vector<CollectedText>& collected, const CampaignRun& run, const RunText& found) {
-  auto same = std::ranges::find(collected, found.kind, &CollectedText::kind);
+void collect(std::vector<CollectedText>& collected, const CampaignRun& run, const Warning& found) {
+  auto same = std::ranges::find(collected, found.code, &CollectedText::kind);
   if (same == collected.end())
-    same = collected.insert(same, {.kind = found.kind, .place = {}, .message = {}});
+    same = collected.insert(same, {.kind = found.code, .place = {}, .message = {}});
   const bool first = same->runs++ == 0;
   if (first || found.severity > same->worst) {
     same->worst = found.severity, same->worst_text = found.measured;
@@ -32,8 +25,8 @@ void collect(std::vector<CollectedText>& collected, const CampaignRun& run, cons
 }
 
 // By how much a bound is broken: measured over limit; what is not finite is the worst.
-RunText of_bound(const BrokenBound& broken) {
-  RunText text{.kind = std::string(name_of(broken.bound)), .message = text_of(broken), .measured = {}};
+Warning of_bound(const BrokenBound& broken) {
+  Warning text{.code = std::string(name_of(broken.bound)), .message = text_of(broken)};
   text.severity = broken.measured / broken.limit;
   if (!std::isfinite(text.severity)) text.severity = std::numeric_limits<double>::infinity();
   if (std::isfinite(broken.measured)) {
@@ -50,8 +43,7 @@ std::vector<CollectedText> collected_warnings(std::span<const CampaignRun> runs)
   std::vector<CollectedText> collected;
   for (const CampaignRun& run : runs)
     if (run.outcome)
-      for (const Warning& warning : run.outcome->warnings)
-        collect(collected, run, {warning.code, warning.message, warning.severity, warning.measured});
+      for (const Warning& warning : run.outcome->warnings) collect(collected, run, warning);
   return collected;
 }
 

@@ -17,13 +17,13 @@
 
 #include "bendlab/mesh/bad_triangles.hpp"
 #include "bendlab/scene/nearest_name.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/completion.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/export/exported_run.hpp"
-#include "experiments/measures/reference.hpp"
+#include "experiments/measures/metrics.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/run/version.hpp"
 #include "experiments/terminal/printable.hpp"
 
@@ -100,20 +100,30 @@ CLI::App* add_command(CLI::App& app, Arguments& arguments, const char* name, con
   return added;
 }
 
+// An option whose default --help says.
+template <class Value>
+CLI::Option* add_shown(CLI::App* command, const char* name, Value& value, const std::string& what) {
+  return command->add_option(name, value, what)->capture_default_str();
+}
+
+// An option that may be given several times, with a value each.
+void add_repeatable(CLI::App* command, const char* type, const char* name, std::vector<std::string>& values,
+                    const char* what) {
+  command->add_option(name, values, what)->type_name(type)->allow_extra_args(false);
+}
+
+void add_results(CLI::App* command, std::string& folder) {
+  add_shown(command, "--results", folder, "Where a run's id is looked for");
+}
+
 void add_configs(CLI::App* command, Arguments& arguments) {
   command->add_option("CONFIG", arguments.configs.files, "JSON files of experiments")->required();
-  command
-      ->add_option(
-          "--set", arguments.configs.overrides,
-          "Change a setting, such as /mesh/cells=64; a value (or a list of them) replaces a sweep of it. "
-          "Repeatable")
-      ->type_name("/POINTER=VALUE")
-      ->allow_extra_args(false);
-  command
-      ->add_option("--sweep", arguments.configs.axes,
-                   "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable")
-      ->type_name("/POINTER=VALUES")
-      ->allow_extra_args(false);
+  add_repeatable(
+      command, "/POINTER=VALUE", "--set", arguments.configs.overrides,
+      "Change a setting, such as /mesh/cells=64; a value (or a list of them) replaces a sweep of it. "
+      "Repeatable");
+  add_repeatable(command, "/POINTER=VALUES", "--sweep", arguments.configs.axes,
+                 "Add an axis to the sweep, such as /bending/k=0.1,0.2. Repeatable");
 }
 
 void add_json(CLI::App* command, Arguments& arguments, const char* what) {
@@ -128,13 +138,10 @@ void add_jobs(CLI::App* command, Arguments& arguments) {
 }
 
 void add_checkpoint(CLI::App* command, Arguments& arguments) {
-  command
-      ->add_option(
-          "--checkpoint", arguments.options.checkpoint_interval_s,
-          "How often a run writes what it needs to go on after a crash, in s, where that takes at most "
-          "1 % of its time; 0: only when it is stopped")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
+  add_shown(command, "--checkpoint", arguments.options.checkpoint_interval_s,
+            "How often a run writes what it needs to go on after a crash, in s, where that takes at most "
+            "1 % of its time; 0: only when it is stopped")
+      ->check(CLI::NonNegativeNumber);
 }
 
 void add_campaign(CLI::App* command, Arguments& arguments) {
@@ -150,7 +157,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                   [&a] { return run_command(a.configs, a.options, a.json, a.explain, a.strict); });
   add_configs(run, a);
   add_campaign(run, a);
-  run->add_option("--out", a.options.out, "Folder for the results")->capture_default_str();
+  add_shown(run, "--out", a.options.out, "Folder for the results");
   run->add_flag("--minimal", a.options.minimal,
                 "Leave out effects that cannot act, and check that no bit of the result changes");
   CLI::Option* explain =
@@ -166,7 +173,7 @@ void add_run_commands(CLI::App& app, Arguments& a) {
                   [&a] { return plan_command(a.configs, a.options.out, a.plan, a.json); });
   add_configs(plan, a);
   plan->add_option("--write", a.plan, "Write the plan to a file, for 'bendlab work'")->type_name("PLAN");
-  plan->add_option("--out", a.options.out, "Folder of the results")->capture_default_str();
+  add_shown(plan, "--out", a.options.out, "Folder of the results");
   add_json(plan, a, "One JSON object per run");
 
   CLI::App* validate = add_command(app, a, "validate", "Check configs and report everything wrong with them",
@@ -177,15 +184,13 @@ void add_run_commands(CLI::App& app, Arguments& a) {
   CLI::App* reproduce =
       add_command(app, a, "reproduce", "Run a set of experiments and draw the page of its claims and checks",
                   [&a] { return reproduce_command(a.options, a.reproduce); });
-  reproduce
-      ->add_option(
-          "WHAT", a.reproduce.what,
-          "everything: the paper, then its ablations, every model and the scenes; paper: its figures alone; "
-          "stiffness: how stiff every model is, against theory; stability: which hard cases every model "
-          "survives; accuracy: what accuracy costs in time; plain: whether plain scenes go wrong without a "
-          "warning")
-      ->check(CLI::IsMember(reproducible()))
-      ->capture_default_str();
+  add_shown(
+      reproduce, "WHAT", a.reproduce.what,
+      "everything: the paper, then its ablations, every model and the scenes; paper: its figures alone; "
+      "stiffness: how stiff every model is, against theory; stability: which hard cases every model "
+      "survives; accuracy: what accuracy costs in time; plain: whether plain scenes go wrong without a "
+      "warning")
+      ->check(CLI::IsMember(reproducible()));
   add_campaign(reproduce, a);
   CLI::Option* full =
       reproduce->add_flag("--full", a.reproduce.full, "Add what takes longest, such as resolution 256");
@@ -230,36 +235,29 @@ void add_work_commands(CLI::App& app, Arguments& a) {
       add_command(app, a, "submit", "Write a plan, and submit it to Slurm as a job array of workers",
                   [&a] { return submit_command(a.configs, a.options.out, a.submitted); });
   add_configs(submit, a);
-  submit->add_option("--out", a.options.out, "Folder for the results, on a disk that all machines share")
-      ->capture_default_str();
+  add_shown(submit, "--out", a.options.out, "Folder for the results, on a disk that all machines share");
   submit
       ->add_option(
           "--tasks", a.submitted.tasks,
           "Tasks of the array (default: as many as are expected to last a minute each, at most 1000)")
       ->check(CLI::Range(1, 100000));
-  submit->add_option("--cpus", a.submitted.cpus, "Cores of a task, and runs that it computes at a time")
-      ->check(CLI::Range(1, 1024))
-      ->capture_default_str();
+  add_shown(submit, "--cpus", a.submitted.cpus, "Cores of a task, and runs that it computes at a time")
+      ->check(CLI::Range(1, 1024));
   submit
       ->add_option("--time", a.submitted.time,
                    "Time limit of a task, as sbatch takes it; a task that it stops goes on in the queue")
       ->type_name("TIME");
-  submit
-      ->add_option("--sbatch", a.submitted.sbatch,
-                   "Another option for sbatch, as --sbatch=--mem=4G. Repeatable")
-      ->type_name("OPTION")
-      ->allow_extra_args(false);
+  add_repeatable(submit, "OPTION", "--sbatch", a.submitted.sbatch,
+                 "Another option for sbatch, as --sbatch=--mem=4G. Repeatable");
   submit->add_flag("--dry-run", a.submitted.dry_run, "Print the batch file, and write and submit nothing");
 }
 
 void add_read_commands(CLI::App& app, Arguments& a) {
   CLI::App* list = add_command(app, a, "list", "List the runs below a folder",
                                [&a] { return list_command(a.listed, a.json); });
-  list->add_option("DIR", a.listed.folder, "Folder of results")->capture_default_str();
-  list->add_option("--where", a.listed.where,
-                   "Only runs whose config has this value, such as /mesh/cells=64. Repeatable")
-      ->type_name("/POINTER=VALUE")
-      ->allow_extra_args(false);
+  add_shown(list, "DIR", a.listed.folder, "Folder of results");
+  add_repeatable(list, "/POINTER=VALUE", "--where", a.listed.where,
+                 "Only runs whose config has this value, such as /mesh/cells=64. Repeatable");
   list->add_option(
           "--sort", a.listed.sort,
           "By a number of the summary, such as drop, or a setting, such as /mesh/cells; smallest first")
@@ -269,7 +267,7 @@ void add_read_commands(CLI::App& app, Arguments& a) {
   CLI::App* show = add_command(app, a, "show", "Show a run: summary, time per pass, provenance, config",
                                [&a] { return show_command(a.run, a.folder, a.json); });
   show->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
-  show->add_option("--results", a.folder, "Where a run's id is looked for")->capture_default_str();
+  add_results(show, a.folder);
   add_json(show, a, "As one JSON object");
 }
 
@@ -281,8 +279,7 @@ void add_compare_command(CLI::App& app, Arguments& a) {
                    "Run file, its folder, the beginning of its id, or the folder of a sweep")
       ->required();
   compare->add_option("OTHER", a.compared.other, "The same of the other")->required();
-  compare->add_option("--results", a.compared.folder, "Where a run's id is looked for")
-      ->capture_default_str();
+  add_results(compare, a.compared.folder);
   add_json(compare, a, "One JSON object per pair");
 }
 
@@ -293,7 +290,7 @@ void add_rerun_command(CLI::App& app, Arguments& a) {
   rerun->add_option("RUN", a.repeated.run, "Run file, its folder, or the beginning of the run's id")
       ->required();
   rerun->add_option("--out", a.repeated.out, "Keep the repetition in this folder (default: it is not kept)");
-  rerun->add_option("--results", a.repeated.folder, "Where a run's id is looked for")->capture_default_str();
+  add_results(rerun, a.repeated.folder);
   add_json(rerun, a, "As one JSON object");
 }
 
@@ -303,13 +300,10 @@ void add_page(CLI::App* command, Arguments& a, const char* name, const char* out
                    "Folders of results, run files, .sweep.json files, or the beginnings of runs' ids")
       ->required();
   command->add_option("-o,--out", a.page.out, out)->type_name("FILE");
-  command
-      ->add_option("--play", a.page.play,
-                   "A run to be played: the beginning of its id, or part of its folder's name. Repeatable "
-                   "(default: at most 8, every value of one axis, the others in the middle)")
-      ->type_name("RUN")
-      ->allow_extra_args(false);
-  command->add_option("--results", a.page.folder, "Where a run's id is looked for")->capture_default_str();
+  add_repeatable(command, "RUN", "--play", a.page.play,
+                 "A run to be played: the beginning of its id, or part of its folder's name. Repeatable "
+                 "(default: at most 8, every value of one axis, the others in the middle)");
+  add_results(command, a.page.folder);
 }
 
 void add_page_commands(CLI::App& app, Arguments& a) {
@@ -372,8 +366,7 @@ void add_export_command(CLI::App& app, Arguments& a) {
                    "Turn the run so that this axis is up (default: as it is, z unless gravity says y)")
       ->check(CLI::IsMember(std::vector<std::string>(up_axis_names.begin(), up_axis_names.end())));
   exported->add_flag("--force", a.exported.force, "Replace the files of an earlier export");
-  exported->add_option("--results", a.exported.folder, "Where a run's id is looked for")
-      ->capture_default_str();
+  add_results(exported, a.exported.folder);
   add_json(exported, a, "As one JSON object");
 }
 
@@ -381,7 +374,7 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
   CLI::App* stiffness = add_command(app, a, "stiffness", "Measure how stiff the cantilever strip of a run is",
                                     [&a] { return stiffness_command(a.run, a.folder, a.stiffness, a.json); });
   stiffness->add_option("RUN", a.run, "Run file, its folder, or the beginning of the run's id")->required();
-  stiffness->add_option("--results", a.folder, "Where a run's id is looked for")->capture_default_str();
+  add_results(stiffness, a.folder);
   stiffness
       ->add_option(
           "--clamp-offset", a.stiffness.clamp_offset,
@@ -393,8 +386,7 @@ void add_stiffness_command(CLI::App& app, Arguments& a) {
                    "Length at the clamp and at the free end that the fit of m(κ) leaves out, in m (default: "
                    "the constraints' reach)")
       ->check(CLI::NonNegativeNumber);
-  stiffness->add_option("--frame", a.stiffness.frame, "Which frame; negative numbers count from the end")
-      ->capture_default_str();
+  add_shown(stiffness, "--frame", a.stiffness.frame, "Which frame; negative numbers count from the end");
   stiffness->add_flag("--profile", a.stiffness.profile,
                       "Also print angle, curvature and moment along the strip");
   add_json(stiffness, a, "As one JSON object");
@@ -415,27 +407,20 @@ void add_advise_command(CLI::App& app, Arguments& a) {
       ->add_option("--budget", a.advise.budget,
                    "Find the most accurate settings with at most this CPU time per frame of 1/60 s")
       ->type_name("2ms");
-  advise->add_option("--set", a.advise.overrides, "Change a setting, such as /mesh/cells=64. Repeatable")
-      ->type_name("/POINTER=VALUE")
-      ->allow_extra_args(false);
-  advise
-      ->add_option("--what", a.advise.what,
-                   "Error of the pose at rest, or of the motion (auto: rest if only loads and damping act)")
-      ->check(CLI::IsMember({"auto", "rest", "motion"}))
-      ->capture_default_str();
+  add_repeatable(advise, "/POINTER=VALUE", "--set", a.advise.overrides,
+                 "Change a setting, such as /mesh/cells=64. Repeatable");
+  add_shown(advise, "--what", a.advise.what,
+            "Error of the pose at rest, or of the motion (auto: rest if only loads and damping act)")
+      ->check(CLI::IsMember({"auto", "rest", "motion"}));
   advise->add_option("--models", a.advise.models, "Only these models, separated by commas")->delimiter(',');
   advise->add_option("--methods", a.advise.methods, "Only these solver methods, separated by commas")
       ->delimiter(',');
-  advise
-      ->add_option(
-          "--time-limit", a.advise.time_limit,
-          "How long to take for it all, the reference too: 90s or 5min. What takes longer is predicted, "
-          "and marked so")
-      ->capture_default_str();
+  add_shown(advise, "--time-limit", a.advise.time_limit,
+            "How long to take for it all, the reference too: 90s or 5min. What takes longer is predicted, "
+            "and marked so");
   advise->add_option("--write", a.advise.write, "Write the config with the advised settings to this file")
       ->type_name("FILE");
-  advise->add_option("--out", a.options.out, "Folder for the results; runs go to advise/ in it")
-      ->capture_default_str();
+  add_shown(advise, "--out", a.options.out, "Folder for the results; runs go to advise/ in it");
   add_jobs(advise, a);
   add_json(advise, a, "As one JSON object");
 }
@@ -450,17 +435,13 @@ void add_mesh_command(CLI::App& app, Arguments& a) {
       ->capture_default_str();
   mesh->add_option("--write", a.mesh_copy, "Write the mesh as it was taken to this file (.obj, .ply or .off)")
       ->type_name("FILE");
-  mesh->add_option("--needle-ratio", a.thresholds.needle_ratio,
-                   "Ratio of longest to shortest edge from which a triangle is a needle")
-      ->check(CLI::Range(1.0, 1e9))
-      ->capture_default_str();
-  mesh->add_option("--cap-angle", a.thresholds.cap_angle, "Angle in degrees from which a triangle is a cap")
-      ->check(CLI::Range(90.0, 180.0))
-      ->capture_default_str();
-  mesh->add_option("--small-angle", a.thresholds.small_angle,
-                   "Angle in degrees below which an angle is small")
-      ->check(CLI::Range(0.0, 60.0))
-      ->capture_default_str();
+  add_shown(mesh, "--needle-ratio", a.thresholds.needle_ratio,
+            "Ratio of longest to shortest edge from which a triangle is a needle")
+      ->check(CLI::Range(1.0, 1e9));
+  add_shown(mesh, "--cap-angle", a.thresholds.cap_angle, "Angle in degrees from which a triangle is a cap")
+      ->check(CLI::Range(90.0, 180.0));
+  add_shown(mesh, "--small-angle", a.thresholds.small_angle, "Angle in degrees below which an angle is small")
+      ->check(CLI::Range(0.0, 60.0));
   add_json(mesh, a, "As one JSON object");
 }
 
@@ -470,12 +451,10 @@ void add_bench_command(CLI::App& app, Arguments& a) {
   bench->add_option("--filter", a.bench.filter, "Only benchmarks whose name matches, and their oracles")
       ->type_name("REGEX");
   bench->add_flag("--quick", a.bench.quick, "Small meshes, short repetitions: seconds instead of minutes");
-  bench->add_option("--repetitions", a.bench.repetitions, "Number of repetitions; their median counts")
-      ->check(CLI::Range(1, 1000))
-      ->capture_default_str();
-  bench->add_option("--threads", a.bench.threads, "Numbers of threads for whole steps, besides one")
-      ->check(CLI::Range(1, 256))
-      ->capture_default_str();
+  add_shown(bench, "--repetitions", a.bench.repetitions, "Number of repetitions; their median counts")
+      ->check(CLI::Range(1, 1000));
+  add_shown(bench, "--threads", a.bench.threads, "Numbers of threads for whole steps, besides one")
+      ->check(CLI::Range(1, 256));
   bench->add_flag("--list", a.list, "Print the benchmarks' names, measure nothing");
   add_json(bench, a, "As JSON: the context and one object per row");
 }

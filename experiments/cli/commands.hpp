@@ -20,6 +20,9 @@ struct ConfigArguments {
   std::vector<std::string> axes;       ///< "/json/pointer=value,value", added to the sweep
 };
 
+/// All of them, or one ConfigsError with the problems of all.
+std::vector<Experiment> load_experiments(const ConfigArguments& configs);
+
 /// `explain`: the step plan of every run instead of the tables; `strict`: warnings are errors, and nothing is
 /// computed if some are known before the runs.
 int run_command(const ConfigArguments& configs, const CampaignOptions& options, bool json, bool explain,
@@ -28,6 +31,14 @@ int run_command(const ConfigArguments& configs, const CampaignOptions& options, 
 int plan_command(const ConfigArguments& configs, const std::filesystem::path& out,
                  const std::filesystem::path& write, bool json);
 int validate_command(const ConfigArguments& configs, bool strict);
+
+/// How the runs are reported on stdout.
+enum class Report { tables, lines, json, explanations };
+
+/// Runs them; prints an experiment as soon as its last run is over, or each run as a line of JSON. Runs that
+/// were not started because of a signal are left out. `strict`: warnings are errors. Returns the exit code.
+int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions options, Report report,
+                   bool strict = false);
 
 struct ReproduceArguments {
   std::string what = "everything";  ///< one of reproducible()

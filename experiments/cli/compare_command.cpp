@@ -9,9 +9,10 @@
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/compare.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/run_record.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -33,7 +34,7 @@ std::string text_of(const Json& value) {
 }
 
 Json number_or_null(const std::optional<double>& number) {
-  return number && std::isfinite(*number) ? Json(*number) : Json(nullptr);
+  return number ? Json(*number) : Json();
 }
 
 Json to_json(const RunRecord& one, const RunRecord& other, const RunDifference& found) {
@@ -85,11 +86,6 @@ void print_pair(const RunRecord& one, const RunRecord& other, const RunDifferenc
   }
 }
 
-std::string text_in(const RunRecord& run, const char* name) {
-  const auto found = run.provenance.find(name);
-  return found == run.provenance.end() ? "" : found->second;
-}
-
 // The runs of a folder by experiment and place on the sweep, in whatever order its axes are.
 struct RunsByPlace {
   std::map<std::pair<std::string, std::string>, RunRecord> runs;
@@ -100,13 +96,14 @@ struct RunsByPlace {
   explicit RunsByPlace(const fs::path& folder) {
     for (RunRecord& record : read_runs(folder)) {
       if (record.file.string().find("/references/") != std::string::npos) continue;
-      const nlohmann::json point = nlohmann::json::parse(text_in(record, "point"), nullptr, false);
+      const nlohmann::json point = nlohmann::json::parse(provenance_text(record, "point"), nullptr, false);
       experiments.insert(record.name);
       const auto [place, is_new] =
           runs.try_emplace({record.name, point.is_object() ? point.dump() : "{}"}, record);
       if (is_new) continue;
       ++others;
-      if (text_in(place->second, "ended") <= text_in(record, "ended")) place->second = std::move(record);
+      if (provenance_text(place->second, "ended") <= provenance_text(record, "ended"))
+        place->second = std::move(record);
     }
   }
   // Two sweeps under other names can be compared.

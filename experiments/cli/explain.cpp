@@ -1,5 +1,4 @@
-#include "experiments/cli/explain.hpp"
-
+// `bendlab run --explain`: what a scene's step consists of, and which parts of it did nothing.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +7,6 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/terminal/table.hpp"
 

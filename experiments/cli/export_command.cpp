@@ -5,10 +5,11 @@
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/export/format.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/forecast.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 
@@ -30,17 +31,11 @@ Json to_json(const RunRecord& run, const Format& format, const Exported& exporte
           {"notes", exported.notes}};
 }
 
-std::string size_text(std::uint64_t bytes) {
-  constexpr double kilo = 1e3, mega = 1e6;
-  const auto size = static_cast<double>(bytes);
-  if (size < kilo) return fmt::format("{} bytes", bytes);
-  return size < mega ? fmt::format("{:.1f} kB", size / kilo) : fmt::format("{:.1f} MB", size / mega);
-}
-
 void print_exported(const RunRecord& run, const Exported& exported) {
   print_text("{}: {}, {}\n{}  {}  {}: {} to {}\n", exported.to.string(), counted(exported.files, "file"),
-             size_text(exported.bytes), run.id, run.name, counted(exported.frames.size(), "frame"),
-             exported.frames.front().number, exported.frames.back().number);
+             bytes_text(static_cast<double>(exported.bytes)), run.id, run.name,
+             counted(exported.frames.size(), "frame"), exported.frames.front().number,
+             exported.frames.back().number);
 }
 
 }  // namespace

@@ -4,9 +4,9 @@
 
 #include <system_error>
 
-#include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 
 namespace bendlab {
@@ -24,25 +24,33 @@ std::vector<RunRecord> read_runs(const fs::path& folder) {
   return read_runs(folder, tell);
 }
 
-RunRecord find_run(const std::string& run, const fs::path& folder) {
-  std::error_code none;  // a name that no file can have names no file
-  if (fs::is_regular_file(run, none)) return read_checked(run);
+std::vector<fs::path> files_by_id(const std::string& beginning, const fs::path& folder) {
   std::vector<fs::path> files;
-  if (fs::is_directory(run, none)) {
-    files = find_run_files(run);
-  } else if (fs::is_directory(folder, none)) {
-    for (const RunRecord& record : read_runs(folder))
-      if (record.id.starts_with(run)) files.push_back(record.file);
-  }
-  if (files.size() == 1) return read_checked(files.front());
-  if (files.empty())
-    throw UsageError(
-        fmt::format("'{}' is no run file, no folder with one, and no run in '{}' has an id that begins "
-                    "with it; 'bendlab list {}' shows what is there",
-                    run, folder.string(), folder.string()));
+  std::error_code none;
+  if (!fs::is_directory(folder, none)) return files;
+  for (const RunRecord& record : read_runs(folder))
+    if (record.id.starts_with(beginning)) files.push_back(record.file);
+  return files;
+}
+
+std::optional<fs::path> only_run(const std::string& run, const std::vector<fs::path>& files) {
+  if (files.empty()) return std::nullopt;
+  if (files.size() == 1) return files.front();
   std::string all;
   for (const fs::path& file : files) all += "\n  " + file.string();
   throw UsageError(fmt::format("'{}' could be any of {} runs; which one?{}", run, files.size(), all));
+}
+
+RunRecord find_run(const std::string& run, const fs::path& folder) {
+  std::error_code none;  // a name that no file can have names no file
+  if (fs::is_regular_file(run, none)) return read_checked(run);
+  const bool is_folder = fs::is_directory(run, none);
+  if (const auto file = only_run(run, is_folder ? find_run_files(run) : files_by_id(run, folder)))
+    return read_checked(*file);
+  throw UsageError(
+      fmt::format("'{}' is no run file, no folder with one, and no run in '{}' has an id that begins "
+                  "with it; 'bendlab list {}' shows what is there",
+                  run, folder.string(), folder.string()));
 }
 
 }  // namespace bendlab

@@ -1,12 +1,12 @@
-#include "experiments/cli/load_experiments.hpp"
+#include "experiments/cli/commands.hpp"
 
 #include <fmt/format.h>
 
 #include <stdexcept>
 
-#include "experiments/campaign/errors.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/measures/metrics.hpp"
+#include "experiments/run/errors.hpp"
 
 namespace bendlab {
 

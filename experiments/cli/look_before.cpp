@@ -7,10 +7,9 @@
 #include <set>
 
 #include "bendlab/scene/counted.hpp"
-#include "experiments/campaign/errors.hpp"
-#include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/collected_texts.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/run/set_up.hpp"
 #include "experiments/terminal/printable.hpp"
 

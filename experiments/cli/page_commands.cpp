@@ -10,13 +10,13 @@
 
 #include "bendlab/scene/nearest_name.hpp"
 #include "bendlab_places.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/config/experiment.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 
 namespace bendlab {
@@ -31,18 +31,6 @@ bool is_sweep_file(const fs::path& file) {
 bool has_sweep_file(const fs::path& folder) {
   return std::ranges::any_of(fs::directory_iterator(folder),
                              [](const fs::directory_entry& entry) { return is_sweep_file(entry.path()); });
-}
-
-/// Files of runs whose ids begin with this text.
-std::vector<fs::path> files_by_id(const std::string& beginning, const fs::path& folder) {
-  std::vector<fs::path> files;
-  const bool may_be_id = !beginning.empty() && std::ranges::all_of(beginning, [](unsigned char character) {
-    return std::isxdigit(character) != 0;
-  });
-  if (!may_be_id || !fs::is_directory(folder)) return files;
-  for (const RunRecord& record : read_runs(folder))
-    if (record.id.starts_with(beginning)) files.push_back(record.file);
-  return files;
 }
 
 /// "; did you mean 'results/first'?": the nearest name beside the path, or in the folder of results.
@@ -82,13 +70,11 @@ fs::path found_result(const std::string& result, const fs::path& folder) {
     throw UsageError(fmt::format(
         "there are no runs in '{}'; 'bendlab run CONFIG --out DIR' computes some in DIR", result));
   }
-  const std::vector<fs::path> files = files_by_id(result, folder);
-  if (files.size() == 1) return files.front();
-  if (!files.empty()) {
-    std::string all;
-    for (const fs::path& file : files) all += "\n  " + file.string();
-    throw UsageError(fmt::format("'{}' could be any of {} runs; which one?{}", result, files.size(), all));
-  }
+  const bool may_be_id = !result.empty() && std::ranges::all_of(result, [](unsigned char character) {
+    return std::isxdigit(character) != 0;
+  });
+  if (may_be_id)
+    if (const std::optional<fs::path> file = only_run(result, files_by_id(result, folder))) return *file;
   throw UsageError(fmt::format(
       "'{}' is no folder of results, no run file, and no run in '{}' has an id that begins with "
       "it{} 'bendlab list {}' shows what is there",
@@ -115,26 +101,15 @@ fs::path default_page(const std::vector<fs::path>& results) {
   return near.string().starts_with("..") ? page : near;
 }
 
-/// As a shell takes it.
-std::string quoted(const std::string& text) {
-  const auto plain = [](unsigned char c) {
-    return std::isalnum(c) != 0 ||
-           std::string_view("-_./=,:+@%").find(static_cast<char>(c)) != std::string_view::npos;
-  };
-  if (!text.empty() && std::ranges::all_of(text, plain)) return text;
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
 /// The command as the page tells it.
 std::string told_command(const char* command, const PageArguments& arguments) {
   std::string told = fmt::format("./bendlab {}", command);
-  for (const std::string& result : arguments.results) told += " " + quoted(result);
-  for (const std::string& run : arguments.play) told += " --play " + quoted(run);
-  if (!arguments.out.empty()) told += " -o " + quoted(arguments.out.string());
+  for (const std::string& result : arguments.results) told += " " + shell_quoted(result);
+  for (const std::string& run : arguments.play) told += " --play " + shell_quoted(run);
+  if (!arguments.out.empty()) told += " -o " + shell_quoted(arguments.out.string());
   if (!arguments.figures.empty()) told += " --figures " + arguments.figures;
-  if (!arguments.x.empty()) told += fmt::format(" --x {} --y {}", quoted(arguments.x), quoted(arguments.y));
+  if (!arguments.x.empty())
+    told += fmt::format(" --x {} --y {}", shell_quoted(arguments.x), shell_quoted(arguments.y));
   return told;
 }
 

@@ -10,14 +10,15 @@
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/cli/mesh_report.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/run/broken_bound.hpp"
-#include "experiments/run/warnings.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/run_record.hpp"
+#include "experiments/run/warning.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -38,33 +39,31 @@ std::string when(const fs::path& file) {
   return text;
 }
 
-/// The JSON value that provenance keeps as text; null if there is none.
-Json stored_json(const RunRecord& record, const char* name) {
-  const auto text = record.provenance.find(name);
-  const Json json = text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
-  return json.is_discarded() ? Json() : json;
+// The file may be older than this program's rules for JSON; null if its config is none.
+Json stored_config(const RunRecord& record) {
+  const Json config = Json::parse(record.config, nullptr, false);
+  return config.is_discarded() ? Json() : config;
 }
 
 Json to_json(const RunRecord& record) {
   Json passes = Json::array();
   for (const PassTime& pass : record.passes)
     passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}, {"calls", pass.calls}});
-  // The file may be older than this program's rules for JSON.
-  const Json config = Json::parse(record.config, nullptr, false);
+  const Json config = stored_config(record);
   return {{"id", record.id},
           {"name", record.name},
           {"status", to_string(record.status)},
           {"file", record.file.string()},
           {"frames", record.frames},
           {"written", when(record.file)},
-          {"config", config.is_discarded() ? Json(record.config) : config},
+          {"config", config.is_null() ? Json(record.config) : config},
           {"wall_s", record.wall_s},
           {"cpu_s", record.cpu_s},
           {"step_cpu_s", record.step_cpu_s},
           {"summary", record.summary},
           {"passes", passes},
-          {"implausible", stored_json(record, "implausible")},
-          {"warnings", stored_json(record, "warnings")},
+          {"implausible", provenance_json(record, "implausible")},
+          {"warnings", provenance_json(record, "warnings")},
           {"provenance", record.provenance}};
 }
 
@@ -73,11 +72,6 @@ void print_section(const char* heading, const std::map<std::string, std::string>
   Table table({heading, ""});
   for (const auto& [name, value] : rows) table.add_row({"  " + name, value});
   print_text("\n{}", table.text());
-}
-
-Json stored_config(const RunRecord& record) {
-  const Json config = Json::parse(record.config, nullptr, false);
-  return config.is_discarded() ? Json() : config;
 }
 
 // Throws UsageError unless a run has that setting, or with a name that is no pointer that number.
@@ -185,9 +179,9 @@ int show_command(const std::string& run, const fs::path& folder, bool json) {
   }
   print_text("{}\n{}  {}  {}, {}, written {}\n", record.file.string(), record.id, record.name,
              to_string(record.status), counted(record.frames, "frame"), when(record.file));
-  if (const auto broken = broken_bound_of(stored_json(record, "implausible")))
+  if (const auto broken = broken_bound_of(provenance_json(record, "implausible")))
     print_text("\nimplausible: {}\n", text_of(*broken));
-  for (const Warning& warning : warnings_of(stored_json(record, "warnings")))
+  for (const Warning& warning : warnings_of(provenance_json(record, "warnings")))
     print_text("\nwarning {}: {}\n", warning.code, warning.message);
 
   std::map<std::string, std::string> summary;

@@ -6,10 +6,10 @@
 #include <cmath>
 
 #include "bendlab/scene/counted.hpp"
-#include "experiments/campaign/run_labels.hpp"
 #include "experiments/cli/collected_texts.hpp"
-#include "experiments/cli/run_tables.hpp"
 #include "experiments/config/expectations.hpp"
+#include "experiments/run/run_id.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -17,7 +17,7 @@ namespace {
 
 std::vector<ExpectationResult> check(const CampaignRun& run) {
   if (!run.outcome) return {};
-  return check_expectations(*run.experiment, *run.config, run.outcome->summary);
+  return check_expectations(run.experiment->expectations, *run.config, run.outcome->summary);
 }
 
 /// What the run itself says, if it has no such metric.

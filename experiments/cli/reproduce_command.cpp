@@ -7,11 +7,9 @@
 #include <string_view>
 
 #include "bendlab_places.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/load_experiments.hpp"
-#include "experiments/cli/run_and_report.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 

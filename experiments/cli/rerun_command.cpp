@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/rerun.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"

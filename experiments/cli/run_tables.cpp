@@ -1,4 +1,5 @@
-#include "experiments/cli/run_tables.hpp"
+// The tables of an experiment's runs: a row per run.
+#include "experiments/cli/report.hpp"
 
 #include <fmt/format.h>
 
@@ -12,6 +13,7 @@
 #include "experiments/config/expectations.hpp"
 #include "experiments/measures/effective_stiffness.hpp"
 #include "experiments/measures/measure.hpp"
+#include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -140,7 +142,7 @@ std::string run_table(std::span<const CampaignRun> runs) {
 std::string measure_tables(std::span<const CampaignRun> runs) {
   std::string text;
   for (const Measure* measure : measures()) {
-    if (measure->applies || !measure->gives) continue;
+    if (measure->applies) continue;
     const std::vector<std::string> all = numbers_of(*measure, runs);
     std::span<const std::string> left = all;
     if (!left.empty()) text += fmt::format("{}: {}\n\n", measure->name, measure->summary);

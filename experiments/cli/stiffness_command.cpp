@@ -8,10 +8,10 @@
 
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/cli/find_run.hpp"
 #include "experiments/measures/strip.hpp"
+#include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/table.hpp"
 
@@ -83,11 +83,6 @@ double settling_of(const RunRecord& record, std::int64_t last, const RunStrip& s
   return (high - low) / std::abs(value);
 }
 
-// What is not a number is null.
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 Json profile_json(const std::vector<ProfileRow>& profile) {
   Json rows = Json::array();
   for (const ProfileRow& row : profile)
@@ -125,7 +120,7 @@ int stiffness_command(const std::string& run, const std::filesystem::path& folde
                    {"file", record.file.string()},
                    {"frame", frame},
                    {"time", time}};
-    for (const Row& row : rows) result[row.name] = number(row.value);
+    for (const Row& row : rows) result[row.name] = row.value;
     result["fit_samples"] = stiffness.fit.samples;
     if (arguments.profile) result["profile"] = profile_json(stiffness.profile);
     print_text("{}\n", json_text(result));

@@ -12,13 +12,15 @@
 #include "bendlab/io/disk.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/campaign/plan_file.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/campaign/work.hpp"
+#include "experiments/cli/child_program.hpp"
 #include "experiments/cli/commands.hpp"
-#include "experiments/cli/load_experiments.hpp"
 #include "experiments/cli/report.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/forecast.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/terminal/printable.hpp"
 #include "experiments/terminal/signals.hpp"
 #include "experiments/terminal/table.hpp"
@@ -42,12 +44,6 @@ void say(const std::string& what) {
   print_text(stderr, "bendlab: {}\n", what);
 }
 
-std::string seconds_text(double seconds) {
-  if (seconds < 120) return fmt::format("{:.3g} s", seconds);
-  if (seconds < 7200) return fmt::format("{:.3g} min", seconds / 60);
-  return fmt::format("{:.3g} h", seconds / 3600);
-}
-
 /// Tasks of which each is expected to last a minute, as far as there are as many; at most `most`.
 std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::size_t most) {
   constexpr double shortest_task_s = 60;
@@ -56,19 +52,6 @@ std::size_t task_count(const std::vector<double>& expected_s, int cpus, std::siz
   const double by_time = std::floor(sum / (shortest_task_s * cpus));
   const auto tasks = static_cast<std::size_t>(std::clamp(by_time, 1.0, static_cast<double>(most)));
   return std::min(tasks, expected_s.size());
-}
-
-/// For a shell: in single quotes.
-std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) result += c == '\'' ? std::string("'\\''") : std::string(1, c);
-  return result + "'";
-}
-
-fs::path this_program() {
-  std::error_code error;
-  fs::path program = fs::read_symlink("/proc/self/exe", error);
-  return error ? fs::path("bendlab") : program;
 }
 
 std::string batch_file(const fs::path& plan, const std::string& name, std::size_t tasks,
@@ -99,8 +82,7 @@ if [ "$code" -eq 143 ]; then
 fi
 exit "$code"
 )",
-                            shell_quoted(this_program().string()), shell_quoted(plan.string()), tasks,
-                            arguments.cpus);
+                            shell_quoted(own_program()), shell_quoted(plan.string()), tasks, arguments.cpus);
 }
 
 /// What sbatch printed: the job's number. Throws UsageError where there is no sbatch, or it refuses.
@@ -189,8 +171,8 @@ int status_command(const fs::path& file, bool json) {
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
   print_text("{}: {}\n", counted(states.size(), "run"), fmt::join(parts, ", "));
   if (expected_left > 0 && done_s > 0)
-    print_text("took {} of CPU time so far; as much as {} may be left\n", seconds_text(done_s),
-               seconds_text(expected_left * done_s / expected_of_done));
+    print_text("took {} of CPU time so far; as much as {} may be left\n", duration_text(done_s),
+               duration_text(expected_left * done_s / expected_of_done));
   if (any) print_text("\n{}", table.text());
   return exit_ok;
 }

@@ -2,34 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
 
+#include "bendlab/io/run_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/scene/defaults.hpp"
-#include "experiments/config/cover.hpp"
-#include "experiments/config/experiment.hpp"
-#include "experiments/config/run_settings.hpp"
 
 namespace bendlab {
 namespace {
 
-constexpr std::array listed_measures_on_request = {
-#define BENDLAB_MEASURE(name)
-#define BENDLAB_MEASURE_ON_REQUEST(name) std::string_view(#name),
-#include "experiments/measures/measures.def"
-#undef BENDLAB_MEASURE
-#undef BENDLAB_MEASURE_ON_REQUEST
-};
-
-std::vector<std::string_view>& measures_on_request() {
-  static std::vector<std::string_view> names(listed_measures_on_request.begin(),
-                                             listed_measures_on_request.end());
-  return names;
-}
-
 constexpr std::array<std::string_view, 1> allowed = {name_in(run_status_names, RunStatus::implausible)};
-
-constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
 
 constexpr auto not_of_the_run = read_when<RunSettings>([](const RunSettings&) { return false; });
 constexpr auto compares = read_when<RunSettings>([](const RunSettings& s) { return s.accuracy.compares(); });
@@ -108,28 +89,6 @@ constexpr std::array quality = {
               .minimum = 0, .maximum = 60}),
 };
 
-constexpr std::array cover_fields = {
-    field<&Cover::strength>({.name = "strength", .unit = "1",
-              .meaning = "Every combination of the values of this many axes occurs in some run: 2 covers "
-                         "every pair of values",
-              .minimum = 1, .maximum = 6, .required = true}),
-    field<&Cover::seed>({.name = "seed", .unit = "1",
-              .meaning = "Another seed gives other runs that cover as much",
-              .minimum = 0, .maximum = seed_limit}),
-};
-
-constexpr std::array expectation = {
-    field<&Expectation::metric>({.name = "metric",
-              .meaning = "Name of a number in the run's summary",
-              .required = true}),
-    field<&Expectation::minimum>({.name = "min",
-              .meaning = "Smallest value that is right, in the metric's unit; give min, max or both"}),
-    field<&Expectation::maximum>({.name = "max",
-              .meaning = "Largest value that is right, in the metric's unit"}),
-    field<&Expectation::why>({.name = "why",
-              .meaning = "Where the bound comes from",
-              .required = true}),
-};
 // clang-format on
 
 const std::array<Field, 3>& output() {
@@ -170,48 +129,30 @@ constexpr std::array lists = {
 };
 
 std::vector<Section> make_sections() {
-  std::vector<Section> sections = {{"", "The experiment", rows_of(run_table())}};
+  std::vector<Section> sections;
+  for (const RunPart& part : run_parts())
+    sections.push_back({std::string(part.pointer), std::string(part.meaning), rows_of(part.table)});
   std::vector<SettingRow>& first = sections.front().rows;
   const std::vector<SettingRow> of_scene = rows_of(scene_table());
   first.insert(first.end() - 1, of_scene.begin(), of_scene.end());
-  std::ranges::copy(scene_sections(), std::back_inserter(sections));
-  sections.push_back({"/output", "What is measured and recorded", rows_of(output_table())});
-  sections.push_back(
-      {"/accuracy", "Errors of the run, measured against references", rows_of(accuracy_table())});
-  sections.push_back({"/quality", "When a triangle counts as bad", rows_of(quality_table())});
+  sections.insert(sections.begin() + 1, scene_sections().begin(), scene_sections().end());
   return sections;
 }
 
 }  // namespace
 
-const FieldTable& run_table() {
-  static const FieldTable table = table_of<RunSettings>(top);
-  return table;
-}
-
-const FieldTable& output_table() {
-  static const FieldTable table = table_of<OutputSettings>(output());
-  return table;
-}
-
-const FieldTable& accuracy_table() {
-  static const FieldTable table = table_of<Accuracy>(accuracy);
-  return table;
-}
-
-const FieldTable& quality_table() {
-  static const FieldTable table = table_of<QualityThresholds>(quality);
-  return table;
-}
-
-const FieldTable& cover_table() {
-  static const FieldTable table = table_of<Cover>(cover_fields);
-  return table;
-}
-
-const FieldTable& expectation_table() {
-  static const FieldTable table = table_of<Expectation>(expectation);
-  return table;
+std::span<const RunPart> run_parts() {
+  static const std::array parts = {
+      RunPart{"", "The experiment", table_of<RunSettings>(top),
+              [](const RunSettings& run) -> const void* { return &run; }},
+      RunPart{"/output", "What is measured and recorded", table_of<OutputSettings>(output()),
+              [](const RunSettings& run) -> const void* { return &run.output; }},
+      RunPart{"/accuracy", "Errors of the run, measured against references", table_of<Accuracy>(accuracy),
+              [](const RunSettings& run) -> const void* { return &run.accuracy; }},
+      RunPart{"/quality", "When a triangle counts as bad", table_of<QualityThresholds>(quality),
+              [](const RunSettings& run) -> const void* { return &run.quality; }},
+  };
+  return parts;
 }
 
 std::span<const Section> config_sections() {
@@ -222,10 +163,6 @@ std::span<const Section> config_sections() {
 const Section* find_section(std::string_view pointer) {
   const auto found = std::ranges::find(config_sections(), pointer, &Section::pointer);
   return found == config_sections().end() ? nullptr : &*found;
-}
-
-void add_measure_on_request(std::string_view name) {
-  measures_on_request().push_back(name);
 }
 
 std::string_view section_key(const Section& section) {
@@ -242,10 +179,6 @@ std::vector<const Section*> child_sections(std::string_view pointer) {
 
 std::span<const ConfigList> config_lists() {
   return lists;
-}
-
-std::string_view expectation_where_meaning() {
-  return "Checks only runs that have these values: {\"/json/pointer\": value}; absent: every run";
 }
 
 }  // namespace bendlab

@@ -6,14 +6,19 @@
 #include <vector>
 
 #include "bendlab/scene/scene_tables.hpp"
+#include "experiments/config/run_settings.hpp"
 
 namespace bendlab {
 
-/// The settings of RunSettings' own, "/name" for example, and of its structs.
-const FieldTable& run_table();
-const FieldTable& output_table();
-const FieldTable& accuracy_table();
-const FieldTable& quality_table();
+/// RunSettings itself, or a struct of it beside the scene: its pointer, what it is for, and its rows.
+struct RunPart {
+  std::string_view pointer, meaning;
+  FieldTable table;
+  const void* (*in)(const RunSettings& settings);  ///< where it is
+};
+
+/// "" (the top level), "/output", "/accuracy" and "/quality".
+std::span<const RunPart> run_parts();
 
 /// Every section, parents before children, in the order of the reference page: the top level, those of the
 /// scene, /output, /accuracy and /quality.
@@ -25,8 +30,8 @@ const Section* find_section(std::string_view pointer);
 /// The sections directly below `pointer`.
 std::vector<const Section*> child_sections(std::string_view pointer);
 
-/// Lets /output/measures name a further measure. To be called before sections are read.
-void add_measure_on_request(std::string_view name);
+/// The measures that /output/measures may name: measures/measure.cpp, which knows them all, defines it.
+std::span<const std::string_view> measures_on_request();
 
 /// The last part of a section's pointer: its key in the parent object.
 std::string_view section_key(const Section& section);
@@ -38,12 +43,5 @@ struct ConfigList {
 
 /// `effects`, `sweep`, `cover`, `expect` and `because`.
 std::span<const ConfigList> config_lists();
-
-/// The settings of `cover`.
-const FieldTable& cover_table();
-
-/// The settings of an entry of `expect`, besides its object `where`.
-const FieldTable& expectation_table();
-std::string_view expectation_where_meaning();
 
 }  // namespace bendlab

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "bendlab/parameters/random_numbers.hpp"
 #include "bendlab/scene/counted.hpp"
 
 namespace bendlab {
@@ -19,26 +20,21 @@ constexpr int candidates = 10;  // rows of which the best is kept: with 50 the a
 // finds it with a probability of 0.75^55 = 10⁻⁷.
 constexpr int greedy_attempts = 5, most_attempts = 60;
 
-// Splitmix64 (Steele, Lea, Flood 2014): the standard library's distributions differ between machines.
+// The standard library's distributions differ between machines.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_(seed) {}
+  explicit Random(std::uint64_t seed) : seed_(seed) {}
 
-  std::size_t below(std::size_t count) { return static_cast<std::size_t>(next() % count); }
+  std::size_t below(std::size_t count) {
+    return static_cast<std::size_t>(split_mix(seed_, drawn_++) % count);
+  }
 
   void shuffle(std::vector<std::size_t>& list) {
     for (std::size_t i = list.size(); i > 1; --i) std::swap(list[i - 1], list[below(i)]);
   }
 
  private:
-  std::uint64_t next() {
-    std::uint64_t z = (state_ += 0x9e3779b97f4a7c15U);
-    z = (z ^ (z >> 30U)) * 0xbf58476d1ce4e5b9U;
-    z = (z ^ (z >> 27U)) * 0x94d049bb133111ebU;
-    return z ^ (z >> 31U);
-  }
-
-  std::uint64_t state_;
+  std::uint64_t seed_, drawn_ = 0;
 };
 
 // Which combinations of values of `strength` axes are in some row.

@@ -7,31 +7,28 @@
 #include <cmath>
 
 #include "bendlab/io/without_traps.hpp"
-#include "bendlab/scene/defaults.hpp"
 #include "bendlab/scene/fields_json.hpp"
 #include "bendlab/scene/nearest_name.hpp"
-#include "experiments/config/config_tables.hpp"
-#include "experiments/config/run_settings.hpp"
+#include "experiments/config/run_json.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {
 
-// The problems that one entry of `where` causes in settings that are otherwise right.
-void check_where(const std::string& pointer, const Json& value, const std::string& place,
-                 const Json& settings, const std::vector<std::string>& known, ConfigProblems& problems) {
-  if (std::ranges::find(known, pointer) == known.end()) {
-    problems.push_back({place, unknown_pointer_text(pointer, known)});
-    return;
-  }
-  Json with_value = settings;
-  ConfigProblems found;
-  if (!set_at(with_value, pointer, value)) return;
-  read_run(with_value, found);
-  for (const ConfigProblem& problem : found)
-    if (lies_within(problem.pointer, pointer))
-      problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
-}
+// clang-format off
+constexpr std::array expectation_fields = {
+    field<&Expectation::metric>({.name = "metric",
+              .meaning = "Name of a number in the run's summary",
+              .required = true}),
+    field<&Expectation::minimum>({.name = "min",
+              .meaning = "Smallest value that is right, in the metric's unit; give min, max or both"}),
+    field<&Expectation::maximum>({.name = "max",
+              .meaning = "Largest value that is right, in the metric's unit"}),
+    field<&Expectation::why>({.name = "why",
+              .meaning = "Where the bound comes from",
+              .required = true}),
+};
+// clang-format on
 
 Json read_where(const Json& entry, const std::string& pointer, const Json& settings,
                 ConfigProblems& problems) {
@@ -44,7 +41,10 @@ Json read_where(const Json& entry, const std::string& pointer, const Json& setti
   }
   const std::vector<std::string> known = known_pointers(settings);
   for (const auto& [key, value] : where.items())
-    check_where(key, value, child_pointer(place, key), settings, known, problems);
+    if (std::ranges::find(known, key) == known.end())
+      problems.push_back({child_pointer(place, key), unknown_pointer_text(key, known)});
+    else
+      check_value(settings, key, value, child_pointer(place, key), problems);
   return where;
 }
 
@@ -98,14 +98,12 @@ ExpectationResult check(const Expectation& expectation, const std::map<std::stri
   return result;
 }
 
-// It is no setting of a run, which has the settings that it stands for.
-Json defaults_of(const Experiment& experiment, const RunConfig& config) {
-  for (const auto& [pointer, value] : config.point)
-    if (pointer == "/defaults") return value;
-  return experiment.settings.value("defaults", Json(defaults_names.front()));
-}
-
 }  // namespace
+
+const FieldTable& expectation_table() {
+  static const FieldTable table = table_of<Expectation>(expectation_fields);
+  return table;
+}
 
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems) {
@@ -125,11 +123,11 @@ std::vector<Expectation> read_expectations(const Json& expect, const Json& setti
   return expectations;
 }
 
-bool matches(const Expectation& expectation, const Experiment& experiment, const RunConfig& config) {
+bool matches(const Expectation& expectation, const RunConfig& config) {
   // A value is the run's own if putting it there changes nothing; so 16 matches 16.0 and {} an object of
   // defaults.
   return std::ranges::all_of(expectation.where.items(), [&](const auto& entry) {
-    if (entry.key() == "/defaults") return entry.value() == defaults_of(experiment, config);
+    if (entry.key() == "/defaults") return entry.value() == config.settings().defaults;
     const Json* const own = value_at(config.resolved(), entry.key());
     if (own == nullptr) return entry.value().is_null();
     if (*own == entry.value()) return true;
@@ -142,11 +140,12 @@ bool matches(const Expectation& expectation, const Experiment& experiment, const
   });
 }
 
-std::vector<ExpectationResult> check_expectations(const Experiment& experiment, const RunConfig& config,
+std::vector<ExpectationResult> check_expectations(const std::vector<Expectation>& expectations,
+                                                  const RunConfig& config,
                                                   const std::map<std::string, double>& summary) {
   std::vector<ExpectationResult> results;
-  for (const Expectation& expectation : experiment.expectations)
-    if (matches(expectation, experiment, config)) results.push_back(check(expectation, summary));
+  for (const Expectation& expectation : expectations)
+    if (matches(expectation, config)) results.push_back(check(expectation, summary));
   return results;
 }
 

@@ -4,19 +4,36 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "experiments/config/experiment.hpp"
+#include "bendlab/parameters/field.hpp"
+#include "bendlab/scene/strict_json.hpp"
+#include "experiments/config/run_config.hpp"
 
 namespace bendlab {
+
+/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
+struct Expectation {
+  std::string metric;
+  std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
+  std::string why;
+  /// {json pointer: value}: only runs whose config has these values; empty: all.
+  Json where = Json::object();
+};
+
+/// The settings of an entry of `expect`, besides its object `where`, and what that means.
+const FieldTable& expectation_table();
+inline constexpr std::string_view where_meaning =
+    "Checks only runs that have these values: {\"/json/pointer\": value}; absent: every run";
 
 /// The entries of an `expect` list. The pointers and values of their `where` are checked against `settings`.
 std::vector<Expectation> read_expectations(const Json& expect, const Json& settings,
                                            ConfigProblems& problems);
 
-/// Whether the experiment's run has every value that `where` asks for. A setting that the run does not depend
+/// Whether the run has every value that `where` asks for. A setting that the run does not depend
 /// on matches nothing.
-bool matches(const Expectation& expectation, const Experiment& experiment, const RunConfig& config);
+bool matches(const Expectation& expectation, const RunConfig& config);
 
 struct ExpectationResult {
   Expectation expectation;
@@ -25,8 +42,9 @@ struct ExpectationResult {
   std::string message;             ///< one line: the metric, its value, the bound, and why
 };
 
-/// Every expectation that matches the run, against the run's summary (metric → value).
-std::vector<ExpectationResult> check_expectations(const Experiment& experiment, const RunConfig& config,
+/// Those that match the run, against the run's summary (metric → value).
+std::vector<ExpectationResult> check_expectations(const std::vector<Expectation>& expectations,
+                                                  const RunConfig& config,
                                                   const std::map<std::string, double>& summary);
 
 }  // namespace bendlab

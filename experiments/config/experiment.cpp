@@ -3,17 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <initializer_list>
 
 #include "bendlab/parameters/input_file.hpp"
-#include "bendlab/scene/defaults.hpp"
 #include "bendlab/scene/pointers.hpp"
+#include "bendlab/scene/scene_json.hpp"
 #include "bendlab/scene/start_after.hpp"
-#include "experiments/config/config_tables.hpp"
-#include "experiments/config/expectations.hpp"
 #include "experiments/config/overrides.hpp"
 #include "experiments/config/references.hpp"
+#include "experiments/config/run_json.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
-#include "experiments/config/sweep.hpp"
 
 namespace bendlab {
 namespace {
@@ -33,8 +32,8 @@ Json take(Json& document, const std::string& key, Json if_absent) {
   return value;
 }
 
-// The settings as they stand, but where an axis fills a gap: its own values are checked with the sweep.
-void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems) {
+// Problems of the settings as they stand, but where an axis fills a gap: its values are checked with the sweep.
+ConfigProblems problems_of(const Json& settings, const std::vector<Axis>& axes) {
   ConfigProblems found;
   read_run(with_first_values(settings, axes), found);
   const auto is_swept_gap = [&](const ConfigProblem& problem) {
@@ -43,15 +42,20 @@ void check_settings(const Json& settings, const std::vector<Axis>& axes, ConfigP
     });
   };
   std::erase_if(found, is_swept_gap);
-  problems.insert(problems.begin(), found.begin(), found.end());
+  return found;
+}
+
+ConfigProblems joined(std::initializer_list<ConfigProblems> parts) {
+  ConfigProblems all;
+  for (const ConfigProblems& part : parts) all.insert(all.end(), part.begin(), part.end());
+  return all;
 }
 
 // An expectation that no run can meet checks nothing, which nobody would notice.
 void check_every_where_matches(const Experiment& experiment, ConfigProblems& problems) {
   for (std::size_t i = 0; i < experiment.expectations.size(); ++i)
-    if (std::ranges::none_of(experiment.runs, [&](const RunConfig& run) {
-          return matches(experiment.expectations[i], experiment, run);
-        }))
+    if (std::ranges::none_of(experiment.runs,
+                             [&](const RunConfig& run) { return matches(experiment.expectations[i], run); }))
       problems.push_back({fmt::format("/expect/{}/where", i), "matches no run of this experiment"});
 }
 
@@ -100,8 +104,8 @@ Json read_document(std::string_view text, std::string_view source_name,
   return *std::move(document);
 }
 
-// `reading`: what was wrong in the text, or in the overrides that `settings` has.
-Experiment parse_document(Json settings, ConfigProblems reading, std::string_view source_name,
+// `of_text`: what was wrong in the text, or in the overrides that `settings` has.
+Experiment parse_document(Json settings, ConfigProblems of_text, std::string_view source_name,
                           const std::filesystem::path& folder, std::span<const std::string> overrides) {
   const Json schema = take(settings, "$schema", "");  // for editors
   const Json sweep = take(settings, "sweep", Json::object());
@@ -111,47 +115,31 @@ Experiment parse_document(Json settings, ConfigProblems reading, std::string_vie
   const Json given_cover = take(settings, "cover", Json());
 
   Experiment experiment;
-  ConfigProblems problems;
-  if (!schema.is_string()) problems.push_back({"/$schema", "expected a text, got " + given_text(schema)});
-  experiment.axes = read_axes(sweep, settings, covered, problems);
-  const std::size_t of_axes = problems.size();
-  experiment.expectations = read_expectations(expect, settings, problems);
-  check_reasons(because, settings, problems);
-  const std::optional<Cover> cover = covered ? read_cover(given_cover, problems) : std::nullopt;
-  ConfigProblems beside_axes;
-  if (!cover) check_settings(settings, experiment.axes, beside_axes);
-  beside_axes.insert(beside_axes.begin(), reading.begin(), reading.end());
-  problems.insert(problems.begin(), beside_axes.begin(), beside_axes.end());
-  const std::size_t before_runs = problems.size();
-  if (problems.empty())
-    experiment.runs =
-        cover ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, problems)
-              : expand_sweep(settings, folder, experiment.axes, problems);
+  ConfigProblems of_settings, of_axes, of_values, of_lists, of_runs;
+  if (!schema.is_string()) of_axes.push_back({"/$schema", "expected a text, got " + given_text(schema)});
+  experiment.axes = read_axes(sweep, settings, covered, of_axes);
+  experiment.expectations = read_expectations(expect, settings, of_lists);
+  check_reasons(because, settings, of_lists);
+  const std::optional<Cover> cover = covered ? read_cover(given_cover, of_lists) : std::nullopt;
+  if (!cover) of_settings = problems_of(settings, experiment.axes);
+  const bool sound = joined({of_text, of_settings, of_axes, of_lists}).empty();
+  if (sound)
+    experiment.runs = cover
+                          ? expand_cover(settings, folder, experiment.axes, *cover, experiment.cover, of_runs)
+                          : expand_sweep(settings, folder, experiment.axes, of_runs);
   // Where all runs are right, all values are. Where not, a value alone says more than its combinations.
-  if (!covered && !problems.empty()) {
-    ConfigProblems of_values;
-    check_values(settings, experiment.axes, of_values);
-    if (before_runs == 0 && !of_values.empty()) problems.clear();
-    const std::size_t place = before_runs == 0 ? 0 : beside_axes.size() + of_axes;
-    problems.insert(problems.begin() + static_cast<std::ptrdiff_t>(place), of_values.begin(),
-                    of_values.end());
-  }
+  if (!covered && !(sound && of_runs.empty())) check_values(settings, experiment.axes, of_values);
   // What no combination mends is wrong beside the sweep; without an axis there is nothing else to be wrong.
-  if (cover && experiment.runs.empty()) {
-    ConfigProblems beside;
-    check_settings(settings, experiment.axes, beside);
-    if (!beside.empty()) problems.resize(before_runs);
-    problems.insert(problems.end(), beside.begin(), beside.end());
-  }
+  if (cover && experiment.runs.empty()) of_settings = problems_of(settings, experiment.axes);
+  if (!of_values.empty() || !of_settings.empty()) of_runs.clear();
   experiment.settings = std::move(settings);
+  ConfigProblems problems = joined({of_text, of_settings, of_axes, of_values, of_lists, of_runs});
   // With overrides the sweep may be a part of the one that the expectations were written for.
   if (problems.empty() && overrides.empty()) check_every_where_matches(experiment, problems);
   if (!problems.empty()) throw ConfigError(source_name, std::move(problems));
 
-  experiment.name = experiment.settings["name"];
-  experiment.description = experiment.settings.value("description", "");
-  if (const Json* allow = value_at(experiment.settings, "/allow"); allow != nullptr && allow->is_array())
-    experiment.allow = *allow;
+  const RunSettings& first = experiment.runs.front().settings();
+  experiment.name = first.name, experiment.description = first.description, experiment.allow = first.allow;
   check_earlier_scenes(experiment.runs, source_name);
   check_references(experiment.runs, source_name);
   return experiment;

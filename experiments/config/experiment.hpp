@@ -2,38 +2,18 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/scene/strict_json.hpp"
+#include "experiments/config/expectations.hpp"
 #include "experiments/config/run_config.hpp"
+#include "experiments/config/sweep.hpp"
 
 namespace bendlab {
-
-/// A bound that `bendlab run` checks on every run of the experiment (that matches `where`).
-struct Expectation {
-  std::string metric;
-  std::optional<double> minimum, maximum;  ///< inclusive, in the metric's unit
-  std::string why;
-  /// {json pointer: value}: only runs whose config has these values; empty: all.
-  Json where = Json::object();
-};
-
-/// A swept pointer and its values, normalised.
-using Axis = std::pair<std::string, std::vector<Json>>;
-
-/// How much of a sweep a covering array has.
-struct Covered {
-  int strength = 0;  ///< every combination of values of this many axes is in some run; 0: the sweep is whole
-  std::size_t tuples = 0;            ///< how many such combinations there are
-  std::size_t missing = 0;           ///< how many of them are in no run
-  std::vector<std::string> refused;  ///< the missing ones, as "/a = 1, /b = 2"
-};
 
 struct Experiment {
   std::string name, description;

@@ -1,12 +1,13 @@
 #include "experiments/config/overrides.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <stdexcept>
 
+#include "bendlab/scene/scene_tables.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
-#include "experiments/config/stiffness_settings.hpp"
 
 namespace bendlab {
 namespace {
@@ -72,16 +73,19 @@ bool lies_in_an_axis(const Json& document, std::string_view pointer) {
 
 // A config may hold numbers for other kinds of stiffness than its own; whoever sets one means it. null sets
 // none.
-std::string unused_text(const Json& document, std::string_view pointer) {
-  const auto* const setting = std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer);
-  if (setting == stiffness_settings.end() || lies_in_an_axis(document, setting->stiffness)) return "";
-  const Json* const value = value_at(document, std::string(pointer));
-  const Json* const kind = value_at(document, std::string(setting->stiffness));
+std::string unused_text(const Json& document, const std::string& pointer) {
+  const Field* const field = find_setting(document, pointer);
+  if (field == nullptr || !field->depends_on.ends_with("/stiffness") ||
+      lies_in_an_axis(document, field->depends_on))
+    return "";
+  const Json* const value = value_at(document, pointer);
+  const Json* const kind = value_at(document, std::string(field->depends_on));
   if (value == nullptr || value->is_null() || kind == nullptr || !kind->is_string()) return "";
+  const std::vector<std::string_view> users = choices_that_read(*field);
   const auto& name = kind->get_ref<const std::string&>();
-  if (setting->used_by(name)) return "";
-  return fmt::format("has no effect, because {} is {}; set that to {}, too", setting->stiffness, name,
-                     setting->kinds_text());
+  if (std::ranges::find(users, name) != users.end()) return "";
+  return fmt::format("has no effect, because {} is {}; set that to {}, too", field->depends_on, name,
+                     fmt::join(users, " or "));
 }
 
 }  // namespace
@@ -114,12 +118,11 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
           {"", fmt::format("override '{}' is not of the form /json/pointer=value", override_text)});
       continue;
     }
-    if (const std::string swept = child_pointer("/sweep", pointer);
-        std::ranges::find(pointers, swept) != pointers.end() ||
-        (pointer.starts_with("/sweep/") && (std::ranges::find(pointers, pointer) != pointers.end() ||
-                                            std::ranges::any_of(pointers, [&](const std::string& other) {
-                                              return child_pointer("/sweep", other) == pointer;
-                                            }))))
+    const auto clashes = [&](const std::string& other) {
+      return pointer.starts_with("/sweep/") ? other == pointer || child_pointer("/sweep", other) == pointer
+                                            : other == child_pointer("/sweep", pointer);
+    };
+    if (std::ranges::any_of(pointers, clashes))
       problems.push_back(
           {pointer, fmt::format("override '{}': the setting is set or swept by another override, "
                                 "too; keep one of them",
@@ -132,6 +135,7 @@ void apply_overrides(Json& document, std::span<const std::string> overrides, Con
     } catch (const Json::parse_error&) {  // thrown where a '~' in the pointer is neither ~0 nor ~1
       problems.push_back(
           {"", fmt::format("override '{}': the part before '=' is no JSON pointer", override_text)});
+      pointers.pop_back();
     }
   }
   for (const std::string& pointer : pointers)

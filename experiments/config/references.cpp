@@ -10,40 +10,37 @@
 #include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/start_after.hpp"
 #include "experiments/config/overrides.hpp"
+#include "experiments/config/run_json.hpp"
 
 namespace bendlab {
 namespace {
 
-// A run of these settings, changed: one run, which has no errors of its own.
-RunConfig with_changes(Json settings, const std::filesystem::path& folder, std::string_view what,
-                       std::span<const std::string> changes) {
+// This run with changed settings: one run, which has no errors of its own.
+RunConfig derive_reference(const RunConfig& config, std::span<const std::string> changes) {
+  const std::string what = "the reference";
   for (const std::string& change : changes)
     for (const char* section : {"/sweep", "/expect", "/accuracy"})
       if (lies_within(change.substr(0, change.find('=')), section))
         throw ConfigError(
-            std::string(what),
-            {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors of "
-                                   "its own; remove \"{}\"",
-                                   what, change)}});
+            what, {{section, fmt::format("cannot be changed: {} is one run, with neither a sweep nor errors "
+                                         "of its own; remove \"{}\"",
+                                         what, change)}});
+  const Accuracy& accuracy = config.settings().accuracy;
+  RunSettings run = config.settings();
+  run.accuracy = {};
+  if (Initial& initial = run.scene.initial; accuracy.start_from_end)
+    initial.after.reset(), initial.velocity = Initial{}.velocity, initial.spin = Initial{}.spin;
+  Json settings = to_json(run);
   settings["name"] = "changed";
-  settings["accuracy"] = Json::object();
   ConfigProblems problems;
   apply_overrides(settings, changes, problems);
   RunSettings changed = read_run(settings, problems);
-  if (!problems.empty()) throw ConfigError(std::string(what), std::move(problems));
-  return RunConfig(std::move(changed), folder);
-}
-
-RunConfig derive_reference(const RunConfig& config, std::span<const std::string> changes) {
-  const Accuracy& accuracy = config.settings().accuracy;
-  Json settings = config.resolved();
-  if (accuracy.start_from_end)
-    for (const char* start : {"after", "velocity", "spin"}) settings["initial"].erase(start);
-  RunConfig reference = with_changes(std::move(settings), config.folder(), "the reference", changes);
+  if (!problems.empty()) throw ConfigError(what, std::move(problems));
+  RunConfig reference(std::move(changed), config.folder());
   const MethodKind& method = reference.scene().solver.method.kind();
   if (accuracy.over_time && !method.has_motion)
     throw ConfigError(
-        "the reference",
+        what,
         {{"/solver/method", fmt::format("{} has no motion that could be compared over time", method.name)}});
   // Its folder's name depends on its own settings alone, so that several runs share one reference.
   for (const char* pointer : {"/bending/model", "/mesh/cells", "/solver/method", "/solver/substeps"})
@@ -52,10 +49,11 @@ RunConfig derive_reference(const RunConfig& config, std::span<const std::string>
   return reference;
 }
 
-bool same_run(const RunConfig& one, const RunConfig& other) {
-  Json settings = one.resolved(), others = other.resolved();
-  for (Json* each : {&settings, &others}) each->erase("accuracy");
-  return identity_text(settings) == identity_text(others);
+// What decides the run itself, without its errors.
+std::string identity_of(const RunConfig& config) {
+  RunSettings settings = config.settings();
+  settings.accuracy = {};
+  return identity_text(to_json(settings));
 }
 
 }  // namespace
@@ -98,8 +96,8 @@ void check_references(const std::vector<RunConfig>& runs, std::string_view sourc
       bool one_is_right = false;
       for (const RunConfig& run : runs) try {
           const std::optional<RunConfig> reference = reference_of(run, against, coarser);
-          const bool itself =
-              reference && !run.settings().accuracy.start_from_end && same_run(run, *reference);
+          const bool itself = reference && !run.settings().accuracy.start_from_end &&
+                              identity_of(run) == identity_of(*reference);
           if (itself && !wrong) wrong = "changes nothing: a run differs from itself by 0";
           one_is_right |= reference && !itself;
         } catch (const ConfigError& error) {

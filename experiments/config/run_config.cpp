@@ -9,6 +9,7 @@
 
 #include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/scene_tables.hpp"
+#include "experiments/config/run_json.hpp"
 
 namespace bendlab {
 
@@ -71,14 +72,13 @@ std::optional<RunConfig> RunConfig::derived(const std::string& name,
   return run ? std::optional(*run) : std::nullopt;
 }
 
-std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config) {
-  std::vector<std::pair<std::string, std::filesystem::path>> files;
+std::vector<NamedFile> input_files(const RunConfig& config) {
+  std::vector<NamedFile> files;
   const auto add = [&](const FieldTable& table, const void* owner, const std::string& pointer) {
     for (const Field& field : table.fields)
       if (field.names_file)
-        if (const Value file = field.of(owner); std::holds_alternative<std::string>(file))
-          files.emplace_back(child_pointer(pointer, field.name),
-                             config.folder() / std::get<std::string>(file));
+        if (const Value value = field.of(owner); const auto* const name = std::get_if<std::string>(&value))
+          files.push_back({child_pointer(pointer, field.name), *name, config.folder() / *name});
   };
   const Scene& scene = config.scene();
   for (const Part& part : scene_parts()) add(part.table, part.in(scene), std::string(part.pointer));

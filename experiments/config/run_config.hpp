@@ -50,9 +50,14 @@ class RunConfig {
 /// unknown, as it may be in a run file of another version.
 RunConfig stored_run(const Json& resolved, const std::filesystem::path& folder = {});
 
-/// The files that a run reads, as paths from here, and the pointers that name them: /mesh/file, effects'
-/// files.
-std::vector<std::pair<std::string, std::filesystem::path>> input_files(const RunConfig& config);
+/// A file that a run reads: the setting that names it, the name there, and the path from here.
+struct NamedFile {
+  std::string pointer, name;
+  std::filesystem::path path;
+  bool operator==(const NamedFile&) const = default;
+};
+/// /mesh/file, and effects' files.
+std::vector<NamedFile> input_files(const RunConfig& config);
 
 /// Its place on the sweep: {pointer: value}.
 Json point_json(const RunConfig& config);

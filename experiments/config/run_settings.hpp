@@ -9,7 +9,6 @@
 
 #include "bendlab/mesh/quality.hpp"
 #include "bendlab/scene/scene.hpp"
-#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 
@@ -43,13 +42,5 @@ struct RunSettings {
   Accuracy accuracy;
   QualityThresholds quality;
 };
-
-/// Reads a config without `sweep`, `cover`, `expect` and `because`: everything that is stated, on top of the
-/// defaults. Appends every problem; if there are any, the settings are meaningless.
-RunSettings read_run(const Json& settings, ConfigProblems& problems);
-
-/// The canonical settings: what decides the run, without name, description, allow and defaults. Equal runs
-/// have equal JSON. read_run() of it, with a name, gives the same settings.
-Json to_json(const RunSettings& settings);
 
 }  // namespace bendlab

@@ -4,14 +4,19 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <span>
+#include <utility>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/effects/effect.hpp"
-#include "bendlab/scene/defaults.hpp"
 #include "bendlab/scene/fields_json.hpp"
+#include "bendlab/scene/scene_json.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/expectations.hpp"
+#include "experiments/config/sweep.hpp"
 
 namespace bendlab {
 namespace {
@@ -74,56 +79,22 @@ Json rows_json(const std::vector<SettingRow>& table) {
   return json;
 }
 
-void add_range(Json& schema, const SettingRow& row) {
-  if (std::isfinite(row.field.minimum))
-    schema[row.field.above ? "exclusiveMinimum" : "minimum"] = row.field.minimum;
-  if (std::isfinite(row.field.maximum)) schema["maximum"] = row.field.maximum;
-}
-
-// Schema of one value of the setting, or of one entry where it is a list.
-Json entry_schema(const SettingRow& row, const char* type) {
-  Json schema = Json::object();
-  schema["type"] = type;
-  if (!row.field.choices.empty()) schema["enum"] = row.field.choices;
-  if (row.field.type != FieldType::boolean && row.field.type != FieldType::text &&
-      row.field.type != FieldType::texts)
-    add_range(schema, row);
-  return schema;
-}
-
-Json list_schema(const SettingRow& row, const char* entry_type) {
-  Json schema = Json::object();
-  schema["type"] = "array";
-  schema["items"] = entry_schema(row, entry_type);
-  if (row.field.length != 0) {
-    schema["minItems"] = row.field.length;
-    schema["maxItems"] = row.field.length;
-  }
-  return schema;
-}
-
-Json value_schema(const SettingRow& row) {
-  switch (row.field.type) {
-    case FieldType::boolean:
-      return entry_schema(row, "boolean");
-    case FieldType::integer:
-      return entry_schema(row, "integer");
-    case FieldType::number:
-      return entry_schema(row, "number");
-    case FieldType::text:
-      return entry_schema(row, "string");
-    case FieldType::integers:
-      return list_schema(row, "integer");
-    case FieldType::numbers:
-      return list_schema(row, "number");
-    case FieldType::texts:
-      return list_schema(row, "string");
-  }
-  throw std::logic_error("value_schema: unknown type");
+// Schema of the setting's value, without its default.
+Json value_schema(const Field& field) {
+  constexpr std::array types = {"boolean", "integer", "number", "string",
+                                "integer", "number",  "string"};  // as in FieldType; of lists their entries
+  Json entry = {{"type", types.at(static_cast<std::size_t>(field.type))}};
+  if (!field.choices.empty()) entry["enum"] = field.choices;
+  if (std::isfinite(field.minimum)) entry[field.above ? "exclusiveMinimum" : "minimum"] = field.minimum;
+  if (std::isfinite(field.maximum)) entry["maximum"] = field.maximum;
+  if (field.type < FieldType::integers) return entry;
+  Json list = {{"type", "array"}, {"items", std::move(entry)}};
+  if (field.length != 0) list.update({{"minItems", field.length}, {"maxItems", field.length}});
+  return list;
 }
 
 Json setting_schema(const SettingRow& row) {
-  Json schema = value_schema(row);
+  Json schema = value_schema(row.field);
   const Json default_value = json_of(row.usual);
   if (!default_value.is_null()) schema["default"] = default_value;
   if (row.field.optional) {
@@ -136,11 +107,10 @@ Json setting_schema(const SettingRow& row) {
 }
 
 Json object_schema(std::string_view meaning, const std::vector<SettingRow>& table) {
-  Json schema = Json::object();
-  schema["type"] = "object";
-  schema["description"] = meaning;
-  schema["additionalProperties"] = false;
-  schema["properties"] = Json::object();
+  Json schema = {{"type", "object"},
+                 {"description", meaning},
+                 {"additionalProperties", false},
+                 {"properties", Json::object()}};
   Json required = Json::array();
   for (const SettingRow& row : table) {
     schema["properties"][std::string(row.field.name)] = setting_schema(row);
@@ -168,46 +138,27 @@ Json effect_schema(const EffectKind& effect) {
 Json effects_schema() {
   Json kinds = Json::array();
   for (const EffectKind* effect : effects()) kinds.push_back(effect_schema(*effect));
-  Json schema = Json::object();
-  schema["type"] = "array";
-  schema["items"]["oneOf"] = std::move(kinds);
-  schema["default"] = default_effects(Json::object());
-  return schema;
+  return {{"type", "array"}, {"items", {{"oneOf", kinds}}}, {"default", default_effects(Json::object())}};
 }
 
 Json sweep_schema() {
-  Json list = Json::object(), all = Json::object(), schema = Json::object();
-  list["type"] = "array";
-  list["minItems"] = 1;
-  all["const"] = "all";
-  schema["type"] = "object";
-  schema["additionalProperties"]["oneOf"] = Json::array({std::move(list), std::move(all)});
-  return schema;
+  const Json list = {{"type", "array"}, {"minItems", 1}}, all = {{"const", "all"}};
+  return {{"type", "object"}, {"additionalProperties", {{"oneOf", Json::array({list, all})}}}};
 }
 
 Json because_schema() {
-  Json schema = Json::object();
-  schema["type"] = "object";
-  schema["additionalProperties"]["type"] = "string";
-  return schema;
+  return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}};
 }
 
 Json cover_schema() {
-  Json strength = value_schema(rows_of(cover_table()).front());
-  Json schema = Json::object();
-  schema["oneOf"] =
-      Json::array({std::move(strength), object_schema("Strength and seed", rows_of(cover_table()))});
-  return schema;
+  return {{"oneOf", Json::array({value_schema(cover_table().fields.front()),
+                                 object_schema("Strength and seed", rows_of(cover_table()))})}};
 }
 
 Json expect_schema() {
   Json entry = object_schema("One bound; min, max or both", rows_of(expectation_table()));
-  entry["properties"]["where"]["type"] = "object";
-  entry["properties"]["where"]["description"] = expectation_where_meaning();
-  Json schema = Json::object();
-  schema["type"] = "array";
-  schema["items"] = std::move(entry);
-  return schema;
+  entry["properties"]["where"] = {{"type", "object"}, {"description", where_meaning}};
+  return {{"type", "array"}, {"items", entry}};
 }
 
 Json list_schema(std::string_view name) {
@@ -215,17 +166,6 @@ Json list_schema(std::string_view name) {
   if (name == "cover") return cover_schema();
   if (name == "because") return because_schema();
   return name == "sweep" ? sweep_schema() : expect_schema();
-}
-
-// Name, then labelled lines; empty ones are left out.
-std::string entry_text(std::string_view name, std::string_view summary, std::string_view source,
-                       std::string_view limits, std::string_view compliance,
-                       const std::vector<SettingRow>& parameters) {
-  std::string text = fmt::format("{}\n{}", name, wrapped(summary, 2));
-  if (!source.empty()) text += wrapped(fmt::format("Source: {}", source), 2);
-  if (!limits.empty()) text += wrapped(fmt::format("Limits: {}", limits), 2);
-  if (!compliance.empty()) text += wrapped(fmt::format("Compliance: {}", compliance), 2);
-  return text + (parameters.empty() ? "  No settings\n" : rows_text(parameters));
 }
 
 }  // namespace
@@ -242,7 +182,7 @@ std::string schema_text() {
     if (list.name == "cover") text += rows_text(rows_of(cover_table()));
     if (list.name == "expect")
       text += rows_text(rows_of(expectation_table())) + wrapped("where: optional; an object", 2) +
-              wrapped(expectation_where_meaning(), 6);
+              wrapped(where_meaning, 6);
   }
   for (const EffectKind* effect : effects())
     text += fmt::format("\nan entry of /effects with \"type\": \"{}\"\n{}{}", effect->name,
@@ -255,9 +195,8 @@ Json schema_json() {
   schema["$schema"] = "https://json-schema.org/draft/2020-12/schema";
   schema["title"] = "bendlab config";
   schema.update(section_schema(*find_section("")));
-  schema["properties"]["$schema"]["type"] = "string";
-  schema["properties"]["$schema"]["description"] =
-      "Where an editor finds this schema; does not affect the runs";
+  schema["properties"]["$schema"] = {
+      {"type", "string"}, {"description", "Where an editor finds this schema; does not affect the runs"}};
   for (const ConfigList& list : config_lists()) {
     Json entry = list_schema(list.name);
     entry["description"] = list.meaning;
@@ -266,33 +205,10 @@ Json schema_json() {
   return schema;
 }
 
-std::string models_text() {
-  std::string text;
-  for (const BendingKind* model : bending_models())
-    text += (text.empty() ? "" : "\n") + entry_text(model->name, model->summary, model->source, model->limits,
-                                                    model->compliance, rows_of(model->settings));
-  return text;
-}
-
 Json model_labels_json() {
   Json labels = Json::object();
   for (const BendingKind* model : bending_models()) labels[std::string(model->name)] = model->label;
   return labels;
-}
-
-Json models_json() {
-  Json json = Json::array();
-  for (const BendingKind* model : bending_models()) {
-    Json& entry = json.emplace_back(Json::object());
-    entry["name"] = model->name;
-    entry["label"] = model->label;
-    entry["summary"] = model->summary;
-    entry["source"] = model->source;
-    entry["limits"] = model->limits;
-    entry["compliance"] = model->compliance;
-    entry["parameters"] = rows_json(rows_of(model->settings));
-  }
-  return json;
 }
 
 namespace {
@@ -307,77 +223,95 @@ std::vector<std::pair<std::string_view, int>> shared_settings(const MethodKind& 
   return shared;
 }
 
-// "dt, substeps (default 1), …"
-std::string shared_text(const MethodKind& method) {
-  std::string text;
-  for (const auto& [name, usual] : shared_settings(method))
-    text += fmt::format("{}{}{}", text.empty() ? "" : ", ", name,
-                        usual > 0 ? fmt::format(" (default {})", usual) : "");
-  return text;
+bool takes(const MethodKind& method, const EffectKind& effect) {
+  return method.takes_effect(effect.needs_projection, effect.acts_in_iterations);
 }
 
 // What the method does with each effect that acts among projections.
 std::string taken_effects(const MethodKind& method) {
   std::vector<std::string_view> refused, idle;
   for (const EffectKind* effect : effects())
-    if (!method.takes_effect(effect->needs_projection, effect->acts_in_iterations))
-      (effect->helps_projection ? idle : refused).push_back(effect->name);
+    if (!takes(method, *effect)) (effect->helps_projection ? idle : refused).push_back(effect->name);
   if (refused.empty() && idle.empty()) return "Takes every effect";
   return fmt::format("Refuses the effects {}{}", fmt::join(refused, ", "),
                      idle.empty() ? "" : fmt::format("; {}: nothing to do", fmt::join(idle, ", ")));
 }
 
+// What a method reads besides its own settings: "dt, substeps (default 1), …", and which effects it takes.
+std::string more_text(const MethodKind& method) {
+  std::vector<std::string> shared;
+  for (const auto& [name, usual] : shared_settings(method))
+    shared.push_back(usual > 0 ? fmt::format("{} (default {})", name, usual) : std::string(name));
+  return wrapped(fmt::format("Also reads from /solver: {}", fmt::join(shared, ", ")), 2) +
+         wrapped(taken_effects(method), 2);
+}
+std::string more_text(const auto&) {
+  return "";
+}
+
+void add_more(const MethodKind& method, Json& entry) {
+  for (const auto& [name, usual] : shared_settings(method)) entry["shared"].push_back(name);
+  Json& taken = entry["effects"] = Json::object();
+  for (const EffectKind* effect : effects())
+    taken[std::string(effect->name)] = takes(method, *effect)     ? "takes"
+                                       : effect->helps_projection ? "nothing to do"
+                                                                  : "refuses";
+}
+void add_more(const auto&, Json&) {}
+
+// Name, then labelled lines; empty ones are left out.
+template <class Kind>
+std::string kinds_text(std::span<const Kind* const> kinds) {
+  std::string text;
+  const auto add = [&](const char* label, std::string_view line) {
+    if (!line.empty()) text += wrapped(fmt::format("{}: {}", label, line), 2);
+  };
+  for (const Kind* kind : kinds) {
+    text += fmt::format("{}{}\n{}", text.empty() ? "" : "\n", kind->name, wrapped(kind->summary, 2));
+    add("Source", kind->source);
+    if constexpr (requires { kind->limits; }) add("Limits", kind->limits);
+    if constexpr (requires { kind->compliance; }) add("Compliance", kind->compliance);
+    text += kind->settings.fields.empty() ? "  No settings\n" : rows_text(rows_of(kind->settings));
+    text += more_text(*kind);
+  }
+  return text;
+}
+
+template <class Kind>
+Json kinds_json(std::span<const Kind* const> kinds) {
+  Json json = Json::array();
+  for (const Kind* kind : kinds) {
+    Json& entry = json.emplace_back(Json::object());
+    entry["name"] = kind->name;
+    if constexpr (requires { kind->label; }) entry["label"] = kind->label;
+    entry["summary"] = kind->summary, entry["source"] = kind->source;
+    if constexpr (requires { kind->limits; }) entry["limits"] = kind->limits;
+    if constexpr (requires { kind->compliance; }) entry["compliance"] = kind->compliance;
+    add_more(*kind, entry);
+    entry["parameters"] = rows_json(rows_of(kind->settings));
+  }
+  return json;
+}
+
 }  // namespace
 
+std::string models_text() {
+  return kinds_text(bending_models());
+}
+Json models_json() {
+  return kinds_json(bending_models());
+}
 std::string methods_text() {
-  std::string text;
-  for (const MethodKind* method : methods())
-    text += (text.empty() ? "" : "\n") +
-            entry_text(method->name, method->summary, method->source, method->limits, "",
-                       rows_of(method->settings)) +
-            wrapped(fmt::format("Also reads from /solver: {}", shared_text(*method)), 2) +
-            wrapped(taken_effects(*method), 2);
-  return text;
+  return kinds_text(methods());
 }
-
 Json methods_json() {
-  Json json = Json::array();
-  for (const MethodKind* method : methods()) {
-    Json& entry = json.emplace_back(Json::object());
-    entry["name"] = method->name;
-    entry["summary"] = method->summary;
-    entry["source"] = method->source;
-    entry["limits"] = method->limits;
-    for (const auto& [name, usual] : shared_settings(*method)) entry["shared"].push_back(name);
-    Json& taken = entry["effects"] = Json::object();
-    for (const EffectKind* effect : effects())
-      taken[std::string(effect->name)] =
-          method->takes_effect(effect->needs_projection, effect->acts_in_iterations) ? "takes"
-          : effect->helps_projection                                                 ? "nothing to do"
-                                                                                     : "refuses";
-    entry["parameters"] = rows_json(rows_of(method->settings));
-  }
-  return json;
+  return kinds_json(methods());
 }
-
 std::string effects_text() {
-  std::string text;
-  for (const EffectKind* effect : effects())
-    text += (text.empty() ? "" : "\n") +
-            entry_text(effect->name, effect->summary, effect->source, "", "", rows_of(effect->settings));
-  return text;
+  return kinds_text(effects());
 }
-
 Json effects_json() {
-  Json json = Json::array();
-  for (const EffectKind* effect : effects()) {
-    Json& entry = json.emplace_back(Json::object());
-    entry["name"] = effect->name;
-    entry["summary"] = effect->summary;
-    entry["source"] = effect->source;
-    entry["parameters"] = rows_json(rows_of(effect->settings));
-  }
-  return json;
+  return kinds_json(effects());
 }
 
 }  // namespace bendlab

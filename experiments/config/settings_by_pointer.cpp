@@ -23,6 +23,12 @@ std::string_view last_part(std::string_view pointer) {
   return pointer.substr(pointer.rfind('/') + 1);
 }
 
+// "; did you mean '/solver/dt'?" if a pointer in `known` ends in the same key, else "".
+std::string same_key_suggestion(std::string_view key, const std::vector<std::string>& known) {
+  const auto found = std::ranges::find(known, key, last_part);
+  return found == known.end() ? "" : fmt::format("; did you mean '{}'?", *found);
+}
+
 }  // namespace
 
 std::vector<std::string> known_pointers(const Json& settings) {
@@ -63,11 +69,6 @@ const Field* find_setting(const Json& settings, std::string_view pointer) {
   const std::span<const Field> table = effect_table(*entry);
   const auto found = std::ranges::find(table, name, &Field::name);
   return found == table.end() ? nullptr : &*found;
-}
-
-std::string same_key_suggestion(std::string_view key, const std::vector<std::string>& known) {
-  const auto found = std::ranges::find(known, key, last_part);
-  return found == known.end() ? "" : fmt::format("; did you mean '{}'?", *found);
 }
 
 std::string unknown_pointer_text(std::string_view pointer, const std::vector<std::string>& known) {

@@ -20,7 +20,4 @@ const Field* find_setting(const Json& settings, std::string_view pointer);
 /// "there is no setting '/mesh/cels'; did you mean …?"
 std::string unknown_pointer_text(std::string_view pointer, const std::vector<std::string>& known);
 
-/// "; did you mean '/solver/dt'?" if a pointer in `known` ends in the same key, else "".
-std::string same_key_suggestion(std::string_view key, const std::vector<std::string>& known);
-
 }  // namespace bendlab

@@ -4,19 +4,32 @@
 
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <map>
 #include <stdexcept>
 #include <unordered_set>
 
 #include "bendlab/scene/fields_json.hpp"
-#include "experiments/config/config_tables.hpp"
 #include "experiments/config/in_parallel.hpp"
+#include "experiments/config/run_json.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 
 namespace bendlab {
 namespace {
 
 constexpr std::size_t most_points = 10000;  // a slip in a list should be an error, not a full memory
+
+// clang-format off
+constexpr std::array cover_fields = {
+    field<&Cover::strength>({.name = "strength", .unit = "1",
+              .meaning = "Every combination of the values of this many axes occurs in some run: 2 covers "
+                         "every pair of values",
+              .minimum = 1, .maximum = 6, .required = true}),
+    field<&Cover::seed>({.name = "seed", .unit = "1",
+              .meaning = "Another seed gives other runs that cover as much",
+              .minimum = 0, .maximum = std::numeric_limits<std::uint32_t>::max()}),
+};
+// clang-format on
 
 // 16 and 16.0 are the same value of a setting.
 Json normalised(const Json& settings, const std::string& pointer, const Json& value) {
@@ -38,24 +51,6 @@ Json listed(const Json& settings, const std::string& pointer, const Json& values
 
 std::string axis_pointer(const std::string& pointer) {
   return child_pointer("/sweep", pointer);
-}
-
-// Problems of `settings` with one more value in place, said of the place in the sweep.
-void check_value(const Json& settings, const Axis& axis, std::size_t index, const ConfigProblems& known,
-                 ConfigProblems& problems) {
-  const auto& [pointer, values] = axis;
-  const std::string place = child_pointer(axis_pointer(pointer), std::to_string(index));
-  Json with_value = settings;
-  if (!set_at(with_value, pointer, values[index]))
-    return;  // the settings are wrong there, which is a problem already
-  ConfigProblems found;
-  read_run(with_value, found);
-  for (const ConfigProblem& problem : found) {
-    if (lies_within(problem.pointer, pointer))
-      problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
-    else if (std::ranges::find(known, problem) == known.end())
-      problems.push_back({place, fmt::format("with this value {}: {}", problem.pointer, problem.message)});
-  }
 }
 
 // Whether the run depends on the setting at `pointer`: what contains it is still there after resolving.
@@ -171,8 +166,18 @@ void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigPro
   const Json base = with_first_values(settings, axes);
   ConfigProblems known;
   read_run(base, known);
-  for (const Axis& axis : axes)
-    for (std::size_t i = 0; i < axis.second.size(); ++i) check_value(base, axis, i, known, problems);
+  for (const auto& [pointer, listed_values] : axes)
+    for (std::size_t i = 0; i < listed_values.size(); ++i) {
+      const std::string place = child_pointer(axis_pointer(pointer), std::to_string(i));
+      for (const ConfigProblem& other : check_value(base, pointer, listed_values[i], place, problems))
+        if (std::ranges::find(known, other) == known.end())
+          problems.push_back({place, fmt::format("with this value {}: {}", other.pointer, other.message)});
+    }
+}
+
+const FieldTable& cover_table() {
+  static const FieldTable table = table_of<Cover>(cover_fields);
+  return table;
 }
 
 std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
@@ -183,11 +188,10 @@ std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems) {
         {"/cover", "expected a strength, as in \"cover\": 2, or an object {\"strength\": 2, \"seed\": 1}"});
     return std::nullopt;
   }
-  ConfigProblems found;
+  const std::size_t before = problems.size();
   Cover read;
-  read_fields(cover_table(), &read, given, "/cover", {}, found);
-  problems.insert(problems.end(), found.begin(), found.end());
-  return found.empty() ? std::optional(read) : std::nullopt;
+  read_fields(cover_table(), &read, given, "/cover", {}, problems);
+  return problems.size() == before ? std::optional(read) : std::nullopt;
 }
 
 Json with_first_values(const Json& settings, const std::vector<Axis>& axes) {

@@ -2,12 +2,26 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <utility>
 #include <vector>
 
+#include "bendlab/parameters/field.hpp"
 #include "experiments/config/cover.hpp"
-#include "experiments/config/experiment.hpp"
+#include "experiments/config/run_config.hpp"
 
 namespace bendlab {
+
+/// A swept pointer and its values, normalised.
+using Axis = std::pair<std::string, std::vector<Json>>;
+
+/// How much of a sweep a covering array has.
+struct Covered {
+  int strength = 0;  ///< every combination of values of this many axes is in some run; 0: the sweep is whole
+  std::size_t tuples = 0;            ///< how many such combinations there are
+  std::size_t missing = 0;           ///< how many of them are in no run
+  std::vector<std::string> refused;  ///< the missing ones, as "/a = 1, /b = 2"
+};
 
 /// The axes of a `sweep` object, in its order. Each pointer must name a setting, a section or (part of) the
 /// effects that `settings` lists; lists must not be empty. The number of combinations is checked, unless the
@@ -16,6 +30,9 @@ std::vector<Axis> read_axes(const Json& sweep, const Json& settings, bool covere
 
 /// Each value of the axes by itself against the other settings.
 void check_values(const Json& settings, const std::vector<Axis>& axes, ConfigProblems& problems);
+
+/// The settings of `cover`.
+const FieldTable& cover_table();
 
 /// The value of a config's `cover`, a number or an object; nothing if it is absent or wrong.
 std::optional<Cover> read_cover(const Json& cover, ConfigProblems& problems);

@@ -12,12 +12,13 @@
 #include "bendlab/mesh/files.hpp"
 #include "bendlab/mesh/single_precision.hpp"
 #include "bendlab/parameters/names.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/gravity.hpp"
-#include "experiments/campaign/errors.hpp"
 #include "experiments/config/run_config.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
-#include "experiments/export/obstacle_surfaces.hpp"
+#include "experiments/run/errors.hpp"
+#include "experiments/run/run_record.hpp"
 
 namespace bendlab {
 namespace {
@@ -120,6 +121,20 @@ void take_flat_coordinates(Surface& cloth) {
   cloth.texture_corners = cloth.triangles;
 }
 
+// The bytes of the file that an effect names, as the run file has them; null if it names none. Throws
+// std::invalid_argument if the run file lacks it.
+const std::string* file_of(const Effect& effect, std::size_t index, const std::vector<InputFile>& inputs) {
+  for (const Field& field : effect.kind().settings.fields) {
+    if (!field.names_file) continue;
+    const auto file =
+        std::ranges::find(inputs, fmt::format("/effects/{}/{}", index, field.name), &InputFile::pointer);
+    if (file == inputs.end())
+      throw std::invalid_argument(fmt::format("the run file does not hold its {}", field.name));
+    return &file->bytes;
+  }
+  return nullptr;
+}
+
 // What only the settings tell: texture, obstacles, the direction of gravity.
 void take_from_config(ExportedRun& run, const Json& json, std::optional<UpAxis>& gravity_up) try {
   const RunConfig config = stored_run(json);
@@ -151,6 +166,30 @@ Eigen::Matrix3d turn_between(UpAxis from, UpAxis to) {
 
 }  // namespace
 
+std::vector<Surface> obstacle_surfaces(const std::vector<Effect>& effects,
+                                       const std::vector<InputFile>& inputs, const Vector3& centre,
+                                       double size, std::vector<std::string>& notes) {
+  std::vector<Surface> surfaces;
+  for (std::size_t index = 0; index < effects.size(); ++index) {
+    const Effect& effect = effects[index];
+    if (effect.kind().surface == nullptr) continue;
+    Surface surface{.name = pass_name(effects, index)};
+    std::ranges::replace(surface.name, ' ', '_');
+    try {
+      ObstacleSurface made = effect.kind().surface(
+          effect.settings(), {.file = file_of(effect, index, inputs), .centre = centre, .size = size});
+      surface.positions = std::move(made.mesh.positions);
+      surface.triangles = std::move(made.mesh.triangles);
+      surface.velocity = made.velocity;
+    } catch (const std::exception& error) {
+      notes.push_back(fmt::format("{} is left out: {}", surface.name, error.what()));
+      continue;
+    }
+    surfaces.push_back(std::move(surface));
+  }
+  return surfaces;
+}
+
 Positions ExportedRun::positions(const Surface& surface, const ExportedFrame& frame) const {
   if (surface.deforms) {
     const std::vector<double> stored = read_positions(record.file, frame.number);
@@ -169,8 +208,7 @@ double ExportedRun::time_code(const ExportedFrame& frame) const {
 ExportedRun open_for_export(const RunRecord& record, std::string_view frames, std::optional<UpAxis> up) {
   ExportedRun run{.record = record};
   choose_frames(run, frames);
-  const auto version = record.provenance.find("version");
-  run.version = version == record.provenance.end() ? "unknown" : version->second;
+  run.version = provenance_text(record, "version", "unknown");
   const RestRecord rest = read_rest(record.file);
   run.double_positions = rest.double_positions;
   run.surfaces.push_back({.name = "cloth",

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "bendlab/parameters/names.hpp"
-#include "experiments/campaign/errors.hpp"
+#include "experiments/run/errors.hpp"
 
 namespace bendlab {
 

@@ -1,6 +1,5 @@
 // OBJ: a text file per frame.
 #include "experiments/export/format.hpp"
-#include "experiments/export/obj_text.hpp"
 
 namespace bendlab {
 namespace {

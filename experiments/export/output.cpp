@@ -9,8 +9,8 @@
 
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
-#include "experiments/campaign/errors.hpp"
-#include "experiments/export/surface.hpp"
+#include "experiments/export/exported_run.hpp"
+#include "experiments/run/errors.hpp"
 
 namespace bendlab {
 namespace {

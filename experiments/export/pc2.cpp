@@ -12,7 +12,6 @@
 // All little endian. Where floats would round edges, positions in both files are relative to the run's
 // origin, which the OBJ file states.
 #include "experiments/export/format.hpp"
-#include "experiments/export/obj_text.hpp"
 
 namespace bendlab {
 namespace {

@@ -176,8 +176,6 @@ extern const Measure accuracy{
     .when = "if /accuracy names a reference",
     .gives = accuracy_quantities,
     .makes_runs = true,
-    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Errors>(config, scene);
-    }};
+    .begin = begun<Errors>};
 }  // namespace measure
 }  // namespace bendlab

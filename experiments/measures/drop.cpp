@@ -17,7 +17,7 @@ double highest_level(const BuiltScene& scene) {
 
 class Drop final : public Measurement {
  public:
-  explicit Drop(const BuiltScene& scene) : down_(scene.down), level_(highest_level(scene)) {}
+  Drop(const RunConfig&, const BuiltScene& scene) : down_(scene.down), level_(highest_level(scene)) {}
 
   void complete(const MeasuredFrame& frame, std::span<double> values,
                 std::span<std::vector<float>>) override {
@@ -53,8 +53,6 @@ extern const Measure drop{
       return {{"drop", "m", "median over the last second; with equilibrium, of its last step"},
               {"drop_last", "m", "of the last frame"}};
     },
-    .begin = [](const RunConfig&, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Drop>(scene);
-    }};
+    .begin = begun<Drop>};
 }  // namespace measure
 }  // namespace bendlab

@@ -93,7 +93,8 @@ namespace {
 // share over all looks, weighted by energy.
 class Meter final : public Measurement {
  public:
-  Meter(double duration, int substeps) : next_look_(duration - 1), substeps_(substeps) {}
+  Meter(const RunConfig& config, const BuiltScene& scene)
+      : next_look_(config.scene().duration - 1), substeps_(scene.input.settings.substeps) {}
 
   void step(const Simulation& simulation, const Moment& moment) override {
     constexpr double interval = 0.5;  // s; a look takes 0.2 to 0.8 of a step of ten iterations (64² cells)
@@ -131,8 +132,6 @@ extern const Measure effective_stiffness{
                "if that is below 0.5: about how many substeps, each of as many iterations, would give 0.9"},
               {"substeps_for_90_percent_membrane", "1", "the same for the membrane"}};
     },
-    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Meter>(config.scene().duration, scene.input.settings.substeps);
-    }};
+    .begin = begun<Meter>};
 }  // namespace measure
 }  // namespace bendlab

@@ -11,19 +11,20 @@
 
 #include "bendlab/parameters/family.hpp"
 #include "experiments/config/config_tables.hpp"
-#include "experiments/measures/metrics.hpp"
 
 namespace bendlab {
 
 namespace measure {
-#define BENDLAB_MEASURE(name) extern const Measure name;
-#define BENDLAB_MEASURE_ON_REQUEST(name) extern const Measure name;
-#include "experiments/measures/measures.def"
-#undef BENDLAB_MEASURE
-#undef BENDLAB_MEASURE_ON_REQUEST
-}  // namespace measure
+extern const Measure motion, stretch, drop, quality, stability, effective_stiffness, stiffness, drape,
+    step_residual, accuracy;
+}
 
 namespace {
+
+constexpr std::array listed = {&measure::motion,    &measure::stretch,   &measure::drop,
+                               &measure::quality,   &measure::stability, &measure::effective_stiffness,
+                               &measure::stiffness, &measure::drape,     &measure::step_residual,
+                               &measure::accuracy};
 
 std::size_t index_of(std::span<const Column> columns, std::string_view name) {
   const auto found = std::ranges::find(columns, name, &Column::name);
@@ -32,13 +33,10 @@ std::size_t index_of(std::span<const Column> columns, std::string_view name) {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-constexpr std::array listed = {
-#define BENDLAB_MEASURE(name) &measure::name,
-#define BENDLAB_MEASURE_ON_REQUEST(name) &measure::name,
-#include "experiments/measures/measures.def"
-#undef BENDLAB_MEASURE
-#undef BENDLAB_MEASURE_ON_REQUEST
-};
+constexpr std::array facts = std::to_array<std::string_view>(
+    {"size", "edge_length", "vertices", "triangles", "springs", "bending_constraints",
+     "springs_beyond_ring_1", "pinned_vertices", "projections", "substeps", "memory_bytes", "unbalanced",
+     "membrane_softness", "settled_at"});
 
 Registry<Measure>& registry() {
   static Registry<Measure> all("measure", listed);
@@ -48,11 +46,10 @@ Registry<Measure>& registry() {
 // A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
 template <class Row>
 void check_names(const Measure& measure, std::vector<Row> (*Measure::*rows)()) {
-  if (!(measure.*rows)) return;
-  std::set<std::string, std::less<>> taken(names_of_facts().begin(), names_of_facts().end());
+  std::set<std::string, std::less<>> taken(facts.begin(), facts.end());
   taken.emplace("time");  // of a frame
   for (const Measure* other : registry().so_far())
-    for (const Row& row : other->*rows ? (other->*rows)() : std::vector<Row>{}) taken.insert(row.name);
+    for (const Row& row : (other->*rows)()) taken.insert(row.name);
   for (const Row& row : (measure.*rows)())
     if (!taken.insert(row.name).second)
       throw std::invalid_argument(
@@ -117,17 +114,33 @@ void register_measure(const Measure& measure) {
   check_names(measure, &Measure::columns), check_names(measure, &Measure::fields);
   check_names(measure, &Measure::gives);
   registry().add(measure);
-  if (measure.applies == nullptr) add_measure_on_request(measure.name);
 }
 
 std::span<const Measure* const> added_measures() {
   return registry().added();
 }
 
-bool applies(const Measure& measure, const RunConfig& config, const BuiltScene& scene) {
-  if (measure.applies) return measure.applies(config, scene);
-  const std::vector<std::string> asked = config.settings().output.measures;
+std::span<const std::string_view> measures_on_request() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> on_request;
+    for (const Measure* measure : measures())
+      if (measure->applies == nullptr) on_request.push_back(measure->name);
+    return on_request;
+  }();
+  return names;
+}
+
+std::span<const std::string_view> names_of_facts() {
+  return facts;
+}
+
+bool is_asked_for(const Measure& measure, const RunConfig& config) {
+  const std::vector<std::string>& asked = config.settings().output.measures;
   return std::ranges::find(asked, measure.name) != asked.end();
+}
+
+bool applies(const Measure& measure, const RunConfig& config, const BuiltScene& scene) {
+  return measure.applies ? measure.applies(config, scene) : is_asked_for(measure, config);
 }
 
 bool always(const RunConfig&, const BuiltScene&) {

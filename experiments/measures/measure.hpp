@@ -1,6 +1,6 @@
-// Measures: what is found out about a run. Each is one file here and one line in measures.def, and nothing
-// else knows its name; a program that uses this library may register its own. A run has those that every run
-// has, and those that its config asks for; the others cost it nothing.
+// Measures: what is found out about a run. Each is one file here and its name in the list of measure.cpp, and
+// nothing else knows it; a program that uses this library may register its own. A run has those that every
+// run has, and those that its config asks for; the others cost it nothing.
 #pragma once
 
 #include <filesystem>
@@ -124,10 +124,21 @@ class Measurement {
   virtual void archive(Archive&) {}
 };
 
+/// Measure::begin of a class that is made from config and scene.
+template <class Made>
+std::unique_ptr<Measurement> begun(const RunConfig& config, const BuiltScene& scene) {
+  return std::make_unique<Made>(config, scene);
+}
+
 /// A number that a measure gives at the end of a run.
 struct Quantity {
   std::string name, unit, meaning;
 };
+
+template <class Row>
+std::vector<Row> no_rows() {
+  return {};
+}
 
 struct Measure {
   std::string_view name;
@@ -135,17 +146,19 @@ struct Measure {
   std::string_view cost;     ///< a line: what that takes
   /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
   bool (*applies)(const RunConfig&, const BuiltScene&) = nullptr;
-  std::string_view when = "where it applies";  ///< a few words, unless that is always or on request
-  std::vector<Column> (*columns)() = nullptr;  ///< of every frame: names, units, meanings
-  std::vector<Column> (*fields)() = nullptr;   ///< of every triangle of every frame
-  std::vector<Quantity> (*gives)() = nullptr;  ///< of the run; a number without a meaning there is left out
+  std::string_view when = "where it applies";          ///< a few words, unless that is always or on request
+  std::vector<Column> (*columns)() = no_rows<Column>;  ///< of every frame: names, units, meanings
+  std::vector<Column> (*fields)() = no_rows<Column>;   ///< of every triangle of every frame
+  /// Of the run; a number without a meaning there is left out.
+  std::vector<Quantity> (*gives)() = no_rows<Quantity>;
   /// It makes other runs, whose time is not this run's.
   bool makes_runs = false;
   /// Config and scene outlive the measurement. Throws ConfigError if the scene cannot be measured like this.
   std::unique_ptr<Measurement> (*begin)(const RunConfig&, const BuiltScene&) = nullptr;
 };
 
-/// All, in the order of measures.def; then those that the program added.
+/// All, in the order in which they look at a frame and stand in the run file; then those that the program
+/// added.
 std::span<const Measure* const> measures();
 
 /// Adds a measure of the program's own, which has to stay where it is. To be called before a config is read,
@@ -156,6 +169,12 @@ void register_measure(const Measure&&) = delete;
 
 /// The measures that the program added.
 std::span<const Measure* const> added_measures();
+
+/// Numbers of the scene and of the solver, which no measure gives: those of facts_of() and of the stepping.
+std::span<const std::string_view> names_of_facts();
+
+/// Whether /output/measures names the measure.
+bool is_asked_for(const Measure& measure, const RunConfig& config);
 
 /// Whether a run of `config` on `scene` has the measure.
 bool applies(const Measure& measure, const RunConfig& config, const BuiltScene& scene);

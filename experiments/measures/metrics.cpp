@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <vector>
 
 #include "bendlab/scene/nearest_name.hpp"
@@ -12,25 +11,31 @@
 namespace bendlab {
 namespace {
 
-constexpr std::array<std::string_view, 14> facts = {"size",
-                                                    "edge_length",
-                                                    "vertices",
-                                                    "triangles",
-                                                    "springs",
-                                                    "bending_constraints",
-                                                    "springs_beyond_ring_1",
-                                                    "pinned_vertices",
-                                                    "projections",
-                                                    "substeps",
-                                                    "memory_bytes",
-                                                    "unbalanced",
-                                                    "membrane_softness",
-                                                    "settled_at"};
+std::string_view when(const Measure& measure) {
+  if (!measure.applies) return "if /output/measures names it";
+  return measure.applies == always ? "always" : measure.when;
+}
+
+template <class Rows>
+std::string rows_text(const char* heading, const Rows& rows) {
+  std::string text;
+  for (const auto& row : rows)
+    text += fmt::format("{}    {} ({}): {}\n", text.empty() ? fmt::format("  {}\n", heading) : "", row.name,
+                        row.unit, row.meaning);
+  return text;
+}
+
+template <class Rows>
+Json rows_json(const Rows& rows) {
+  Json json = Json::array();
+  for (const auto& row : rows)
+    json.push_back({{"name", row.name}, {"unit", row.unit}, {"meaning", row.meaning}});
+  return json;
+}
 
 // The measure that gives the number, or null.
 const Measure* measure_of(const std::string& metric) {
   for (const Measure* measure : measures()) {
-    if (!measure->gives) continue;
     const std::vector<Quantity> all = measure->gives();
     if (std::ranges::find(all, metric, &Quantity::name) != all.end()) return measure;
   }
@@ -38,34 +43,49 @@ const Measure* measure_of(const std::string& metric) {
 }
 
 std::vector<std::string> known_metrics() {
-  std::vector<std::string> names(facts.begin(), facts.end());
+  std::vector<std::string> names(names_of_facts().begin(), names_of_facts().end());
   for (const Measure* measure : measures())
-    for (const Quantity& quantity : measure->gives ? measure->gives() : std::vector<Quantity>{})
-      names.push_back(quantity.name);
+    for (const Quantity& quantity : measure->gives()) names.push_back(quantity.name);
   return names;
-}
-
-bool asked_for(const Measure& measure, const RunConfig& run) {
-  const std::vector<std::string> asked = run.settings().output.measures;
-  return std::ranges::find(asked, measure.name) != asked.end();
 }
 
 }  // namespace
 
-std::span<const std::string_view> names_of_facts() {
-  return facts;
+std::string measures_text() {
+  std::string text;
+  for (const Measure* measure : measures())
+    text += fmt::format("{}{}: {}\n  a run has it {}; it costs {}\n{}{}{}", text.empty() ? "" : "\n",
+                        measure->name, measure->summary, when(*measure), measure->cost,
+                        rows_text("numbers of a run", measure->gives()),
+                        rows_text("numbers of every frame", measure->columns()),
+                        rows_text("numbers of every triangle in every frame", measure->fields()));
+  return text;
+}
+
+Json measures_json() {
+  Json json = Json::array();
+  for (const Measure* measure : measures())
+    json.push_back({{"name", measure->name},
+                    {"summary", measure->summary},
+                    {"when", when(*measure)},
+                    {"cost", measure->cost},
+                    {"run", rows_json(measure->gives())},
+                    {"frame", rows_json(measure->columns())},
+                    {"triangle", rows_json(measure->fields())}});
+  return json;
 }
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
   // Bending models choose these names themselves.
-  if (metric.starts_with("model_") || std::ranges::find(facts, metric) != facts.end()) return std::nullopt;
+  if (metric.starts_with("model_") || std::ranges::find(names_of_facts(), metric) != names_of_facts().end())
+    return std::nullopt;
   const Measure* measure = measure_of(metric);
   if (!measure)
     return fmt::format("there is no metric '{}'{} (`bendlab measures` lists them)", metric,
                        suggestion(metric, known_metrics()));
-  const bool on_request = !measure->applies;
-  if (on_request &&
-      std::ranges::none_of(experiment.runs, [&](const RunConfig& run) { return asked_for(*measure, run); }))
+  if (!measure->applies && std::ranges::none_of(experiment.runs, [&](const RunConfig& run) {
+        return is_asked_for(*measure, run);
+      }))
     return fmt::format("no run has '{}': it comes from the measure {}, which /output/measures has to name",
                        metric, measure->name);
   return std::nullopt;

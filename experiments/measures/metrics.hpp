@@ -1,17 +1,18 @@
-// The names of all numbers that a run's summary may have: what `expect` may ask for.
+// All measures and their numbers: what `bendlab measures` prints, and what `expect` may ask for.
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 
+#include "bendlab/scene/strict_json.hpp"
 #include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 
-/// Numbers of the scene and of the solver, which no measure gives: those of facts_of() and of the stepping.
-std::span<const std::string_view> names_of_facts();
+/// Every measure: name, what it finds out, when a run has it, what it costs, its numbers with unit and
+/// meaning.
+std::string measures_text();
+Json measures_json();
 
 /// What is wrong with the metric of an expectation, before any run: no measure gives it, or none that a run
 /// of the experiment has. Nothing if some run may have it.

@@ -7,7 +7,7 @@ namespace {
 
 class Motions final : public Measurement {
  public:
-  explicit Motions(const BuiltScene& scene) : scene_(scene) {}
+  Motions(const RunConfig&, const BuiltScene& scene) : scene_(scene) {}
 
   void capture(const Simulation& simulation, const Positions& positions, std::span<double> values) override {
     const Motion motion = motion_of(scene_.input.mass, positions, simulation.velocities());
@@ -42,8 +42,6 @@ extern const Measure motion{
       return {{"kinetic_energy", "J", "median over the last second; with equilibrium, of its last step"},
               {"kinetic_energy_last", "J", "of the last frame"}};
     },
-    .begin = [](const RunConfig&, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Motions>(scene);
-    }};
+    .begin = begun<Motions>};
 }  // namespace measure
 }  // namespace bendlab

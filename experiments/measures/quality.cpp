@@ -115,8 +115,6 @@ extern const Measure quality{
           });
           return all;
         },
-    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Quality>(config, scene);
-    }};
+    .begin = begun<Quality>};
 }  // namespace measure
 }  // namespace bendlab

@@ -142,7 +142,7 @@ namespace {
 
 class Stability final : public Measurement {
  public:
-  Stability(const BuiltScene& scene, double duration) : meter_(scene, duration) {}
+  Stability(const RunConfig& config, const BuiltScene& scene) : meter_(scene, config.scene().duration) {}
 
   void step(const Simulation& simulation, const Moment&) override { meter_.look(simulation); }
   void finish(const RunEnd&, Findings& findings) override { findings.summary.merge(meter_.summary()); }
@@ -196,8 +196,6 @@ extern const Measure stability{
         "shape",
     .cost = "positions, velocities and energies after every step; ten alignments a simulated second",
     .gives = stability_quantities,
-    .begin = [](const RunConfig& config, const BuiltScene& scene) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Stability>(scene, config.scene().duration);
-    }};
+    .begin = begun<Stability>};
 }  // namespace measure
 }  // namespace bendlab

@@ -8,6 +8,8 @@ namespace {
 
 class StepResidualMeasurement final : public Measurement {
  public:
+  StepResidualMeasurement(const RunConfig&, const BuiltScene&) {}
+
   void capture(const Simulation& simulation, const Positions&, std::span<double> values) override {
     values[0] = std::numeric_limits<double>::quiet_NaN();
     const std::optional<StepResidual> residual = simulation.step_residual();
@@ -48,8 +50,6 @@ extern const Measure step_residual{
                "unbalanced forces relative to those of the effects or, without such, of inertia, both summed "
                "over the last substeps of all frames"}};
     },
-    .begin = [](const RunConfig&, const BuiltScene&) -> std::unique_ptr<Measurement> {
-      return std::make_unique<StepResidualMeasurement>();
-    }};
+    .begin = begun<StepResidualMeasurement>};
 }  // namespace measure
 }  // namespace bendlab

@@ -15,6 +15,8 @@ const std::vector<Column> stretch_columns = {
 
 class Stretches final : public Measurement {
  public:
+  Stretches(const RunConfig&, const BuiltScene&) {}
+
   void complete(const MeasuredFrame& frame, std::span<double> values,
                 std::span<std::vector<float>> fields) override {
     const StretchSummary& stretch = frame.stretch();
@@ -64,8 +66,6 @@ extern const Measure stretch{
           all.push_back({"worst_stretch", "1", "largest σ₁ of all frames"});
           return all;
         },
-    .begin = [](const RunConfig&, const BuiltScene&) -> std::unique_ptr<Measurement> {
-      return std::make_unique<Stretches>();
-    }};
+    .begin = begun<Stretches>};
 }  // namespace measure
 }  // namespace bendlab

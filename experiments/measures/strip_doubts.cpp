@@ -19,7 +19,7 @@ namespace {
 constexpr int enough_edges = 12;  // along a strip: with H/W = 1 its two readings agree within 3 % (tried)
 
 bool measures_stiffness(const RunConfig& config) {
-  const std::vector<std::string> names = config.settings().output.measures;
+  const std::vector<std::string>& names = config.settings().output.measures;
   return std::ranges::find(names, "stiffness") != names.end();
 }
 

@@ -55,10 +55,6 @@ std::string what_broke(const BrokenBound& broken) {
   return std::string();
 }
 
-Json number(double value) {
-  return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
-
 double number_in(const Json& json, const char* key) {
   const auto found = json.find(key);
   return found != json.end() && found->is_number() ? found->get<double>()
@@ -88,15 +84,14 @@ std::string text_of(const BrokenBound& broken) {
 }
 
 Json to_json(const BrokenBound& broken) {
-  return {
-      {"bound", name_of(broken.bound)},
-      {"measured", number(broken.measured)},
-      {"limit", number(broken.limit)},
-      {"unit", unit_of(broken.bound)},
-      {"time", number(broken.time)},
-      {"vertex", broken.vertex},
-      {"constraint", {{"kind", broken.correction.kind}, {"correction", number(broken.correction.length)}}},
-      {"advice", broken.advice}};
+  return {{"bound", name_of(broken.bound)},
+          {"measured", broken.measured},
+          {"limit", broken.limit},
+          {"unit", unit_of(broken.bound)},
+          {"time", broken.time},
+          {"vertex", broken.vertex},
+          {"constraint", {{"kind", broken.correction.kind}, {"correction", broken.correction.length}}},
+          {"advice", broken.advice}};
 }
 
 std::optional<BrokenBound> broken_bound_of(const Json& json) try {

@@ -36,8 +36,8 @@ struct BrokenBound {
 
 /// "at t = 0.5 s vertex 12 is 170 m away from its nearest pin, but …", with the advice.
 std::string text_of(const BrokenBound& broken);
-/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; numbers that are not
-/// finite are null.
+/// {bound, measured, limit, unit, time, vertex, constraint: {kind, correction}, advice}; as a text, numbers
+/// that are not finite are null.
 Json to_json(const BrokenBound& broken);
 /// Reads what to_json() wrote; nothing if it is not that.
 std::optional<BrokenBound> broken_bound_of(const Json& json);

@@ -13,7 +13,6 @@
 #include <atomic>
 #include <cerrno>
 #include <chrono>
-#include <cmath>
 #include <cstring>
 #include <string>
 #include <system_error>
@@ -22,7 +21,7 @@
 #include "bendlab/io/checksum.hpp"
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
-#include "bendlab/parameters/names.hpp"
+#include "experiments/run/run_record.hpp"
 
 extern char** environ;
 
@@ -37,45 +36,17 @@ constexpr rlim_t memory_limit = rlim_t{4} << 30;  // bytes
 
 std::atomic<bool> has_child{false};  // the program answers `read-file FILE`
 
-Json to_json(const RunRecord& run) {
-  Json passes = Json::array();
-  for (const PassTime& pass : run.passes) passes.push_back({pass.name, pass.seconds, pass.calls, pass.acted});
-  return {{"id", run.id},
-          {"name", run.name},
-          {"status", to_string(run.status)},
-          {"frames", run.frames},
-          {"summary", run.summary},
-          {"passes", passes},
-          {"wall_s", run.wall_s},
-          {"cpu_s", run.cpu_s},
-          {"step_cpu_s", run.step_cpu_s},
-          {"config", run.config},
-          {"provenance", run.provenance},
-          {"metrics", run.metrics},
-          {"constraints", run.constraints}};
+nlohmann::json whole_json(const RunRecord& run) {
+  nlohmann::json json = head_json(run), summary = nlohmann::json::object();
+  for (const auto& [name, value] : run.summary) summary[name] = number_json(value);
+  json.update({{"summary", summary}, {"config", run.config}, {"provenance", run.provenance}});
+  return json;
 }
 
-// null is a number that JSON does not have.
-double number_of(const Json& json) {
-  return json.is_null() ? std::nan("") : json.get<double>();
-}
-
-RunRecord record_of(const Json& json, const fs::path& file) {
-  RunRecord run{.file = file,
-                .id = json.at("id"),
-                .name = json.at("name"),
-                .status = named<RunStatus>(json.at("status").get<std::string>(), run_status_names),
-                .frames = json.at("frames"),
-                .wall_s = number_of(json.at("wall_s")),
-                .cpu_s = number_of(json.at("cpu_s")),
-                .step_cpu_s = number_of(json.at("step_cpu_s")),
-                .provenance = json.at("provenance"),
-                .config = json.at("config"),
-                .metrics = json.at("metrics"),
-                .constraints = json.at("constraints")};
+RunRecord whole_record(const nlohmann::json& json, const fs::path& file) {
+  RunRecord run = record_of(json, file);
+  run.provenance = json.at("provenance"), run.config = json.at("config");
   for (const auto& [name, value] : json.at("summary").items()) run.summary[name] = number_of(value);
-  for (const Json& pass : json.at("passes"))
-    run.passes.push_back({pass.at(0), number_of(pass.at(1)), pass.at(2), pass.at(3)});
   return run;
 }
 
@@ -145,10 +116,10 @@ RunRecord read_by_child(const fs::path& file) {
   if (answer.late) fail(fmt::format("the HDF5 library reads it without end ({} s)", time_limit.count()));
   if (WIFSIGNALED(answer.status))
     fail(fmt::format("the HDF5 library crashes on it ({})", ::strsignal(WTERMSIG(answer.status))));
-  const Json json = Json::parse(answer.text, nullptr, false);
+  const nlohmann::json json = nlohmann::json::parse(answer.text, nullptr, false);
   if (json.is_discarded()) fail("it is damaged");
   if (json.contains("error")) throw RunFileError(json["error"].get<std::string>());
-  return record_of(json, file);
+  return whole_record(json, file);
 }
 
 }  // namespace
@@ -177,13 +148,13 @@ int print_record(const fs::path& file) {
   const rlimit memory{memory_limit, memory_limit};
   ::setrlimit(RLIMIT_AS, &memory);
 #endif
-  Json json;
+  nlohmann::json json;
   try {
-    json = to_json(read_run(file));
+    json = whole_json(read_run(file));
   } catch (const std::exception& error) {
     json = {{"error", error.what()}};
   }
-  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
+  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
   return 0;
 }
 

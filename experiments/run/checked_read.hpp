@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "bendlab/io/run_file.hpp"
-#include "bendlab/scene/strict_json.hpp"
 
 namespace bendlab {
 

@@ -10,7 +10,7 @@
 #include "bendlab/parameters/archive.hpp"
 #include "bendlab/parameters/input_file.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 
 namespace bendlab {
 namespace {

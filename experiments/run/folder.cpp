@@ -8,24 +8,20 @@
 #include "bendlab/io/checksum.hpp"
 #include "bendlab/io/disk.hpp"
 #include "experiments/run/checked_read.hpp"
+#include "experiments/run/run_record.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
 namespace {
 
 RunOutcome outcome_of(const RunRecord& record) {
-  const auto message = record.provenance.find("message");
-  const auto json = [&](const char* name) {
-    const auto text = record.provenance.find(name);
-    return text == record.provenance.end() ? Json() : Json::parse(text->second, nullptr, false);
-  };
   return {.id = record.id,
           .status = record.status,
           .reused = true,
           .file = record.file,
-          .broken = broken_bound_of(json("implausible")),
-          .warnings = warnings_of(json("warnings")),
-          .message = message == record.provenance.end() ? "" : message->second,
+          .broken = broken_bound_of(provenance_json(record, "implausible")),
+          .warnings = warnings_of(provenance_json(record, "warnings")),
+          .message = provenance_text(record, "message"),
           .wall_s = record.wall_s,
           .cpu_s = record.cpu_s,
           .step_cpu_s = record.step_cpu_s,
@@ -49,9 +45,7 @@ Found look_for(const std::filesystem::path& file, const std::string& id) {
     }
     const RunRecord record = read_run(file);
     if (record.id != id) return {{}, fmt::format("is the file of another run, {}", record.id)};
-    const auto kernels = record.provenance.find("blas_kernels");
-    if (is_over(record.status))
-      return {outcome_of(record), "", kernels == record.provenance.end() ? "" : kernels->second};
+    if (is_over(record.status)) return {outcome_of(record), "", provenance_text(record, "blas_kernels")};
   } catch (const RunFileError& error) {
     return {{}, fmt::format("cannot be read: {}", error.what())};
   }

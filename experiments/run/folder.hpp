@@ -8,7 +8,7 @@
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/run/checkpoint.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_outcome.hpp"
 
 namespace bendlab {
 

@@ -19,7 +19,7 @@
 #include "bendlab/scene/start_after.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/run/expected_mesh.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_control.hpp"
 
 namespace bendlab {
 namespace {

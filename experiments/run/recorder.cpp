@@ -15,7 +15,7 @@ Recorder::Recorder(const RunConfig& config, const BuiltScene& scene)
     : stretch_(scene.rest, scene.pins), has_motion_(scene.input.method.kind().has_motion) {
   const auto append = [](std::vector<Column>& all, std::vector<Column> (*own)()) {
     const std::size_t before = all.size();
-    for (Column& column : own ? own() : std::vector<Column>{}) all.push_back(std::move(column));
+    for (Column& column : own()) all.push_back(std::move(column));
     return all.size() - before;
   };
   for (const Measure* measure : measures()) {

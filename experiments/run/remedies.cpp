@@ -38,8 +38,4 @@ std::string remedies_for(Bound bound, const BuiltScene& scene) {
   return fmt::format("{}", fmt::join(texts, "; "));
 }
 
-std::string remedies_for_divergence(const BuiltScene& scene) {
-  return remedies_for(Bound::finite, scene);
-}
-
 }  // namespace bendlab

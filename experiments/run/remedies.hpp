@@ -9,10 +9,7 @@
 namespace bendlab {
 
 /// What helped in trials with the likely cause, with numbers; empty if nothing did, or if the scene has all
-/// of it already.
+/// of it already. For a cloth that diverged: Bound::finite.
 std::string remedies_for(Bound bound, const BuiltScene& scene);
-
-/// The same for a cloth that diverged.
-std::string remedies_for_divergence(const BuiltScene& scene);
 
 }  // namespace bendlab

@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <xxhash.h>
 
-#include <cctype>
-#include <chrono>
 #include <cmath>
-#include <cstring>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -16,28 +12,19 @@
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
 #include "bendlab/io/frame_writer.hpp"
-#include "bendlab/parameters/input_file.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/references.hpp"
-#include "experiments/run/checkpoint.hpp"
 #include "experiments/run/folder.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/run/own_code.hpp"
 #include "experiments/run/recorder.hpp"
 #include "experiments/run/run_header.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/run/stepping.hpp"
-#include "experiments/run/version.hpp"
+#include "experiments/run/warnings.hpp"
 
 namespace bendlab {
 namespace {
-
-std::string file_bytes(const std::string& pointer, const std::filesystem::path& file) try {
-  return read_input_file(file);
-} catch (const std::runtime_error& error) {
-  throw RunFileError(fmt::format("{}: the mesh file {}; check {} and the file's permissions", file.string(),
-                                 error.what(), pointer));
-}
 
 void add_message(RunOutcome& outcome, const std::string& text) {
   if (text.empty()) return;
@@ -97,35 +84,6 @@ Comparison compare_to_whole(const Simulation& minimal, const BuiltScene& whole) 
       !same};
 }
 
-// "mesh/cells" → "cells", values without quotes; what a folder's name can't hold becomes '_'.
-std::string readable_place(const RunConfig& config) {
-  std::string place;
-  for (const auto& [pointer, value] : config.point) {
-    const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
-    place += fmt::format("{}{}={}", place.empty() ? "" : ",", pointer.substr(pointer.rfind('/') + 1), text);
-  }
-  for (char& c : place)
-    if (!std::isalnum(static_cast<unsigned char>(c)) && !std::strchr("=,.-_", c)) c = '_';
-  constexpr std::size_t longest = 120;  // well within a file system's 255 bytes, with the id behind it
-  return place.substr(0, longest);
-}
-
-// The id of a run that another one needs. Throws RunFileError that names the setting which asks for it.
-std::string id_of_other(const RunConfig& other, const std::string& pointer) try {
-  return run_id(other);
-} catch (const RunFileError& error) {
-  throw RunFileError(fmt::format("{}: {}", pointer, error.what()));
-}
-
-// The summary has errors against a reference, so another reference makes another run. Wrong settings of the
-// reference are reported when it is needed.
-std::string reference_id(const RunConfig& config, Against against, bool coarser) try {
-  const std::optional<RunConfig> reference = reference_of(config, against, coarser);
-  return reference ? id_of_other(*reference, reference_pointer(against, coarser)) : "";
-} catch (const ConfigError&) {
-  return "";
-}
-
 // Runs another run that a measure needs below `folder`, or finds it made.
 OtherRun make_other_run(const RunConfig& config, const StartingPose* start,
                         const std::filesystem::path& folder, const RunControl& control) {
@@ -175,36 +133,6 @@ RunOutcome reused(const Found& found, const RunConfig& config) {
                     found.blas_kernels.empty() ? "another processor" : found.blas_kernels, blas_kernels()));
   return outcome;
 }
-
-}  // namespace
-
-std::string hex_hash(const std::string& text) {
-  return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
-}
-
-std::string run_id(const RunConfig& config) {
-  std::string identity =
-      identity_text(config.resolved()) + std::string(build_info().source_hash) + own_code_hash(config);
-  for (const auto& [pointer, file] : input_files(config)) identity += file_bytes(pointer, file);
-  if (const std::optional<RunConfig> before = run_before(config))
-    identity += id_of_other(*before, "/initial/after");
-  for (const Against against : references)
-    for (const bool coarser : {false, true}) identity += reference_id(config, against, coarser);
-  return hex_hash(identity + config.starts_at_end_of);
-}
-
-std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
-                                 const RunConfig& config) {
-  return run_folder(out, experiment, config, run_id(config));
-}
-
-std::filesystem::path run_folder(const std::filesystem::path& out, const Experiment& experiment,
-                                 const RunConfig& config, const std::string& id) {
-  const std::string place = readable_place(config);
-  return out / experiment.name / (place.empty() ? id : place + "-" + id);
-}
-
-namespace {
 
 RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
                    const RunControl& control, const StartingPose* start, const RunPlace& place) {

@@ -16,7 +16,7 @@
 #include "experiments/config/schema.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/run/machine.hpp"
-#include "experiments/run/own_code.hpp"
+#include "experiments/run/run_id.hpp"
 #include "experiments/run/version.hpp"
 
 namespace bendlab {
@@ -125,9 +125,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   if (!build.changes_id.empty()) header.provenance["git_changes"] = changes_file_name();
   if (const std::string own = own_code_hash(config); !own.empty()) header.provenance["own_code"] = own;
   header.config = config.resolved().dump(2);
-  for (const auto& [pointer, file] : input_files(config))
-    header.inputs.push_back(
-        {pointer, value_at(config.resolved(), pointer)->get<std::string>(), read_input_file(file)});
+  for (const NamedFile& file : input_files(config))
+    header.inputs.push_back({file.pointer, file.name, read_input_file(file.path)});
   header.double_positions =
       scene.precision == Precision::double_precision || needs_double(rest.positions(), rest.triangles());
   return header;

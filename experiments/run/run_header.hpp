@@ -5,8 +5,8 @@
 
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/solver/simulation.hpp"
+#include "experiments/config/experiment.hpp"
 #include "experiments/run/recorder.hpp"
-#include "experiments/run/run.hpp"
 
 namespace bendlab {
 

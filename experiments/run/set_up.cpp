@@ -2,8 +2,10 @@
 
 #include "bendlab/scene/start_after.hpp"
 #include "experiments/config/references.hpp"
+#include "experiments/config/run_json.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/recorder.hpp"
+#include "experiments/run/warnings.hpp"
 
 namespace bendlab {
 namespace {
@@ -31,11 +33,11 @@ std::vector<Warning> set_up(const Experiment& experiment, const RunConfig& confi
 }
 
 std::string text_of_set_up(const RunConfig& config) {
-  Json settings = config.resolved();
-  settings["output"] = settings["output"].value("measures", Json::array());
-  for (const char* unused : {"accuracy", "quality"}) settings.erase(unused);
-  for (const char* seeded : {"initial", "mesh"}) settings[seeded].erase("seed");
-  return settings.dump();
+  RunSettings settings = config.settings();
+  settings.output = {.measures = settings.output.measures};
+  settings.accuracy = {}, settings.quality = {};
+  settings.scene.initial.seed = Initial{}.seed, settings.scene.mesh.seed = Mesh{}.seed;
+  return to_json(settings).dump();
 }
 
 double expected_set_up_s(const RunConfig& config) {

@@ -4,7 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "experiments/run/warnings.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/run/warning.hpp"
 
 namespace bendlab {
 

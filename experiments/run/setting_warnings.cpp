@@ -6,12 +6,10 @@
 
 #include <algorithm>
 #include <array>
-#include <iterator>
+#include <vector>
 
-#include "bendlab/parameters/names.hpp"
 #include "experiments/config/config_tables.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
-#include "experiments/config/stiffness_settings.hpp"
 
 namespace bendlab {
 
@@ -47,119 +45,82 @@ bool has_derived_runs(const RunConfig& config) {
 
 Message inert_seed(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
-  const Initial& initial = input.config.scene().initial;
-  const Mesh& mesh = input.config.scene().mesh;
-  const bool initial_used = initial.perturbation > 0 || initial.random > 0,
-             mesh_used = mesh.jitter.value_or(0) > 0 || (!mesh.file && mesh.generator == Generator::delaunay);
-  std::string inert;
-  if (!initial_used && is_chosen(input, "/initial/seed")) inert = "/initial/seed";
-  if (!mesh_used && is_chosen(input, "/mesh/seed")) inert = "/mesh/seed";
-  if (inert.empty()) return std::nullopt;
-  return fmt::format(
-      "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", inert,
-      inert == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter use it"
-                            : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
-}
-
-// ---- inert_stiffness
-
-// A number that the config's kind of stiffness does not use.
-Message inert_stiffness(const WarningInput& input) {
-  if (has_derived_runs(input.config)) return std::nullopt;
-  for (const StiffnessSetting& setting : stiffness_settings) {
-    const auto chooses_the_kind = [&](const auto& axis) {  // other runs of the sweep may use the number
-      return lies_within(setting.stiffness, axis.first);
-    };
-    const Json* const kind = value_at(input.config.resolved(), std::string(setting.stiffness));
-    if (kind == nullptr || !kind->is_string() || std::ranges::any_of(input.experiment.axes, chooses_the_kind))
-      continue;
-    const auto& name = kind->get_ref<const std::string&>();
-    if (!setting.used_by(name) && is_chosen(input, std::string(setting.pointer)))
-      return fmt::format("{} changes nothing here, because {} is {}. Set that to {}, or remove the number",
-                         setting.pointer, setting.stiffness, name, setting.kinds_text());
+  for (const Part& part : scene_parts()) {
+    const Field* const seed = part.table.find("seed");
+    const std::string pointer = child_pointer(part.pointer, "seed");
+    if (seed == nullptr || seed->is_read(&input.config.scene()) || !is_chosen(input, pointer)) continue;
+    return fmt::format(
+        "{} changes nothing here: runs that differ in it alone are equal, and their spread is 0. {}", pointer,
+        pointer == "/mesh/seed" ? "Only /mesh/generator: delaunay and /mesh/jitter use it"
+                                : "Set /initial/perturbation, to 1e-6 for example, or remove the seed");
   }
   return std::nullopt;
 }
 
-// ---- inert_setting
+// ---- inert_stiffness, inert_setting
 
 namespace {
 
-// Settings of a generated mesh that only some generators read. (A seed has its own warning.)
-struct GeneratorSetting {
-  std::string_view name;
-  std::array<std::string_view, 4> readers;
-};
-constexpr std::array generator_settings = {
-    GeneratorSetting{"width", {"grid", "equilateral", "delaunay"}},
-    GeneratorSetting{"height", {"grid", "equilateral", "delaunay", "tube"}},
-    GeneratorSetting{"diagonal", {"grid"}},
-    GeneratorSetting{"rows", {"equilateral"}},
-    GeneratorSetting{"radius", {"disc", "tube", "sphere"}},
-    GeneratorSetting{"radius_top", {"tube"}},
-};
+// The choice that decides whether a setting is read; empty: there is none.
+std::string_view decider_of(const Section& section, const Field& field) {
+  if (!field.depends_on.empty()) return field.depends_on;
+  if (section.pointer == "/solver" || section.pointer == "/material/strain") return "/solver/method";
+  return section.pointer.starts_with("/bending/") ? "/bending/model" : "";
+}
 
-// Those that the config gives to a generator which does not read them, unless generators are swept.
-std::vector<std::string> unread_of_generator(const WarningInput& input) {
+// The settings that the config gives, and that nothing reads because of that choice. None if the choice is
+// swept: other runs may use them. Settings of another method or model are left out of the resolved config.
+std::vector<std::string> unread(const WarningInput& input, std::string_view decider) {
   std::vector<std::string> pointers;
-  const bool swept = std::ranges::any_of(input.experiment.axes, [](const Axis& axis) {
-    return lies_within("/mesh/generator", axis.first) || axis.first == "/mesh/file";
-  });
-  if (swept || !input.config.mesh_file().empty()) return pointers;
-  const std::string_view generator = name_in(generator_names, input.config.scene().mesh.generator);
-  for (const GeneratorSetting& setting : generator_settings)
-    if (std::string pointer = child_pointer("/mesh", setting.name);
-        is_chosen(input, pointer) && std::ranges::find(setting.readers, generator) == setting.readers.end())
-      pointers.push_back(std::move(pointer));
+  if (std::ranges::any_of(input.experiment.axes,
+                          [&](const Axis& axis) { return lies_within(decider, axis.first); }))
+    return pointers;
+  for (const Section& section : config_sections())
+    for (const SettingRow& row : section.rows) {
+      if (decider_of(section, row.field) != decider) continue;
+      std::string pointer = child_pointer(section.pointer, row.field.name);
+      const bool is_read = row.field.depends_on.empty()
+                               ? value_at(input.config.resolved(), pointer) != nullptr
+                               : row.field.is_read(&input.config.scene());
+      if (!is_read && is_chosen(input, pointer)) pointers.push_back(std::move(pointer));
+    }
   return pointers;
+}
+
+std::string choice_at(const WarningInput& input, const char* pointer) {
+  const Json* const choice = value_at(input.config.resolved(), pointer);
+  return choice == nullptr ? "" : choice->get<std::string>();
 }
 
 }  // namespace
 
-// Settings of another method or model are left out of the resolved config. Where the choice is swept, other
-// runs may use them.
+// A number that the config's kind of stiffness does not use.
+Message inert_stiffness(const WarningInput& input) {
+  if (has_derived_runs(input.config)) return std::nullopt;
+  for (const char* kind : {"/bending/stiffness", "/material/strain/stiffness"})
+    if (const std::vector<std::string> pointers = unread(input, kind); !pointers.empty())
+      return fmt::format("{} changes nothing here, because {} is {}. Set that to {}, or remove the number",
+                         pointers.front(), kind, choice_at(input, kind),
+                         fmt::join(choices_that_read(*find_setting(Json(), pointers.front())), " or "));
+  return std::nullopt;
+}
+
 Message inert_setting(const WarningInput& input) {
   if (has_derived_runs(input.config)) return std::nullopt;
-  const Json& resolved = input.config.resolved();
-  const auto unread = [&](std::string_view in, std::string_view chosen_by) {
-    std::vector<std::string> pointers;
-    if (std::ranges::any_of(input.experiment.axes,
-                            [&](const Axis& axis) { return lies_within(chosen_by, axis.first); }))
-      return pointers;
-    for (const Section& section : config_sections())
-      if (lies_within(section.pointer, in))
-        for (const SettingRow& row : section.rows)
-          if (std::string pointer = child_pointer(section.pointer, row.field.name);
-              is_chosen(input, pointer) && value_at(resolved, pointer) == nullptr &&
-              std::ranges::find(stiffness_settings, pointer, &StiffnessSetting::pointer) ==
-                  stiffness_settings.end())
-            pointers.push_back(std::move(pointer));
-    return pointers;
-  };
-  const auto text = [](const std::vector<std::string>& pointers, const std::string& because) {
-    const bool one = pointers.size() == 1;
-    return fmt::format("{} change{} nothing here, because {}. Remove {}, or choose another ",
-                       fmt::join(pointers, ", "), one ? "s" : "", because, one ? "it" : "them");
-  };
-  const std::string_view method = input.config.scene().solver.method.name();
-  std::vector<std::string> of_methods = unread("/solver", "/solver/method");
-  std::ranges::move(unread("/material/strain", "/solver/method"), std::back_inserter(of_methods));
-  if (!of_methods.empty())
-    return text(of_methods,
-                fmt::format("the method {} does not read {} ('bendlab methods' says what each reads)", method,
-                            of_methods.size() == 1 ? "it" : "them")) +
-           "/solver/method";
-  if (const std::vector<std::string> of_generators = unread_of_generator(input); !of_generators.empty())
-    return text(of_generators, fmt::format("the generator {} does not read {}",
-                                           name_in(generator_names, input.config.scene().mesh.generator),
-                                           of_generators.size() == 1 ? "it" : "them")) +
-           "/mesh/generator";
-  std::vector<std::string> of_models;
-  for (const Section* section : child_sections("/bending"))
-    std::ranges::move(unread(section->pointer, "/bending/model"), std::back_inserter(of_models));
-  if (of_models.empty()) return std::nullopt;
-  return text(of_models, fmt::format("/bending/model is {}", input.config.scene().bending.model.name())) +
-         "/bending/model";
+  constexpr std::array<std::array<const char*, 2>, 3> causes = {{
+      {"/solver/method", "the method {} does not read {} ('bendlab methods' says what each reads)"},
+      {"/mesh/generator", "the generator {} does not read {}"},
+      {"/bending/model", "/bending/model is {}"},
+  }};
+  for (const auto& cause : causes)
+    if (const std::vector<std::string> pointers = unread(input, cause[0]); !pointers.empty()) {
+      const char* const them = pointers.size() == 1 ? "it" : "them";
+      return fmt::format("{} change{} nothing here, because {}. Remove {}, or choose another {}",
+                         fmt::join(pointers, ", "), pointers.size() == 1 ? "s" : "",
+                         fmt::format(fmt::runtime(cause[1]), choice_at(input, cause[0]), them), them,
+                         cause[0]);
+    }
+  return std::nullopt;
 }
 
 // ---- replaced_setting

@@ -25,7 +25,7 @@ std::string worst_triangle_text(const Divergence& divergence, const Triangles& t
 
 std::string divergence_message(const Divergence& divergence, const BuiltScene& scene) {
   const WithoutTraps traps_are_off;  // fmt compares the NaNs that it prints
-  const std::string remedies = remedies_for_divergence(scene);
+  const std::string remedies = remedies_for(Bound::finite, scene);
   return fmt::format(
       "diverged at t = {:.6g} s: vertex {} is at ({:.3g}, {:.3g}, {:.3g}) m{}; earlier frames are kept{}{}",
       divergence.time, divergence.vertex, divergence.position.x(), divergence.position.y(),

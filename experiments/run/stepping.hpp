@@ -12,7 +12,7 @@
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_control.hpp"
 
 namespace bendlab {
 

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "bendlab/effects/effect.hpp"
-#include "experiments/run/warnings.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "experiments/config/experiment.hpp"
+#include "experiments/run/warning.hpp"
 
 namespace bendlab {
 

@@ -1,12 +1,13 @@
 #include "experiments/terminal/printable.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstdint>
+#include <cstdlib>
 #include <system_error>
-
-#include "experiments/terminal/table.hpp"
 
 namespace bendlab {
 namespace {
@@ -79,6 +80,19 @@ std::string escaped(std::string_view text, Lines lines, bool colours) {
 
 std::string printable(std::string_view text, Lines lines) {
   return escaped(text, lines, false);
+}
+
+bool has_colours(std::FILE* stream) {
+  const char* no_color = std::getenv("NO_COLOR");
+  const bool wanted = no_color == nullptr || *no_color == '\0';
+  return wanted && isatty(fileno(stream)) != 0;
+}
+
+std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
+  if (!has_colours(stream)) return std::string(text);
+  constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
+  const int code = codes.at(static_cast<std::size_t>(colour));
+  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
 void print_printable(std::FILE* stream, std::string_view text) {

@@ -17,6 +17,14 @@ enum class Lines { keep, escape };
 /// tabs stay.
 std::string printable(std::string_view text, Lines lines = Lines::keep);
 
+enum class Colour { green, red, yellow, dim };
+
+/// Whether `stream` is a terminal and NO_COLOR is not set.
+bool has_colours(std::FILE* stream);
+
+/// The text in that colour if `stream` has colours, else as it is.
+std::string coloured(std::string_view text, Colour colour, std::FILE* stream);
+
 /// Prints printable(text). The colours of coloured() stay if the stream is one that has them. Throws
 /// std::system_error if nothing can be written there.
 void print_printable(std::FILE* stream, std::string_view text);

@@ -1,10 +1,8 @@
 #include "experiments/terminal/table.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdlib>
 
@@ -76,19 +74,6 @@ std::string format_duration(double seconds) {
   const long hours = whole / 3600, minutes = whole / 60 % 60;
   if (hours > 0) return fmt::format("{}:{:02}:{:02}", hours, minutes, whole % 60);
   return fmt::format("{}:{:02}", minutes, whole % 60);
-}
-
-bool has_colours(std::FILE* stream) {
-  const char* no_color = std::getenv("NO_COLOR");
-  const bool wanted = no_color == nullptr || *no_color == '\0';
-  return wanted && isatty(fileno(stream)) != 0;
-}
-
-std::string coloured(std::string_view text, Colour colour, std::FILE* stream) {
-  if (!has_colours(stream)) return std::string(text);
-  constexpr std::array codes = {32, 31, 33, 2};  // as in Colour
-  const int code = codes.at(static_cast<std::size_t>(colour));
-  return fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
 }  // namespace bendlab

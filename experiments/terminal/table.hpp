@@ -1,9 +1,7 @@
 // An aligned table for a terminal.
 #pragma once
 
-#include <cstdio>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace bendlab {
@@ -28,13 +26,5 @@ std::string format_number(double value);
 
 /// "0:07", "12:34", "1:02:03".
 std::string format_duration(double seconds);
-
-enum class Colour { green, red, yellow, dim };
-
-/// Whether `stream` is a terminal and NO_COLOR is not set.
-bool has_colours(std::FILE* stream);
-
-/// The text in that colour if `stream` has colours, else as it is.
-std::string coloured(std::string_view text, Colour colour, std::FILE* stream);
 
 }  // namespace bendlab

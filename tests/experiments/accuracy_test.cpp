@@ -14,6 +14,7 @@
 #include "bendlab/scene/pose_transfer.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

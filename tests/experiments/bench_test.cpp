@@ -9,7 +9,7 @@
 #include "bendlab/effects/effect.hpp"
 #include "experiments/bench/bench.hpp"
 #include "experiments/bench/roofline.hpp"
-#include "experiments/campaign/errors.hpp"
+#include "experiments/run/errors.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 

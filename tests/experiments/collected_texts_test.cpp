@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "experiments/cli/run_tables.hpp"
+#include "experiments/cli/report.hpp"
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 

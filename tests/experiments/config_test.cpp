@@ -10,7 +10,7 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/scene/built_scene.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;
@@ -232,9 +232,8 @@ TEST_CASE("config: an effect's file is looked for beside the config and is part 
   const Experiment experiment = load_experiment(folder / "file.json");
   const RunConfig& run = experiment.runs[0];
   CHECK(run.resolved()["effects"][1]["file"] == "body.obj");  // the same on every machine
-  CHECK(input_files(run).back().second == folder / "body.obj");
-  const std::vector<std::pair<std::string, std::filesystem::path>> files = {
-      {"/effects/1/file", folder / "body.obj"}};
+  CHECK(input_files(run).back().path == folder / "body.obj");
+  const std::vector<NamedFile> files = {{"/effects/1/file", "body.obj", folder / "body.obj"}};
   CHECK(input_files(run) == files);
   CHECK_THROWS_WITH(run_id(run), Catch::Matchers::ContainsSubstring("/effects/1/file"));
   std::ofstream(folder / "body.obj") << "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";

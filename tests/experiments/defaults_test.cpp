@@ -84,8 +84,8 @@ TEST_CASE("defaults: a sweep may compare them", "[defaults]") {
   CHECK(effects_of(both.runs[0].resolved()) == std::vector<std::string>{"gravity"});
   CHECK(both.runs[1].scene().bending.model.name() == "discrete_shells");
   CHECK(effects_of(both.runs[1].resolved()) == std::vector<std::string>{"gravity", "viscous_drag"});
-  CHECK(check_expectations(both, both.runs[0], {{"springs", 4}}).size() == 1);
-  CHECK(check_expectations(both, both.runs[1], {{"springs", 4}}).empty());
+  CHECK(check_expectations(both.expectations, both.runs[0], {{"springs", 4}}).size() == 1);
+  CHECK(check_expectations(both.expectations, both.runs[1], {{"springs", 4}}).empty());
   CHECK_FALSE(both.runs[0].resolved().contains("defaults"));  // runs of equal settings are the same run
 }
 
@@ -107,7 +107,7 @@ TEST_CASE("defaults: an expectation for one of them is for the experiments that 
                     "where": {"/defaults": "paper"}}]})";
   };
   const Experiment paper = parse_experiment(with("paper"), "test");
-  CHECK(check_expectations(paper, paper.runs.at(0), {{"springs", 4}}).size() == 1);
+  CHECK(check_expectations(paper.expectations, paper.runs.at(0), {{"springs", 4}}).size() == 1);
   CHECK_THAT(problem_of(with("recommended")), ContainsSubstring("/expect/0/where: matches no run"));
 }
 

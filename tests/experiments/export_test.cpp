@@ -13,7 +13,6 @@
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/files.hpp"
 #include "experiments/export/format.hpp"
-#include "experiments/export/obstacle_surfaces.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 #include "tests/places.hpp"

@@ -4,7 +4,6 @@
 #include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
 #include "experiments/measures/metrics.hpp"
-#include "experiments/measures/reference.hpp"
 #include "experiments/run/run.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"

@@ -19,6 +19,7 @@
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"
 

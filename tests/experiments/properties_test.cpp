@@ -16,6 +16,7 @@
 #include "bendlab/mesh/files.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 #include "tests/io/run_fixture.hpp"
 #include "tests/random_settings.hpp"

@@ -10,6 +10,7 @@
 #include "bendlab/scene/fields_json.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
+#include "experiments/config/expectations.hpp"
 #include "experiments/config/experiment.hpp"
 #include "tests/catch.hpp"
 #include "tests/places.hpp"

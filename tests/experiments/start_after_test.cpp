@@ -5,7 +5,7 @@
 
 #include "experiments/config/experiment.hpp"
 #include "experiments/config/references.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

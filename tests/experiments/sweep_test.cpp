@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "experiments/campaign/run_labels.hpp"
-#include "experiments/run/run.hpp"
+#include "experiments/run/run_id.hpp"
 #include "tests/catch.hpp"
 
 using namespace bendlab;

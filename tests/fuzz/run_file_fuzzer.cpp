@@ -21,8 +21,8 @@
 #include "experiments/run/checkpoint.hpp"
 #include "experiments/run/plausibility.hpp"
 #include "experiments/run/recorder.hpp"
-#include "experiments/run/run.hpp"
-#include "experiments/run/warnings.hpp"
+#include "experiments/run/run_id.hpp"
+#include "experiments/run/warning.hpp"
 #include "tests/fuzz/fuzzer.hpp"
 
 using namespace bendlab;

@@ -45,6 +45,8 @@ struct FieldNotes {
   std::span<const std::string_view> choices = {};  ///< of a text; of an enumeration, in its order
   bool names_file = false;                         ///< a file that the scene reads, relative to its folder
   bool (*read_when)(const void* scene) = nullptr;  ///< null: always; see read_when()
+  bool (*kept_when)(const void* scene) = nullptr;  ///< the canonical settings hold it; null: when it is read
+  std::string_view depends_on = {};  ///< pointer to the choice that read_when depends on; empty: to none
 };
 
 /// A row: a setting and its member.
@@ -56,6 +58,8 @@ struct Field : FieldNotes {
   Value (*get)(const Field& field, const void* place) = nullptr;
   void (*set)(const Field& field, void* place, const Value& value) = nullptr;
 
+  bool is_read(const void* scene) const { return read_when == nullptr || read_when(scene); }
+  bool is_kept(const void* scene) const { return kept_when ? kept_when(scene) : is_read(scene); }
   Value of(const void* owner) const { return get(*this, place(owner)); }
   /// `value` has to be one that the row allows.
   void put(void* owner, const Value& value) const { set(*this, const_cast<void*>(place(owner)), value); }

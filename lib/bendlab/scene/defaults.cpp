@@ -9,7 +9,6 @@
 #include <string>
 
 #include "bendlab/scene/pointers.hpp"
-#include "bendlab/scene/scene_json.hpp"
 
 namespace bendlab {
 namespace {
@@ -18,8 +17,8 @@ namespace {
 struct Recipe {
   std::string_view name;
   void (*change)(Scene&);
-  bool solves =
-      true;  ///< its method and settings go together; else a config that names a method replaces them
+  /// Its method and settings go together; else a config that names a method replaces them.
+  bool solves = true;
 };
 
 // quasi_newton and its own settings. What they were measured on is in configs/recommended.json.
@@ -90,11 +89,10 @@ bool given(const Json& settings, std::string_view section, std::initializer_list
 
 // Whoever gives a membrane's number means that. Nothing if the config says how it is stiff, or nothing of it.
 std::optional<Stiffness> meant_membrane(const Json& settings) {
-  constexpr std::string_view section = "/material/strain";
   if (value_at(settings, "/material/strain/stiffness") != nullptr) return std::nullopt;
-  if (given(settings, section, {"membrane_stiffness"})) return Stiffness::physical;
-  if (given(settings, section, {"compliance"})) return Stiffness::compliance;
-  if (given(settings, section, {"warp", "weft", "shear", "area"})) return Stiffness::k;
+  if (is_given(settings, "/material/strain/membrane_stiffness")) return Stiffness::physical;
+  if (is_given(settings, "/material/strain/compliance")) return Stiffness::compliance;
+  if (given(settings, "/material/strain", {"warp", "weft", "shear", "area"})) return Stiffness::k;
   return std::nullopt;
 }
 
@@ -106,7 +104,7 @@ bool asks_for_projection(const Json& settings) {
     return true;
   const BendingKind* const model = kind_at(settings, "/bending/model", find_bending_model);
   if (model != nullptr && model->one_sided) return true;
-  const MethodKind &implicit = QuasiNewton::kind, &projecting = Pbd::kind;
+  const MethodKind &implicit = Solver{}.method.kind(), &projecting = Pbd::kind;
   if (const Json* const solver = value_at(settings, "/solver"); solver != nullptr && solver->is_object())
     for (const auto& [key, value] : solver->items())
       if (!value.is_null() && projecting.settings.find(key) && !implicit.settings.find(key)) return true;
@@ -125,16 +123,16 @@ const Recipe& recipe_of(const Json& settings) {
     return chosen != nullptr && *chosen == std::string(recipe.name);
   });
   if (found != recipes.end() && found != recipes.begin()) return *found;
-  const Json* const method = value_at(settings, "/solver/method");
-  if (method == nullptr) return asks_for_projection(settings) ? by_projections_with_k : recipes.front();
-  return *method == std::string(Pbd::kind.name) ? by_projections : recipes.front();
+  if (value_at(settings, "/solver/method") == nullptr)
+    return asks_for_projection(settings) ? by_projections_with_k : recipes.front();
+  return kind_at(settings, "/solver/method", find_method) == &Pbd::kind ? by_projections : recipes.front();
 }
 
 // Whoever gives k means k, and whoever gives a compliance means that.
 void choose_bending(const Json& settings, Bending& bending, ConfigProblems& problems) {
   const Json* const section = value_at(settings, "/bending");
   if (section == nullptr || !section->is_object() || section->contains("stiffness")) return;
-  const bool k = given(settings, "/bending", {"k"}), compliance = given(settings, "/bending", {"compliance"}),
+  const bool k = is_given(settings, "/bending/k"), compliance = is_given(settings, "/bending/compliance"),
              physical = given(settings, "/bending", {"flexural_rigidity", "quartic_coefficient"});
   if (k + compliance + physical > 1)
     problems.push_back({"/bending/stiffness",
@@ -175,11 +173,6 @@ Scene scene_before(const Json& settings, ConfigProblems& problems) {
   // A build may lack an effect.
   std::erase_if(scene.effects, [](const Effect& effect) { return find_effect(effect.name()) == nullptr; });
   return scene;
-}
-
-Json default_effects(const Json& settings) {
-  ConfigProblems unclear;
-  return effects_json(scene_before(settings, unclear));
 }
 
 }  // namespace bendlab

@@ -20,7 +20,4 @@ inline constexpr std::array<std::string_view, 4> defaults_names = {"recommended"
 /// unclear which of two stiffnesses it means. What is wrong in `given` otherwise is not looked at.
 Scene scene_before(const Json& given, ConfigProblems& problems);
 
-/// The effects of a config that lists none: gravity, and but for the paper's the drag of air.
-Json default_effects(const Json& given);
-
 }  // namespace bendlab

@@ -191,7 +191,7 @@ void read_fields(const FieldTable& table, void* owner, const Json& given, const 
 
 void write_fields(const FieldTable& table, const void* owner, const void* scene, Json& json) {
   for (const Field& field : table.fields) {
-    if (field.read_when != nullptr && !field.read_when(scene)) continue;
+    if (!field.is_kept(scene)) continue;
     Json value = json_of(field.of(owner));
     if (!value.is_null()) json[std::string(field.name)] = std::move(value);
   }

@@ -32,19 +32,6 @@ Json* place_at(Json& document, const Pointer& pointer) {
 
 }  // namespace
 
-std::string child_pointer(std::string_view parent, std::string_view key) {
-  std::string pointer(parent);  // RFC 6901; for every setting of thousands of runs
-  pointer += '/';
-  for (const char c : key)
-    if (c == '~')
-      pointer += "~0";
-    else if (c == '/')
-      pointer += "~1";
-    else
-      pointer += c;
-  return pointer;
-}
-
 bool lies_within(std::string_view pointer, std::string_view container) {
   return pointer.starts_with(container) &&
          (pointer.size() == container.size() || pointer[container.size()] == '/');

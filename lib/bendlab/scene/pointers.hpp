@@ -8,9 +8,6 @@
 
 namespace bendlab {
 
-/// Pointer to `key` of the object (or entry of the list) at `parent`, escaped.
-std::string child_pointer(std::string_view parent, std::string_view key);
-
 /// Whether `pointer` is `container` or points to something inside it.
 bool lies_within(std::string_view pointer, std::string_view container);
 

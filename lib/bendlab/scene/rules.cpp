@@ -197,7 +197,7 @@ class MethodRules {
 void check_table(const FieldTable& table, const void* owner, const Scene& scene, const std::string& pointer,
                  ConfigProblems& problems) {
   for (const Field& field : table.fields)
-    if (field.read_when == nullptr || field.read_when(&scene))
+    if (field.is_kept(&scene))
       read_value(field, json_of(field.of(owner)), child_pointer(pointer, field.name), problems);
 }
 
@@ -218,7 +218,7 @@ void check_stated(const Json& given, const Scene& scene, ConfigProblems& problem
   const Part& part = scene_parts().front();
   for (const Field& field : part.table.fields)
     if (const std::string pointer = child_pointer(part.pointer, field.name);
-        field.read_when != nullptr && !field.read_when(&scene) && value_at(given, pointer) != nullptr)
+        !field.is_kept(&scene) && value_at(given, pointer) != nullptr)
       problems.push_back({pointer,
                           "does not go with /mesh/file, which brings the whole mesh (only scale, offset, "
                           "bad_triangles, refine, jitter and with that seed go with it): remove one of the "
@@ -253,8 +253,7 @@ void check_unread(const Scene& scene, ConfigProblems& problems) {
   for (const Part& part : scene_parts())
     for (const Field& field : part.table.fields) {
       const Value value = field.of(part.in(scene));
-      if (field.read_when == nullptr || field.read_when(&scene) || value == part.table.default_of(field))
-        continue;
+      if (field.is_kept(&scene) || value == part.table.default_of(field)) continue;
       problems.push_back(
           {child_pointer(part.pointer, field.name),
            fmt::format("is {}, and nothing reads it beside the other settings: leave it at its "

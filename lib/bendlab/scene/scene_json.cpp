@@ -199,4 +199,9 @@ Json effects_json(const Scene& scene) {
   return list;
 }
 
+Json default_effects(const Json& given) {
+  ConfigProblems unclear;
+  return effects_json(scene_before(given, unclear));
+}
+
 }  // namespace bendlab

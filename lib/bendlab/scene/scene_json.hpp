@@ -21,4 +21,7 @@ Json to_json(const Scene& scene);
 /// The list of effects: {"type": name, settings} each.
 Json effects_json(const Scene& scene);
 
+/// The effects of a config that lists none: gravity, and but for the paper's the drag of air.
+Json default_effects(const Json& given);
+
 }  // namespace bendlab

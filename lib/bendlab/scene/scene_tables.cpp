@@ -19,21 +19,35 @@ constexpr std::array<std::string_view, 3> chosen_precision_names = {"auto", "sin
 
 constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
 
-// ---- when a setting is read
+// ---- when a setting is read. Canonical settings also keep numbers of other choices (kept_when), so that runs
+// that differ in a choice differ in nothing else.
 
+template <Generator... any>
+constexpr auto generated_by = read_when<Scene>([](const Scene& s) {
+  return !s.mesh.file && ((s.mesh.generator == any) || ...);
+});
+template <Stiffness... any>
+constexpr auto strains_by = read_when<Scene>([](const Scene& s) {
+  return ((s.material.strain.stiffness == any) || ...);
+});
+template <Stiffness... any>
+constexpr auto bends_by = read_when<Scene>([](const Scene& s) {
+  return ((s.bending.stiffness == any) || ...);
+});
+
+constexpr std::string_view on_generator = "/mesh/generator",
+                           on_strain_stiffness = "/material/strain/stiffness",
+                           on_bending_stiffness = "/bending/stiffness";
+constexpr auto always = read_when<Scene>([](const Scene&) { return true; });
 constexpr auto generated = read_when<Scene>([](const Scene& s) { return !s.mesh.file; });
-constexpr auto seeds_mesh = read_when<Scene>([](const Scene& s) { return !s.mesh.file || s.mesh.jitter; });
+constexpr auto makes_at_random = read_when<Scene>(
+    [](const Scene& s) { return s.mesh.jitter.value_or(0) > 0 || generated_by<Generator::delaunay>(&s); });
+constexpr auto may_seed_mesh = read_when<Scene>([](const Scene& s) { return !s.mesh.file || s.mesh.jitter; });
 constexpr auto has_triangles =
     read_when<Scene>([](const Scene& s) { return s.solver.method.kind().membrane == Membrane::triangles; });
-constexpr auto states_membrane =
-    read_when<Scene>([](const Scene& s) { return s.material.strain.stiffness == Stiffness::physical; });
-constexpr auto bends_by_k = read_when<Scene>([](const Scene& s) {
-  return s.bending.stiffness != Stiffness::physical && s.solver.method.kind().needs_compliance.empty();
-});
-constexpr auto bends_by_number =
-    read_when<Scene>([](const Scene& s) { return s.bending.stiffness != Stiffness::physical; });
-constexpr auto bends_physically =
-    read_when<Scene>([](const Scene& s) { return s.bending.stiffness == Stiffness::physical; });
+constexpr auto bends_by_number = bends_by<Stiffness::k, Stiffness::k_per_step, Stiffness::compliance>;
+constexpr auto may_bend_by_k = read_when<Scene>(
+    [](const Scene& s) { return bends_by_number(&s) && s.solver.method.kind().needs_compliance.empty(); });
 // The rigidity of hinges, and of springs that push, does not depend on the curvature.
 constexpr auto needs_curvature = read_when<Scene>([](const Scene& s) {
   const BendingKind& model = s.bending.model.kind();
@@ -42,6 +56,8 @@ constexpr auto needs_curvature = read_when<Scene>([](const Scene& s) {
 constexpr auto is_of_hinges = read_when<Scene>([](const Scene& s) {
   return s.bending.stiffness == Stiffness::physical && !s.bending.model.kind().springs_only;
 });
+constexpr auto starts_at_random =
+    read_when<Scene>([](const Scene& s) { return s.initial.perturbation > 0 || s.initial.random > 0; });
 constexpr auto counts_substeps =
     read_when<Scene>([](const Scene& s) { return s.solver.method.kind().default_substeps > 0; });
 constexpr auto counts_iterations =
@@ -75,29 +91,39 @@ const std::array mesh = {
                          "config's folder", .names_file = true}),
     field<&Mesh::width>({.name = "width", .unit = "m",
               .meaning = "Extent along x",
-              .minimum = 0, .above = true, .read_when = generated}),
+              .minimum = 0, .above = true,
+              .read_when = generated_by<Generator::grid, Generator::equilateral, Generator::delaunay>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::height>({.name = "height", .unit = "m",
               .meaning = "Extent along y; tube: along z",
-              .minimum = 0, .above = true, .read_when = generated}),
+              .minimum = 0, .above = true,
+              .read_when = generated_by<Generator::grid, Generator::equilateral, Generator::delaunay,
+                                        Generator::tube>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::cells>({.name = "cells", .unit = "1",
               .meaning = "Resolution: cells along the width",
               .minimum = 1, .maximum = 4096, .read_when = generated}),
     field<&Mesh::diagonal>({.name = "diagonal",
               .meaning = "grid: which diagonal splits a square: the same in all, alternating, or both",
-              .choices = diagonal_names, .read_when = generated}),
+              .choices = diagonal_names, .read_when = generated_by<Generator::grid>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::rows>({.name = "rows",
               .meaning = "equilateral: direction of the rows of edges, relative to the long side. Absent: "
                          "along the sides that /pins/vertices names, else parallel",
-              .choices = rows_names, .read_when = generated}),
+              .choices = rows_names, .read_when = generated_by<Generator::equilateral>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::radius>({.name = "radius", .unit = "m",
               .meaning = "disc, sphere: radius; tube: radius of its lower end",
-              .minimum = 0, .above = true, .read_when = generated}),
+              .minimum = 0, .above = true,
+              .read_when = generated_by<Generator::disc, Generator::tube, Generator::sphere>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::radius_top>({.name = "radius_top", .unit = "m",
               .meaning = "tube: radius of its upper end; absent: as the lower end",
-              .minimum = 0, .above = true, .read_when = generated}),
+              .minimum = 0, .above = true, .read_when = generated_by<Generator::tube>,
+              .kept_when = generated, .depends_on = on_generator}),
     field<&Mesh::seed>({.name = "seed", .unit = "1",
               .meaning = "delaunay: seed of the random points; with jitter: of the moves",
-              .minimum = 0, .maximum = seed_limit, .read_when = seeds_mesh}),
+              .minimum = 0, .maximum = seed_limit, .read_when = makes_at_random, .kept_when = may_seed_mesh}),
     field<&Mesh::refine>({.name = "refine", .unit = "1",
               .meaning = "Each triangle is cut into four at the middles of its edges, so many times, also of "
                          "a mesh from a file. Vertices keep their numbers, the border its shape and curved "
@@ -187,7 +213,8 @@ constexpr std::array strain = {
               .meaning = "physical: Young's modulus times thickness, the force per width that stretches "
                          "warp or weft, or shears, by 1. At 10000 1 m of 0.2 kg/m² strains by 10⁻⁴ under "
                          "its weight",
-              .minimum = 0, .above = true, .read_when = states_membrane}),
+              .minimum = 0, .above = true, .read_when = strains_by<Stiffness::physical>,
+              .depends_on = on_strain_stiffness}),
     field<&Strain::warp>({.name = "warp", .unit = "1",
               .meaning = "k of stretch along the warp",
               .minimum = 0, .maximum = 1, .read_when = has_triangles}),
@@ -202,7 +229,8 @@ constexpr std::array strain = {
               .minimum = 0, .maximum = 1, .read_when = has_triangles}),
     field<&Strain::compliance>({.name = "compliance", .unit = "m/N",
               .meaning = "Compliance of every strain constraint, used if stiffness is compliance; 0 is rigid",
-              .minimum = 0}),
+              .minimum = 0, .read_when = strains_by<Stiffness::compliance>, .kept_when = always,
+              .depends_on = on_strain_stiffness}),
 };
 
 constexpr std::array bending = {
@@ -210,23 +238,28 @@ constexpr std::array bending = {
                 .meaning = bending_stiffness_meaning, .choices = stiffness_names}),
       field<&Bending::k>({.name = "k", .unit = "1",
                 .meaning = "Stiffness of every bending constraint, used if stiffness is k or k_per_step",
-                .minimum = 0, .maximum = 1, .read_when = bends_by_k}),
+                .minimum = 0, .maximum = 1, .read_when = bends_by<Stiffness::k, Stiffness::k_per_step>,
+                .kept_when = may_bend_by_k, .depends_on = on_bending_stiffness}),
       field<&Bending::compliance>({.name = "compliance", .unit = "m/N or 1/(N m)",
                 .meaning = "Inverse stiffness, used if stiffness is compliance; 0 is rigid. `bendlab models` "
                            "says what it means for each model",
-                .minimum = 0, .read_when = bends_by_number}),
+                .minimum = 0, .read_when = bends_by<Stiffness::compliance>, .kept_when = bends_by_number,
+                .depends_on = on_bending_stiffness}),
       field<&Bending::flexural_rigidity>({.name = "flexural_rigidity", .unit = "N m",
                 .meaning = "physical: B of the moment B κ per width at curvature κ; springs have it at "
                            "at_curvature only. Not in force where quartic_coefficient is given alone",
-                .minimum = 0, .above = true, .read_when = bends_physically}),
+                .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+                .depends_on = on_bending_stiffness}),
       field<&Bending::quartic_coefficient>({.name = "quartic_coefficient", .unit = "N m³",
                 .meaning = "physical: C of the moment C κ³ per width at curvature κ, for models made of "
                            "springs",
-                .minimum = 0, .above = true, .read_when = bends_physically}),
+                .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+                .depends_on = on_bending_stiffness}),
       field<&Bending::at_curvature>({.name = "at_curvature", .unit = "1/m",
                 .meaning = "physical: the curvature κ0 at which springs have the moment that "
                            "flexural_rigidity states, C = B/κ0²; 20 is a fold of 5 cm radius",
-                .minimum = 0, .above = true, .read_when = needs_curvature}),
+                .minimum = 0, .above = true, .read_when = bends_by<Stiffness::physical>,
+                .kept_when = needs_curvature, .depends_on = on_bending_stiffness}),
       field<&Bending::deflection>({.name = "deflection",
                 .meaning = "physical, models made of hinges: for which deflections flexural_rigidity holds. "
                            "large: the membrane forces the sheet to a cylinder, as in drapes and folds; "
@@ -295,7 +328,7 @@ constexpr std::array initial = {
               .meaning = "Angular velocity at the start, about the centre of the rest box"}),
     field<&Initial::seed>({.name = "seed", .unit = "1",
               .meaning = "Seed of perturbation and random",
-              .minimum = 0, .maximum = seed_limit}),
+              .minimum = 0, .maximum = seed_limit, .read_when = starts_at_random, .kept_when = always}),
     field<&Initial::after>({.name = "after",
               .meaning = "Changes, each \"/json/pointer=value\", that turn this run into an earlier one; the "
                          "cloth starts at rest where that one ends. It may have a coarser mesh of the same "
@@ -425,6 +458,19 @@ const SettingRow& effect_type_row() {
   static const std::vector<std::string_view> names = names_of(effects());
   static const SettingRow row = choice_row("type", "Which effect", names, std::nullopt);
   return row;
+}
+
+std::vector<std::string_view> choices_that_read(const Field& field) {
+  const std::size_t slash = field.depends_on.rfind('/');
+  const Part& part = *std::ranges::find(scene_parts(), field.depends_on.substr(0, slash), &Part::pointer);
+  const Field& decisive = *part.table.find(field.depends_on.substr(slash + 1));
+  Scene scene;
+  std::vector<std::string_view> choices;
+  for (const std::string_view choice : decisive.choices) {
+    decisive.put(const_cast<void*>(part.in(scene)), std::string(choice));
+    if (field.is_read(&scene)) choices.push_back(choice);
+  }
+  return choices;
 }
 
 std::vector<SettingRow> rows_of(const FieldTable& table) {

@@ -44,6 +44,9 @@ std::span<const Section> scene_sections();
 /// The `type` of an entry of `effects`; its other settings are the effect's own.
 const SettingRow& effect_type_row();
 
+/// The choices of the setting `field.depends_on` with which a scene reads the setting.
+std::vector<std::string_view> choices_that_read(const Field& field);
+
 /// The rows of a table with their defaults.
 std::vector<SettingRow> rows_of(const FieldTable& table);
 

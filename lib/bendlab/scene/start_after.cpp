@@ -52,8 +52,9 @@ std::int64_t step_count(const Scene& scene) {
 
 std::optional<Scene> earlier_scene(const Scene& scene) {
   if (!scene.initial.after) return std::nullopt;
-  Json settings = to_json(scene);
-  settings["initial"].erase("after");
+  Scene changed = scene;
+  changed.initial.after.reset();
+  Json settings = to_json(changed);
   ConfigProblems problems;
   for (const std::string& text : *scene.initial.after) change(settings, text, problems);
   Scene earlier = read_scene(settings, {}, problems);

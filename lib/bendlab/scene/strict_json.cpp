@@ -8,7 +8,6 @@
 
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
-#include "bendlab/scene/pointers.hpp"
 
 namespace bendlab {
 namespace {
@@ -152,6 +151,19 @@ class DocumentBuilder : public nlohmann::json_sax<Json> {
 };
 
 }  // namespace
+
+std::string child_pointer(std::string_view parent, std::string_view key) {
+  std::string pointer(parent);  // RFC 6901; for every setting of thousands of runs
+  pointer += '/';
+  for (const char c : key)
+    if (c == '~')
+      pointer += "~0";
+    else if (c == '/')
+      pointer += "~1";
+    else
+      pointer += c;
+  return pointer;
+}
 
 std::string given_text(const Json& given) {
   if (given.is_object()) return "an object";

@@ -22,6 +22,9 @@ struct ConfigProblem {
 
 using ConfigProblems = std::vector<ConfigProblem>;
 
+/// Pointer to `key` of the object (or entry of the list) at `parent`, escaped.
+std::string child_pointer(std::string_view parent, std::string_view key);
+
 /// What was given, short enough for a message.
 std::string given_text(const Json& given);
 

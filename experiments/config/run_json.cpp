@@ -1,4 +1,4 @@
-#include "experiments/config/run_settings.hpp"
+#include "experiments/config/run_json.hpp"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,6 @@
 #include <span>
 
 #include "bendlab/scene/fields_json.hpp"
-#include "bendlab/scene/pointers.hpp"
 #include "bendlab/scene/scene_json.hpp"
 #include "experiments/config/config_tables.hpp"
 
@@ -52,47 +51,56 @@ void settle_accuracy(Accuracy& accuracy, ConfigProblems& problems) {
   accuracy = Accuracy{};
 }
 
-// The object at that key of the top level; empty where there is none, or none that is an object.
-const Json& section_in(const Json& top, const char* key, ConfigProblems& problems) {
-  static const Json nothing = Json::object();
-  const auto found = top.find(key);
-  if (found == top.end()) return nothing;
-  return is_object(*found, child_pointer("", key), problems) ? *found : nothing;
+// The object of a part, or of the top level what is the run's there; empty where there is none.
+Json object_of(const RunPart& part, const Json& top, ConfigProblems& problems) {
+  Json object = Json::object();
+  if (!part.pointer.empty()) {
+    const auto found = top.find(part.pointer.substr(1));
+    return found != top.end() && is_object(*found, std::string(part.pointer), problems) ? *found : object;
+  }
+  for (const Field& field : part.table.fields)
+    if (const auto found = top.find(field.name); found != top.end()) object[std::string(field.name)] = *found;
+  return object;
 }
 
 }  // namespace
 
 RunSettings read_run(const Json& settings, ConfigProblems& problems) {
   RunSettings run;
-  std::vector<std::string_view> own = names_of(run_table().fields);
-  own.insert(own.end(), {"output", "accuracy", "quality"});
+  std::vector<std::string_view> own = names_of(run_parts().front().table.fields);
+  for (const RunPart& part : run_parts().subspan(1)) own.push_back(part.pointer.substr(1));
   for (const ConfigList& list : config_lists()) own.push_back(list.name);
   run.scene = read_scene(settings, own, problems);
   if (!settings.is_object()) return run;
-  Json top = Json::object();
-  for (const Field& field : run_table().fields)
-    if (const auto found = settings.find(field.name); found != settings.end())
-      top[std::string(field.name)] = *found;
-  read_fields(run_table(), &run, top, "", {}, problems);
+  for (const RunPart& part : run_parts())
+    read_fields(part.table, const_cast<void*>(part.in(run)), object_of(part, settings, problems),
+                std::string(part.pointer), {}, problems);
   if (settings.contains("name")) check_name(run.name, problems);
-  read_fields(output_table(), &run.output, section_in(settings, "output", problems), "/output", {}, problems);
-  read_fields(accuracy_table(), &run.accuracy, section_in(settings, "accuracy", problems), "/accuracy", {},
-              problems);
-  read_fields(quality_table(), &run.quality, section_in(settings, "quality", problems), "/quality", {},
-              problems);
   settle_accuracy(run.accuracy, problems);
   return run;
 }
 
+ConfigProblems check_value(const Json& settings, const std::string& pointer, const Json& value,
+                           const std::string& place, ConfigProblems& problems) {
+  Json with_value = settings;
+  ConfigProblems found, others;
+  if (!set_at(with_value, pointer, value)) return others;  // the settings are wrong there: a problem already
+  read_run(with_value, found);
+  for (const ConfigProblem& problem : found)
+    if (lies_within(problem.pointer, pointer))
+      problems.push_back({place + problem.pointer.substr(pointer.size()), problem.message});
+    else
+      others.push_back(problem);
+  return others;
+}
+
 Json to_json(const RunSettings& settings) {
   Json json = to_json(settings.scene);
-  write_fields(run_table(), &settings, &settings, json);
-  const auto write = [&](const char* key, const FieldTable& table, const void* owner) {
-    write_fields(table, owner, &settings, json[key] = Json::object());
-  };
-  write("output", output_table(), &settings.output);
-  write("accuracy", accuracy_table(), &settings.accuracy);
-  write("quality", quality_table(), &settings.quality);
+  for (const RunPart& part : run_parts()) {
+    Json& object = json[Json::json_pointer(std::string(part.pointer))];
+    if (object.is_null()) object = Json::object();
+    write_fields(part.table, part.in(settings), &settings, object);
+  }
   return json;
 }
 

@@ -1,12 +1,13 @@
-#include "experiments/campaign/errors.hpp"
+#include "experiments/run/errors.hpp"
 
 #include <new>
 #include <system_error>
 
+#include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/files.hpp"
-#include "experiments/config/experiment.hpp"
+#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/strict_json.hpp"
 #include "experiments/run/forecast.hpp"
-#include "experiments/run/run.hpp"
 
 namespace bendlab {
 
