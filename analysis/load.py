@@ -18,18 +18,13 @@ import numpy as np
 
 from checksum import require_readable
 from facts import Facts
-from run_index import Index, number_json, number_of, stamp_of
+from run_index import Index, stamp_of
 
 
 def _opened(path):
     """The HDF5 file, once its checksum was found right: it may be known from an index alone."""
     require_readable(path)
     return h5py.File(path, "r")
-
-
-def _has_table(metrics):
-    """False for files of older programs, which have a dataset for every metric."""
-    return "values" in metrics
 
 
 class Metrics(Mapping):
@@ -41,11 +36,7 @@ class Metrics(Mapping):
     def __getitem__(self, name):
         if self._found[name] is None:
             with _opened(self._path) as file:
-                if _has_table(file["metrics"]):
-                    values = file["metrics/values"][:self.frames].T.copy()
-                    self._found.update(zip(Facts(file).columns, values))
-                else:
-                    self._found[name] = file[f"metrics/{name}"][:self.frames]
+                self._found.update(zip(self._found, file["metrics/values"][:self.frames].T.copy()))
         return self._found[name]
 
     def __iter__(self):
@@ -241,22 +232,9 @@ def load_run(path):
 
 
 def _read(path):
-    """What a run file says, but for metrics and frames, as an index has it."""
+    """What a run file says, but for metrics and frames: what an index has, and more."""
     with _opened(path) as file:
-        facts = Facts(file)
-        return {
-            "id": facts.id,
-            "name": facts.name,
-            "status": facts.status,
-            "frames": len(file["metrics/values" if _has_table(file["metrics"]) else "metrics/time"]),
-            **{name: number_json(facts.timing.get(name, 0.0)) for name in ("wall_s", "cpu_s", "step_cpu_s")},
-            "metrics": list(facts.columns),
-            "constraints": facts.counts,
-            "passes": [[name, number_json(seconds), *counts] for name, seconds, *counts in facts.passes],
-            "summary": {name: number_json(value) for name, value in facts.summary.items()},
-            "provenance": facts.provenance,
-            "config": json.loads(facts.config),
-        }
+        return {**Facts(file).json, "frames": len(file["metrics/values"])}
 
 
 def _run_of(path, found):
@@ -268,13 +246,12 @@ def _run_of(path, found):
         name=found["name"],
         status="interrupted" if found["status"] == "running" else found["status"],
         config=found["config"],
-        summary={name: value if type(value) is float else number_of(value)
-                 for name, value in found["summary"].items()},
+        summary={name: float(value) for name, value in found["summary"].items()},
         metrics=Metrics(path, found["metrics"], found["frames"]),
-        wall_s=number_of(found["wall_s"]),
-        step_cpu_s=number_of(found["step_cpu_s"]),
-        cpu_s=number_of(found["cpu_s"]),
-        passes={name: number_of(seconds) for name, seconds, *_ in found["passes"]},
+        wall_s=float(found["wall_s"]),
+        step_cpu_s=float(found["step_cpu_s"]),
+        cpu_s=float(found["cpu_s"]),
+        passes={name: float(seconds) for name, seconds, *_ in found["passes"]},
         source_hash=provenance.get("source_hash", ""),
         provenance=provenance,
         point=json.loads(provenance.get("point", "{}")),

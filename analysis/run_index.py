@@ -7,7 +7,8 @@ from pathlib import Path
 import xxhash
 
 NAME = "runs.index"
-FIRST = b"bendlab index 1\n"
+FIRST = b"bendlab index 2\n"
+HEAD = ("id", "name", "status", "frames", "wall_s", "cpu_s", "step_cpu_s", "metrics", "constraints", "passes")
 PARTS = ("summary", "provenance", "config")  # of a line, behind its head
 
 
@@ -50,8 +51,7 @@ class Index:
 
     def put(self, path, stamp, run):
         """Takes in what a file (str) below the folder says."""
-        parts = [{name: part for name, part in run.items() if name not in PARTS},
-                 *(run[name] for name in PARTS)]
+        parts = [{name: run[name] for name in HEAD}, *(run[name] for name in PARTS)]
         name = path[len(str(self.folder)) + 1:]
         if "\t" in name or "\n" in name:
             return  # the program reads such files anew, too
@@ -73,16 +73,3 @@ class Index:
 
 def _checksum(data):
     return xxhash.xxh3_64_hexdigest(data).encode() + b"\n"
-
-
-def number_json(value):
-    """A number as the index has it: JSON has none that is not finite."""
-    if value != value:
-        return None
-    return value if abs(value) != float("inf") else "inf" if value > 0 else "-inf"
-
-
-def number_of(value):
-    if value is None:
-        return float("nan")
-    return float(value)  # of "inf" and "-inf", too

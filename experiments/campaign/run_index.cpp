@@ -7,31 +7,24 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cmath>
-#include <map>
 #include <optional>
 #include <stdexcept>
 #include <string_view>
 #include <unordered_map>
 
 #include "bendlab/io/disk.hpp"
+#include "bendlab/io/facts.hpp"
 #include "bendlab/parameters/input_file.hpp"
-#include "bendlab/scene/strict_json.hpp"
 #include "experiments/config/in_parallel.hpp"
 #include "experiments/run/checked_read.hpp"
-#include "experiments/run/run_record.hpp"
 
 namespace bendlab {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Json keeps the order of names, and looks for one from the first to the last: too slow for thousands of
-// runs.
-using nlohmann::json;
-
 constexpr const char* index_name = "runs.index";
-constexpr std::string_view first_line = "bendlab index 1\n";
+constexpr std::string_view first_line = "bendlab index 2\n";
 
 bool is_finished_name(std::string_view name) {
   return name.ends_with(".vtkhdf");
@@ -59,60 +52,20 @@ std::string hash_of(std::string_view text) {
   return fmt::format("{:016x}", XXH3_64bits(text.data(), text.size()));
 }
 
-std::string dumped(const json& value) {
-  return value.dump(-1, ' ', false, json::error_handler_t::replace);  // no tab and no new line is left in it
+std::string dumped(const Json& value) {
+  return value.dump(-1, ' ', false, Json::error_handler_t::replace);  // no tab and no new line is left in it
 }
 
 std::string line_of(const fs::path& folder, const Stamp& stamp, const RunRecord& run) {
-  json summary = json::object();
-  for (const auto& [name, value] : run.summary) summary[name] = number_json(value);
-  return fmt::format("{}\t{}\t{}\t{}\t{}\t{}\t{}\t{}\n", fs::relative(run.file, folder).string(), stamp.size,
-                     stamp.modified, stamp.changed, dumped(head_json(run)), dumped(summary),
-                     dumped(run.provenance), Json::parse(run.config).dump());
+  Json head = facts_of(run);
+  std::string parts;
+  for (const char* part : {"summary", "provenance", "config"}) {
+    parts += "\t" + dumped(head.at(part));
+    head.erase(part);
+  }
+  return fmt::format("{}\t{}\t{}\t{}\t{}{}\n", fs::relative(run.file, folder).string(), stamp.size,
+                     stamp.modified, stamp.changed, dumped(head), parts);
 }
-
-/// Reads an object of texts and numbers into maps, without making a JSON document of it: there are thousands.
-class FlatObject : public nlohmann::json_sax<json> {
- public:
-  explicit FlatObject(std::map<std::string, double>& numbers) : numbers_(&numbers) {}
-  explicit FlatObject(std::map<std::string, std::string>& texts) : texts_(&texts) {}
-
-  void read(std::string_view text) {
-    if (!json::sax_parse(text, this)) throw std::invalid_argument("the index is damaged");
-  }
-
-  bool null() override { return put(std::nan("")); }
-  bool number_integer(number_integer_t value) override { return put(static_cast<double>(value)); }
-  bool number_unsigned(number_unsigned_t value) override { return put(static_cast<double>(value)); }
-  bool number_float(number_float_t value, const string_t&) override { return put(value); }
-  bool string(string_t& value) override {
-    if (numbers_) return put(number_of(json(value)));
-    texts_->emplace_hint(texts_->end(), std::move(key_), std::move(value));
-    return true;
-  }
-  bool key(string_t& name) override { return key_ = std::move(name), true; }
-  bool start_object(std::size_t) override { return ++depth_ == 1; }
-  bool end_object() override { return true; }
-  bool boolean(bool) override { return false; }
-  bool binary(binary_t&) override { return false; }
-  bool start_array(std::size_t) override { return false; }
-  bool end_array() override { return false; }
-  bool parse_error(std::size_t, const std::string&, const nlohmann::detail::exception&) override {
-    return false;
-  }
-
- private:
-  bool put(double value) {
-    if (!numbers_) return false;
-    numbers_->emplace_hint(numbers_->end(), std::move(key_), value);
-    return true;
-  }
-
-  std::map<std::string, double>* numbers_ = nullptr;
-  std::map<std::string, std::string>* texts_ = nullptr;
-  std::string key_;
-  int depth_ = 0;
-};
 
 /// A line in its parts; views of the index's text.
 struct Entry {
@@ -120,11 +73,11 @@ struct Entry {
   std::string_view line, head, summary, provenance, config;
 
   RunRecord record(const fs::path& file, Part part) const {
-    RunRecord run = record_of(json::parse(head), file);
-    if (part == Part::state) return run;
-    run.config = config;
-    FlatObject(run.summary).read(summary);
-    FlatObject(run.provenance).read(provenance);
+    Json json = Json::parse(head);
+    if (part == Part::all)
+      json["summary"] = Json::parse(summary), json["provenance"] = Json::parse(provenance);
+    RunRecord run = record_of(json, file);
+    if (part == Part::all) run.config = config;
     return run;
   }
 };

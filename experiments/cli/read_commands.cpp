@@ -39,24 +39,17 @@ std::string when(const fs::path& file) {
   return text;
 }
 
-// The file may be older than this program's rules for JSON; null if its config is none.
-Json stored_config(const RunRecord& record) {
-  const Json config = Json::parse(record.config, nullptr, false);
-  return config.is_discarded() ? Json() : config;
-}
-
 Json to_json(const RunRecord& record) {
   Json passes = Json::array();
   for (const PassTime& pass : record.passes)
     passes.push_back({{"name", pass.name}, {"seconds", pass.seconds}, {"calls", pass.calls}});
-  const Json config = stored_config(record);
   return {{"id", record.id},
           {"name", record.name},
           {"status", to_string(record.status)},
           {"file", record.file.string()},
           {"frames", record.frames},
           {"written", when(record.file)},
-          {"config", config.is_null() ? Json(record.config) : config},
+          {"config", Json::parse(record.config)},
           {"wall_s", record.wall_s},
           {"cpu_s", record.cpu_s},
           {"step_cpu_s", record.step_cpu_s},
@@ -79,7 +72,7 @@ void require_known(const std::vector<RunRecord>& records, const char* option, co
   std::vector<std::string> known;
   for (const RunRecord& record : records) {
     if (name.starts_with('/')) {
-      const Json config = stored_config(record);
+      const Json config = Json::parse(record.config);
       if (value_at(config, name)) return;
       const Json flat = config.flatten();
       for (const auto& [pointer, value] : flat.items()) known.push_back(pointer);
@@ -107,7 +100,7 @@ std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<
     const Json text = setting.second;
     const Json parsed = Json::parse(setting.second, nullptr, false);
     std::erase_if(records, [&](const RunRecord& record) {
-      const Json config = stored_config(record);
+      const Json config = Json::parse(record.config);
       const Json* const value = value_at(config, setting.first);
       return value == nullptr || !(*value == parsed || *value == text);
     });
@@ -119,7 +112,7 @@ std::vector<RunRecord> chosen(std::vector<RunRecord> records, const std::vector<
 void sort_by(std::vector<RunRecord>& records, const std::string& name) {
   const auto key = [&](const RunRecord& record) -> std::pair<bool, Json> {
     if (name.starts_with('/')) {
-      const Json config = stored_config(record);
+      const Json config = Json::parse(record.config);
       const Json* const value = value_at(config, name);
       return {value == nullptr, value ? *value : Json()};
     }
@@ -156,7 +149,7 @@ int list_command(const ListArguments& arguments, bool json) {
                                     number("pin_max_stretch"),
                                     fmt::format("{:.1f}", record.wall_s)};
     if (own_column) {
-      const Json config = stored_config(record);
+      const Json config = Json::parse(record.config);
       const Json* const value = sort.starts_with('/') ? value_at(config, sort) : nullptr;
       row.push_back(value ? value->dump() : number(sort.c_str()));
     }

@@ -21,7 +21,7 @@
 #include "bendlab/io/checksum.hpp"
 #include "bendlab/io/claim.hpp"
 #include "bendlab/io/disk.hpp"
-#include "experiments/run/run_record.hpp"
+#include "bendlab/io/facts.hpp"
 
 extern char** environ;
 
@@ -35,20 +35,6 @@ constexpr auto time_limit = std::chrono::seconds(10);
 constexpr rlim_t memory_limit = rlim_t{4} << 30;  // bytes
 
 std::atomic<bool> has_child{false};  // the program answers `read-file FILE`
-
-nlohmann::json whole_json(const RunRecord& run) {
-  nlohmann::json json = head_json(run), summary = nlohmann::json::object();
-  for (const auto& [name, value] : run.summary) summary[name] = number_json(value);
-  json.update({{"summary", summary}, {"config", run.config}, {"provenance", run.provenance}});
-  return json;
-}
-
-RunRecord whole_record(const nlohmann::json& json, const fs::path& file) {
-  RunRecord run = record_of(json, file);
-  run.provenance = json.at("provenance"), run.config = json.at("config");
-  for (const auto& [name, value] : json.at("summary").items()) run.summary[name] = number_of(value);
-  return run;
-}
 
 // What a child process wrote until its end, or until it was ended.
 struct Answer {
@@ -116,10 +102,10 @@ RunRecord read_by_child(const fs::path& file) {
   if (answer.late) fail(fmt::format("the HDF5 library reads it without end ({} s)", time_limit.count()));
   if (WIFSIGNALED(answer.status))
     fail(fmt::format("the HDF5 library crashes on it ({})", ::strsignal(WTERMSIG(answer.status))));
-  const nlohmann::json json = nlohmann::json::parse(answer.text, nullptr, false);
+  const Json json = Json::parse(answer.text, nullptr, false);
   if (json.is_discarded()) fail("it is damaged");
   if (json.contains("error")) throw RunFileError(json["error"].get<std::string>());
-  return whole_record(json, file);
+  return record_of(json, file);
 }
 
 }  // namespace
@@ -148,13 +134,13 @@ int print_record(const fs::path& file) {
   const rlimit memory{memory_limit, memory_limit};
   ::setrlimit(RLIMIT_AS, &memory);
 #endif
-  nlohmann::json json;
+  Json json;
   try {
-    json = whole_json(read_run(file));
+    json = facts_of(read_run(file));
   } catch (const std::exception& error) {
     json = {{"error", error.what()}};
   }
-  fmt::print("{}\n", json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+  fmt::print("{}\n", json.dump(-1, ' ', false, Json::error_handler_t::replace));
   return 0;
 }
 

@@ -49,6 +49,7 @@ import strips  # noqa: E402
 import style  # noqa: E402
 import sweeps  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
+from made_up_runs import facts  # noqa: E402
 from report import Check, rounded, write_objects  # noqa: E402
 
 SQUARE = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], float)
@@ -63,9 +64,8 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
     frames = committed + extra
     path.parent.mkdir(parents=True, exist_ok=True)
     with h5py.File(path, "w") as file:
-        file.attrs["status"] = np.bytes_(status)
-        file.attrs["id"] = np.bytes_(RUN_ID)
-        file.attrs["name"] = np.bytes_(config["name"])
+        file["facts"] = facts(config, ("time", "pin_max_stretch"), id=RUN_ID, name=config["name"],
+                              status=status, constraints={"distance": 7}, summary=summary or {})
         points = np.concatenate([SQUARE - [0, 0, 0.1 * k] for k in range(frames)])
         points[committed * 4:] = np.nan
         file["VTKHDF/Points"] = points.astype("f4")
@@ -74,14 +74,7 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
         file["rest/triangles"] = TRIANGLES.astype("i4")
         file["rest/pinned"] = np.array([0, 0, 1, 0], "u1")
         file["rest/pin_seeds"] = np.array([2], "i4")
-        file["metrics/names"] = np.array([b"time", b"pin_max_stretch"])
-        file["metrics/units"] = np.array([b"s", b"1"])
-        file["metrics/meanings"] = np.array([b"simulated time", b"largest stretch at the pin"])
         file["metrics/values"] = np.stack([0.5 * np.arange(committed), 1.0 + np.arange(committed)], axis=1)
-        file.create_group("constraints/distance").attrs["count"] = 7
-        file["provenance/config"] = json.dumps(config)
-        for name, value in (summary or {}).items():
-            file.require_group("summary").attrs[name] = value
     if status != "running":
         checksum.seal(path)
     return path

@@ -1,5 +1,4 @@
 """Runs far from the origin: what a page holds in single precision has the edges that the mesh has."""
-import json
 import sys
 import tempfile
 import unittest
@@ -16,6 +15,7 @@ import checksum  # noqa: E402
 import far  # noqa: E402
 import frames  # noqa: E402
 import load  # noqa: E402
+from made_up_runs import facts  # noqa: E402
 
 CELLS = 64
 FLOOR = {"type": "plane", "point": [0, 0, 317.0], "normal": [0, 0, 1.0], "velocity": [0, 0, 0]}
@@ -49,13 +49,12 @@ class Far(unittest.TestCase):
         path = Path(folder.name) / "run.vtkhdf"
         rest, triangles = grid(np.array(place, float))
         with h5py.File(path, "w") as file:
-            file.attrs.update(status=np.bytes_("complete"), id=np.bytes_("0"), name=np.bytes_("far"))
+            file["facts"] = facts({"mesh": {"cells": CELLS}, "effects": [FLOOR]})
             file["VTKHDF/Points"] = np.concatenate([rest, rest - [0, 0, 0.5]])
             file["rest/positions"], file["rest/triangles"] = rest, triangles.astype("i4")
             file["rest/pinned"] = np.zeros(len(rest), "u1")
             file["rest/pin_seeds"] = np.zeros(0, "i4")
-            file["metrics/time"] = np.arange(2) / 10
-            file["provenance/config"] = json.dumps({"mesh": {"cells": CELLS}, "effects": [FLOOR]})
+            file["metrics/values"] = np.arange(2)[:, None] / 10
         checksum.seal(path)
         return load.load_run(path)
 

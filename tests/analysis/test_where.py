@@ -1,5 +1,4 @@
 """Where a cloth is stretched: σ₁ on deformations whose stretches are known, distances, and a whole run."""
-import json
 import sys
 import tempfile
 import unittest
@@ -15,6 +14,7 @@ import checksum  # noqa: E402
 import fig_where  # noqa: E402
 import load  # noqa: E402
 import stretch  # noqa: E402
+from made_up_runs import facts  # noqa: E402
 
 ROUNDING = 1e-14  # relative; a few operations in double precision
 TURN = np.linalg.qr(np.random.default_rng(7).normal(size=(3, 3)))[0]  # any rotation, or one mirrored
@@ -117,14 +117,12 @@ class WholeRun(unittest.TestCase):
         pinned = np.zeros(len(self.rest), bool)
         pinned[-1] = True
         with h5py.File(path, "w") as file:
-            file.attrs.update(status=np.bytes_("complete"), id=np.bytes_("0"), name=np.bytes_("torn"))
+            file["facts"] = facts({"mesh": {"cells": self.cells, "width": 1}}, ("time", "max_stretch"))
             file["VTKHDF/Points"] = self.trajectory.reshape(-1, 3)
             file["rest/positions"], file["rest/triangles"] = self.rest, self.triangles.astype("i4")
             file["rest/pinned"] = pinned.astype("u1")
-            # Metrics as older programs wrote them.
-            file["metrics/time"] = np.arange(self.frames) / 10  # 1.5 s: the last second is frames 6 … 15
-            file["metrics/max_stretch"] = self.told.max(axis=1)
-            file["provenance/config"] = json.dumps({"mesh": {"cells": self.cells, "width": 1}})
+            # 1.5 s: the last second is frames 6 … 15
+            file["metrics/values"] = np.stack([np.arange(self.frames) / 10, self.told.max(axis=1)], axis=1)
         checksum.seal(path)
         return path
 

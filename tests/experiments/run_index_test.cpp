@@ -94,7 +94,7 @@ TEST_CASE("run index: it says what the files say, however it is come by", "[camp
     CHECK(bytes_of(index) == text);
     fs::resize_file(index, text.size() / 2);
     check_all();
-    std::ofstream(index) << "bendlab index 1\n";
+    std::ofstream(index) << "bendlab index 2\n";
     check_all();
     CHECK(bytes_of(index) == text);
   }

@@ -6,7 +6,6 @@ PATH is what --to named. Positions have to be the run's floats to the last bit.
 """
 import argparse
 import csv
-import json
 import re
 import struct
 import sys
@@ -31,7 +30,7 @@ class Run:
             facts = Facts(file)
             self.metrics = dict(zip(facts.columns, file["metrics/values"][()].T))
             self.units = {name: unit for name, (unit, _) in facts.columns.items()}
-            self.summary, self.config = facts.summary, json.loads(facts.config)
+            self.summary, self.config = facts.summary, facts.config
             self.id, self.name = facts.id, facts.name
         self.times = self.metrics["time"]
         self.rate = self.config["output"]["frames_per_second"]

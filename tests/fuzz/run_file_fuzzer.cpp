@@ -45,12 +45,11 @@ class Input {
     rest_.remove_prefix(size);
     return value;
   }
-  // Up to a byte's number of characters; without 0, at which HDF5's texts end.
+  // Up to a byte's number of characters, made UTF-8.
   std::string text() {
-    std::string text(rest_.substr(0, number<std::uint8_t>() % 64));
+    const std::string text(rest_.substr(0, number<std::uint8_t>() % 64));
     rest_.remove_prefix(std::min(text.size(), rest_.size()));
-    std::ranges::replace(text, '\0', ' ');
-    return text;
+    return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace));
   }
   bool at_end() const { return rest_.empty(); }
   Bytes rest() const { return rest_; }
@@ -200,7 +199,7 @@ void read_written(Bytes bytes) {
   header.pinned.assign(vertices, 0);
   header.metrics = {{"drop", "m", input.text()}};
   header.provenance = {{"message", input.text()}, {"host", input.text()}};
-  header.config = input.text();
+  header.config = Json(input.text()).dump();
   header.inputs = {{"/mesh/file", input.text(), std::string(input.rest())}};
   Frame frame{.time = input.number<double>(), .metrics = {input.number<double>()}};
   frame.positions = header.rest_positions;
@@ -211,7 +210,9 @@ void read_written(Bytes bytes) {
   RunFileWriter writer(file, header, {}, {}, in_memory ? InMemory{1 << 20, 1e6} : InMemory{});
   writer.write(frame);
   writer.finish(footer);
-  const auto same = [](double one, double other) { return std::memcmp(&one, &other, sizeof one) == 0; };
+  const auto same = [](double one, double other) {
+    return std::memcmp(&one, &other, sizeof one) == 0 || (std::isnan(one) && std::isnan(other));
+  };
   require(seal_of(file) == Seal::whole, "a finished file is sealed");
   const RunRecord run = read_run(file);
   require(run.id == header.id && run.name == header.name && run.config == header.config &&

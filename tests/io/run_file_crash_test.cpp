@@ -114,7 +114,8 @@ assert steps.attrs['NSteps'] == frames == len(steps['CellDataOffsets/shape'])
 assert len(steps['PointDataOffsets/pinned']) == frames
 assert all(len(steps[name]) == frames for name in steps if isinstance(steps[name], h5py.Dataset))
 assert run['VTKHDF/Points'].shape == (4 * frames, 3) and run['VTKHDF/CellData/stretch'].shape == (2 * frames,)
-assert run['metrics/values'][-1, 0] == 0.25 * (frames - 1) and run.attrs['status'] == b'interrupted'
+assert run['metrics/values'][-1, 0] == 0.25 * (frames - 1)
+assert json.loads(run['outcome'][()].tobytes())['status'] == 'interrupted'
 )"));
   }
 }
@@ -152,6 +153,23 @@ TEST_CASE("run file: data beyond the end that a killed flush left is read", "[io
   const std::string left = bytes(killed);
   CHECK(left == before + after.substr(superblock));  // reading changes nothing
   CHECK(goes_on_from(killed, folder / "other.vtkhdf", frames));
+}
+
+TEST_CASE("run file: an end that a killed process began to write is none", "[io]") {
+  const TemporaryFolder folder;
+  const auto path = folder / "run.vtkhdf", part = folder / "run.vtkhdf.part";
+  {
+    RunFileWriter writer(path, square_header());
+    for (int k = 0; k < 5; ++k) writer.write(square_frame(k));
+  }
+  REQUIRE(h5py_accepts(part, R"(
+run.close()
+with h5py.File(sys.argv[1], 'r+') as file:
+    file['outcome'] = np.zeros(100, 'u1')
+)"));
+  CHECK(read_run(part).status == RunStatus::running);
+  CHECK(read_run(part).frames == 5);
+  CHECK(goes_on_from(part, path, 5));
 }
 
 TEST_CASE("run file: a full disk is an error that keeps the frames before it", "[io]") {

@@ -127,11 +127,11 @@ std::string error_text(const Action& action) {
   return {};
 }
 
-/// Runs a script with `file` as `run`, opened by h5py, and numpy as np. True where every assertion in it
+/// Runs a script with `file` as `run`, opened by h5py, numpy as np and json. True where every assertion in it
 /// held.
 inline bool h5py_accepts(const std::filesystem::path& file, const std::string& script) {
   const auto path = file.string() + ".check.py";
-  std::ofstream(path) << "import sys, h5py, numpy as np\nrun = h5py.File(sys.argv[1], 'r')\n" << script;
+  std::ofstream(path) << "import json, sys, h5py, numpy as np\nrun = h5py.File(sys.argv[1], 'r')\n" << script;
   const std::string given = places::python;
   const std::string python = given.empty() ? "/usr/bin/python3" : given;
   return std::system(("'" + python + "' '" + path + "' '" + file.string() + "'").c_str()) == 0;

@@ -16,19 +16,16 @@ from program import run, run_files, write_config  # first: it knows where the sc
 
 import h5py
 import load
-import numpy as np
 from facts import Facts
 
 
 def of_file(file):
     """What h5py finds in a run file."""
     with h5py.File(file, "r") as data:
-        one = lambda value: value.reshape(-1)[0] if isinstance(value, np.ndarray) else value
-        text = lambda value: one(value).decode() if isinstance(one(value), bytes) else str(one(value))
         facts = Facts(data)
         metrics = dict(zip(facts.columns, data["metrics/values"][()].T))
-        return {"id": text(data.attrs["id"]), "status": text(data.attrs["status"]),
-                "summary": facts.summary, "cells": json.loads(facts.config)["mesh"]["cells"],
+        return {"id": facts.id, "status": facts.status,
+                "summary": facts.summary, "cells": facts.config["mesh"]["cells"],
                 "commit": facts.provenance["git_commit"],
                 "passes": {name: seconds for name, seconds, *_ in facts.passes}, "counts": facts.counts,
                 "frames": len(metrics["time"]), "drop": list(metrics["drop"])}

@@ -15,6 +15,7 @@ from program import fresh, run, run_files, write_config  # first: it knows where
 import h5py
 import numpy as np
 from checksum import LENGTH, NAME, checksum
+from facts import Facts
 
 # Clears the screen; sets the window's title; the same in C1; turns what follows around; rings; deletes.
 EVIL = "\x1b[2J\x1b]0;x\x07\x9b2J\x9d0;x\x9c\u202eabc\u2066\u200f\u2028\x7f\r\b"
@@ -22,30 +23,23 @@ FORBIDDEN = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u2
 
 
 def evil_copy(file, to):
-    """A run file, whole by its checksum, whose texts are evil; one is no UTF-8."""
-    shutil.copy(file, to)
-    data = to.read_bytes()[:-LENGTH]
-    to.write_bytes(data)
-    with h5py.File(to, "r+") as run_file:
-        def put(node, name, value):
-            shape = node.attrs.get_id(name).shape if name in node.attrs else ()
-            node.attrs.create(name, np.full(shape, value, object), dtype=h5py.string_dtype())
-        put(run_file, "name", f"name{EVIL}")
-        texts = run_file["facts/texts"][()].tobytes().split(b"\0")[:-1]
-        end = texts[::2].index(b"") * 2
-        pairs = [pair for pair in zip(texts[:end:2], texts[1:end:2]) if pair[0] != b"provenance/host"]
-        config = json.loads(dict(pairs)[b"config"])
-        config["bending"]["model"] = f"model{EVIL}"
-        pairs = [(path, text) for path, text in pairs if path != b"config"]
-        pairs += [(b"provenance/host", b"\xff\xfe\xc3(\xed\xa0\x80\x1b[2J"),
-                  (f"provenance/key{EVIL}".encode(), f"value{EVIL}".encode()),
-                  (b"config", json.dumps(config, ensure_ascii=False).encode())]
-        texts = [*sum(pairs, ()), b"", *texts[end + 1:], f"summary/number{EVIL}".encode()]
-        numbers = [*run_file["facts/numbers"][()], 1.0]
-        del run_file["facts"]
-        run_file["facts/texts"] = np.frombuffer(b"".join(text + b"\0" for text in texts), np.uint8)
-        run_file["facts/numbers"] = np.array(numbers)
-    to.write_bytes(to.read_bytes() + NAME + checksum(to, to.stat().st_size) + b"\n")
+    """A run file, whole by its checksum, whose texts are evil; beside it one with a text that is no UTF-8."""
+    data = file.read_bytes()[:-LENGTH]
+    with h5py.File(file) as run_file:
+        facts = Facts(run_file).json
+    facts["name"] += EVIL
+    facts["config"]["bending"]["model"] = f"model{EVIL}"
+    facts["provenance"] |= {"host": EVIL, f"key{EVIL}": f"value{EVIL}"}
+    facts["summary"][f"number{EVIL}"] = 1.0
+    text = json.dumps(facts, ensure_ascii=False).encode()
+    no_utf_8 = text.replace(b"value", b"\xff\xfe\xc3(\xed\xa0\x80\x9b[2J")
+    for path, text in (to / "run.vtkhdf", text), (to / "no_utf_8" / "run.vtkhdf", no_utf_8):
+        path.parent.mkdir()
+        path.write_bytes(data)
+        with h5py.File(path, "r+") as run_file:
+            del run_file["facts"]
+            run_file["facts"] = np.frombuffer(text, "u1")
+        path.write_bytes(path.read_bytes() + NAME + checksum(path, path.stat().st_size) + b"\n")
 
 
 def places(program, folder):
@@ -53,8 +47,7 @@ def places(program, folder):
     write_config(folder, "good", mesh={"cells": 3}, duration=0.1)
     run(program, "run", "good.json", folder=folder)
     file, = run_files(folder / "results")
-    (folder / "evil").mkdir()
-    evil_copy(file, folder / "evil" / "run.vtkhdf")
+    evil_copy(file, folder / "evil")
     names = folder / f"na{EVIL}me"
     names.mkdir()
     shutil.copy(file, names / "run.vtkhdf")
@@ -83,6 +76,7 @@ def places(program, folder):
         yield ["list", names, *extra]
         yield ["list", ".", "--sort", "/bending/model", *extra]
         yield ["show", "evil/run.vtkhdf", *extra]
+        yield ["show", "evil/no_utf_8/run.vtkhdf", *extra]
         yield ["compare", "evil/run.vtkhdf", file, *extra]
         yield ["compare", "evil", "results", *extra]
         yield ["rerun", "evil/run.vtkhdf", *extra]
@@ -117,7 +111,7 @@ def main(program):
                       flush=True)
             try:
                 lines = [json.loads(line) for line in done.stdout.splitlines() if "--json" in arguments]
-                if arguments == ["list", "evil", "--json"] and lines[0]["name"] != f"name{EVIL}":
+                if arguments == ["list", "evil", "--json"] and lines[0]["name"] != f"good{EVIL}":
                     raise ValueError(f"the name is {lines[0]['name']!r}")
             except (ValueError, IndexError) as error:
                 wrong += 1

@@ -1,49 +1,29 @@
-// The texts and numbers of a run file, in two compressed datasets: 3.3 KB for a run of 4 × 4 cells. As
-// attributes and texts of HDF5 they took about 25 KB, because each has a header of its own and texts of
-// variable length are not compressed. Only sources of this folder include this header.
+// What is known of a run besides its arrays, as JSON: in its file, in the index of a folder, and as the
+// answer of a process that reads a file.
 #pragma once
 
-#include <map>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <utility>
-#include <vector>
+#include <nlohmann/json.hpp>
 
-#include "bendlab/io/hdf5_handles.hpp"
 #include "bendlab/io/run_file.hpp"
 
 namespace bendlab {
 
-/// Texts and numbers, each under a path, in the order in which they were written. A path may occur more than
-/// once; of provenance, summary and timing the last counts.
-struct Facts {
-  std::vector<std::pair<std::string, std::string>> texts;
-  std::vector<std::pair<std::string, double>> numbers;
+using Json = nlohmann::ordered_json;
 
-  /// The texts (numbers) whose paths are "<group>/<name>", by name.
-  std::map<std::string, std::string> texts_in(std::string_view group) const;
-  std::map<std::string, double> numbers_in(std::string_view group) const;
-  /// The text of a path. Throws hdf5::Failure if there is none.
-  const std::string& text(std::string_view path) const;
-  std::vector<Column> metrics() const;
-  std::vector<PassTime> passes() const;
+/// Everything of a header but its arrays, for a run that has not ended; facts.merge_patch(facts_of(footer))
+/// adds its end. Throws Json::exception if the config is not JSON.
+Json facts_of(const RunHeader& header);
+Json facts_of(const RunFooter& footer);
 
-  void append(const Facts& later);
-};
+/// The part of these that a RunRecord has, and `frames`.
+Json facts_of(const RunRecord& run);
 
-/// All that a file has of its header, or footer, but for id, name, status and the arrays.
-Facts facts_of(const RunHeader& header);
-Facts facts_of(const RunFooter& footer);
+/// From facts of either kind; summary, provenance and config may be missing. Throws Json::exception or
+/// std::invalid_argument.
+RunRecord record_of(const Json& json, const std::filesystem::path& file);
 
-/// /facts/texts: a byte for each character of path, text, path, text, …; every one ends with a zero. An empty
-/// path ends them; behind it are the paths of the numbers in /facts/numbers.
-void write_facts(hid_t file, const Facts& facts);
-
-/// The same in /outcome: what a file that grows with its run learns at the end.
-void write_outcome(hid_t file, const Facts& facts);
-
-/// Those of /facts and /outcome. None if an older program wrote the file, with attributes.
-std::optional<Facts> read_facts(hid_t file);
+/// A number, or the texts "nan", "inf" and "-inf", which JSON has no numbers for.
+Json number_json(double number);
+double number_of(const Json& json);
 
 }  // namespace bendlab

@@ -24,22 +24,6 @@ std::mutex& library_mutex() {
   return mutex;
 }
 
-// Types and creation lists that hundreds of writes share are made once.
-const Handle& text_type() {
-  static const Handle type = [] {
-    Handle made(H5Tcopy(H5T_C_S1), H5Tclose);
-    check(H5Tset_size(made, H5T_VARIABLE));
-    check(H5Tset_cset(made, H5T_CSET_UTF8));
-    return made;
-  }();
-  return type;
-}
-
-const Handle& scalar_space() {
-  static const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-  return space;
-}
-
 Handle simple_space(std::span<const hsize_t> shape, const hsize_t* limits = nullptr) {
   return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), limits), H5Sclose};
 }
@@ -80,11 +64,6 @@ Handle dataset_creation() {
 
 bool is_small = false;  // within a SmallScope; the Lock guards it
 
-const Handle& plain_dataset() {
-  static const Handle creation = dataset_creation();
-  return creation;
-}
-
 /// Creation list of groups, the root among them: links and attributes stay in the group's own header, however
 /// many there are. An index beside it would take more space than a run of four frames.
 /// `links`: how many there will be, for which room is taken at once.
@@ -116,31 +95,8 @@ class ExtensibleArrayScope {
 };
 
 void write_attribute(hid_t object, const std::string& name, hid_t type, hid_t space, const void* value) {
-  if (has_attribute(object, name)) check(H5Adelete(object, name.c_str()));
   const Handle attribute(H5Acreate2(object, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
   check(H5Awrite(attribute, type, value));
-}
-
-void write_scalar_attribute(hid_t object, const std::string& name, hid_t type, const void* value) {
-  write_attribute(object, name, type, scalar_space(), value);
-}
-
-Handle open_attribute(hid_t object, const std::string& name) {
-  return {H5Aopen(object, name.c_str(), H5P_DEFAULT), H5Aclose};
-}
-
-void require_text(hid_t type, const std::string& name) {
-  if (check(H5Tis_variable_str(type)) == 0) throw Failure("'" + name + "' is not a text of variable length");
-}
-
-std::vector<std::string> attribute_names(hid_t object) {
-  std::vector<std::string> names;
-  const auto collect = [](hid_t, const char* name, const H5A_info_t*, void* out) -> herr_t {
-    static_cast<std::vector<std::string>*>(out)->emplace_back(name);
-    return 0;
-  };
-  check(H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names));
-  return names;
 }
 
 }  // namespace
@@ -295,23 +251,8 @@ std::vector<std::string> links(hid_t group) {
   return names;
 }
 
-void write_attribute(hid_t object, const std::string& name, const std::string& text) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
-  check(H5Tset_size(type, text.size() + 1));
-  check(H5Tset_cset(type, H5T_CSET_UTF8));
-  write_scalar_attribute(object, name, type, text.c_str());
-}
-
-void write_attribute(hid_t object, const std::string& name, double number) {
-  write_scalar_attribute(object, name, H5T_NATIVE_DOUBLE, &number);
-}
-
 void write_attribute(hid_t object, const std::string& name, std::int64_t number) {
-  write_scalar_attribute(object, name, H5T_NATIVE_INT64, &number);
-}
-
-void write_attribute(hid_t object, const std::string& name, std::uint64_t number) {
-  write_scalar_attribute(object, name, H5T_NATIVE_UINT64, &number);
+  write_attribute(object, name, H5T_NATIVE_INT64, Handle(H5Screate(H5S_SCALAR), H5Sclose), &number);
 }
 
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> numbers) {
@@ -319,135 +260,57 @@ void write_attribute(hid_t object, const std::string& name, std::span<const std:
   write_attribute(object, name, H5T_NATIVE_INT64, simple_space(shape), numbers.data());
 }
 
-void write_fixed_ascii_attribute(hid_t object, const std::string& name, const std::string& text) {
+void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
   check(H5Tset_size(type, text.size()));
   check(H5Tset_strpad(type, H5T_STR_NULLPAD));
   check(H5Tset_cset(type, H5T_CSET_ASCII));
-  write_scalar_attribute(object, name, type, text.data());
-}
-
-bool has_attribute(hid_t object, const std::string& name) {
-  return check(H5Aexists(object, name.c_str())) > 0;
-}
-
-std::string read_text_attribute(hid_t object, const std::string& name) {
-  const Handle attribute = open_attribute(object, name), type(H5Aget_type(attribute), H5Tclose);
-  if (H5Tget_class(type) == H5T_STRING && check(H5Tis_variable_str(type)) == 0) {
-    std::string text(H5Tget_size(type) + 1, '\0');
-    check(H5Aread(attribute, type, text.data()));
-    return text.c_str();
-  }
-  require_text(type, name);
-  char* value = nullptr;
-  check(H5Aread(attribute, text_type(), &value));
-  std::string text = value ? value : "";
-  H5free_memory(value);
-  return text;
-}
-
-double read_number_attribute(hid_t object, const std::string& name) {
-  double number = 0;
-  check(H5Aread(open_attribute(object, name), H5T_NATIVE_DOUBLE, &number));
-  return number;
-}
-
-std::map<std::string, std::string> read_text_attributes(hid_t object) {
-  std::map<std::string, std::string> texts;
-  for (const auto& name : attribute_names(object)) texts[name] = read_text_attribute(object, name);
-  return texts;
-}
-
-std::map<std::string, double> read_number_attributes(hid_t object) {
-  std::map<std::string, double> numbers;
-  for (const auto& name : attribute_names(object)) numbers[name] = read_number_attribute(object, name);
-  return numbers;
+  write_attribute(object, name, type, Handle(H5Screate(H5S_SCALAR), H5Sclose), text.data());
 }
 
 namespace {
 
-Handle write_dataset(hid_t parent, const std::string& name, hid_t type, const void* values,
-                     std::span<const hsize_t> shape, hid_t creation) {
-  Handle dataset(
-      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
-      H5Dclose);
-  if (shape[0] > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
-  return dataset;
-}
-
-constexpr std::size_t most_compressed = 32768;  // bytes of an array of a small file: more takes a millisecond
-
-std::size_t bytes_of(hid_t type, std::span<const hsize_t> shape) {
-  std::size_t bytes = H5Tget_size(type);
-  for (const hsize_t length : shape) bytes *= length;
-  return bytes;
-}
-
-/// How a small file holds an array of up to `most_compressed` bytes.
-Handle small_creation(hid_t type, std::span<const hsize_t> shape) {
+/// Of a small file's array of up to 32 KiB: more takes a millisecond.
+void compress_small(hid_t creation, hid_t type, std::span<const hsize_t> shape, std::size_t bytes) {
   constexpr std::size_t in_header = 96;  // bytes; a chunk costs 60 more, which compressing has to gain
-  Handle creation = dataset_creation();
   check(H5Pset_dset_no_attrs_hint(creation, true));  // else 200 bytes are kept free for attributes
   check(H5Pset_fill_time(creation, H5D_FILL_TIME_NEVER));
-  const std::size_t bytes = bytes_of(type, shape);
-  if (bytes == 0) return creation;
+  if (bytes == 0) return;
   if (bytes <= in_header) {
     check(H5Pset_layout(creation, H5D_COMPACT));
-    return creation;
+    return;
   }
   check(H5Pset_chunk(creation, static_cast<int>(shape.size()), shape.data()));
   // Whole numbers compress better with their bytes sorted by significance. Metrics and positions do not: many
   // of them stay as they are from frame to frame, and so are repeated bytes.
   if (H5Tget_class(type) == H5T_INTEGER && H5Tget_size(type) > 1) check(H5Pset_shuffle(creation));
   check(H5Pset_deflate(creation, 9));
-  return creation;
 }
 
-bool is_small_array(hid_t type, std::span<const hsize_t> shape) {
-  return is_small && bytes_of(type, shape) <= most_compressed;
-}
-
-}  // namespace
-
-void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
-                 std::span<const hsize_t> shape) {
+void compress_large(hid_t creation, std::span<const hsize_t> shape) {
   constexpr hsize_t rows_per_chunk = 65536;  // below the 4 GiB that HDF5 allows, and worth compressing
-  if (is_small_array(type, shape)) {
-    write_dataset(parent, name, type, values, shape, small_creation(type, shape));
-    return;
-  }
-  if (shape[0] <= 1024) {  // not worth an index
-    write_dataset(parent, name, type, values, shape, plain_dataset());
-    return;
-  }
-  const Handle creation = dataset_creation();
   std::vector<hsize_t> chunk(shape.begin(), shape.end());
   chunk[0] = std::min(chunk[0], rows_per_chunk);
   check(H5Pset_chunk(creation, static_cast<int>(chunk.size()), chunk.data()));
   check(H5Pset_shuffle(creation));  // the bytes of vertex numbers compress better sorted by significance
   check(H5Pset_deflate(creation, 1));
-  write_dataset(parent, name, type, values, shape, creation);
 }
 
-Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
-                         std::span<const hsize_t> shape) {
-  if (is_small_array(type, shape))
-    return write_dataset(parent, name, type, values, shape, small_creation(type, shape));
-  return write_dataset(parent, name, type, values, shape, plain_dataset());
-}
+}  // namespace
 
-std::vector<std::string> read_texts(hid_t parent, const std::string& name) {
-  const Handle dataset = open_dataset(parent, name);
-  require_text(Handle(H5Dget_type(dataset), H5Tclose), name);
-  std::vector<char*> values(shape_of(dataset).at(0));
-  if (values.empty()) return {};
-  check(H5Dread(dataset, text_type(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()));
-  std::vector<std::string> texts;
-  for (char* value : values) {
-    texts.emplace_back(value ? value : "");
-    H5free_memory(value);
-  }
-  return texts;
+void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
+                 std::span<const hsize_t> shape, Compression compression) {
+  const Handle creation = dataset_creation();
+  std::size_t bytes = H5Tget_size(type);
+  for (const hsize_t length : shape) bytes *= length;
+  if (is_small && bytes <= 32768)
+    compress_small(creation, type, shape, bytes);
+  else if (compression == Compression::always && shape[0] > 1024)  // fewer are not worth an index
+    compress_large(creation, shape);
+  const Handle dataset(
+      H5Dcreate2(parent, name.c_str(), type, simple_space(shape), H5P_DEFAULT, creation, H5P_DEFAULT),
+      H5Dclose);
+  if (shape[0] > 0) check(H5Dwrite(dataset, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values));
 }
 
 std::vector<hsize_t> shape_of(hid_t dataset) {

@@ -7,7 +7,6 @@
 #include <hdf5.h>
 
 #include <cstdint>
-#include <map>
 #include <mutex>
 #include <span>
 #include <stdexcept>
@@ -100,8 +99,8 @@ Handle open_with_all_bytes(const std::string& path);
 /// than the first. Fails if there is one of that name.
 Handle create_small_file(const std::string& path);
 
-/// In this scope texts of attributes have a fixed length, arrays of a few numbers lie in the headers of their
-/// datasets, and others of up to 32 KiB are compressed: for a file that is written at once and never grows.
+/// In this scope arrays of a few numbers lie in the headers of their datasets, and others of up to 32 KiB are
+/// compressed: for a file that is written at once and never grows.
 class SmallScope {
  public:
   SmallScope();
@@ -127,41 +126,22 @@ bool has_link(hid_t parent, const std::string& name);
 void add_link(hid_t parent, const std::string& object, const std::string& name);
 std::vector<std::string> links(hid_t group);  ///< names, sorted
 
-// Attributes. Texts are UTF-8, of fixed length; writing replaces what is there.
-void write_attribute(hid_t object, const std::string& name, const std::string& text);
-void write_attribute(hid_t object, const std::string& name, double number);
 void write_attribute(hid_t object, const std::string& name, std::int64_t number);
-void write_attribute(hid_t object, const std::string& name, std::uint64_t number);
 void write_attribute(hid_t object, const std::string& name, std::span<const std::int64_t> numbers);
-void write_fixed_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
-bool has_attribute(hid_t object, const std::string& name);
-std::string read_text_attribute(hid_t object, const std::string& name);
-double read_number_attribute(hid_t object, const std::string& name);
-std::map<std::string, std::string> read_text_attributes(hid_t object);
-std::map<std::string, double> read_number_attributes(hid_t object);
+void write_ascii_attribute(hid_t object, const std::string& name, const std::string& text);
 
-// Whole datasets.
+/// When an array of many numbers is compressed. `if_small`: only in a SmallScope.
+enum class Compression { always, if_small };
 void write_array(hid_t parent, const std::string& name, hid_t type, const void* values,
-                 std::span<const hsize_t> shape);
+                 std::span<const hsize_t> shape, Compression compression);
 
 /// `values` row by row as (values / columns, columns), or as a vector when `columns` is 0.
 template <class T>
-void write_array(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns = 0) {
+void write_array(hid_t parent, const std::string& name, const std::vector<T>& values, hsize_t columns = 0,
+                 Compression compression = Compression::always) {
   const hsize_t shape[] = {values.size() / (columns ? columns : 1), columns};
-  write_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
+  write_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1), compression);
 }
-
-/// The same, compressed only in a SmallScope. Returns the dataset.
-Handle write_plain_array(hid_t parent, const std::string& name, hid_t type, const void* values,
-                         std::span<const hsize_t> shape);
-template <class T>
-Handle write_plain_array(hid_t parent, const std::string& name, const std::vector<T>& values,
-                         hsize_t columns = 0) {
-  const hsize_t shape[] = {values.size() / (columns ? columns : 1), columns};
-  return write_plain_array(parent, name, type_of<T>(), values.data(), std::span(shape, columns ? 2 : 1));
-}
-
-std::vector<std::string> read_texts(hid_t parent, const std::string& name);
 
 std::vector<hsize_t> shape_of(hid_t dataset);
 void read_rows(hid_t dataset, hid_t type, hsize_t first, hsize_t count, void* values);

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <iterator>
+#include <map>
 
 namespace bendlab {
 namespace {
@@ -39,24 +39,12 @@ std::vector<std::int64_t> offsets(std::size_t count, std::uint64_t stride) {
 }
 
 std::string escaped(const std::string& text) {
+  static const std::map<char, std::string_view> names = {
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}};
   std::string result;
-  for (const char c : text) {
-    switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      default:
-        result += c;
-    }
+  for (const char& c : text) {
+    const auto found = names.find(c);
+    result += found == names.end() ? std::string_view(&c, 1) : found->second;
   }
   return result;
 }
@@ -107,7 +95,7 @@ std::string xdmf_frame(const std::string& file, const ParaViewShape& shape, std:
 Handle create_vtkhdf(hid_t file) {
   Handle vtk = hdf5::create_group(file, "VTKHDF", 9);
   hdf5::write_attribute(vtk, "Version", std::array<std::int64_t, 2>{2, 0});
-  hdf5::write_fixed_ascii_attribute(vtk, "Type", "PolyData");
+  hdf5::write_ascii_attribute(vtk, "Type", "PolyData");
   return vtk;
 }
 

@@ -4,24 +4,28 @@
 //   /VTKHDF                 ParaView's view of the run (Points, Polygons, PointData, CellData, Steps); Points
 //                           are float64 if the solver's are, or if float32 would round edges away from 0
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
-//   /metrics                values (F, C): a row per recorded frame; names, units and meanings (C) of the
-//                           columns, of which `time` is one
-//   /constraints/<kind>     attributes `count`, `hash`; datasets only on request
-//   /timing                 pass (P) names, seconds (P), calls (P); attributes wall_s, cpu_s, step_cpu_s
-//   /provenance             attributes (commit, compiler, …; as JSON `point`, the place on the sweep, and
-//                           `models`, the labels of all bending models); dataset `config` (resolved, JSON);
-//                           `inputs`/<k>: the bytes of a file that the config names (`pointer`, `name`)
-//   /summary                attributes, one number each
-//   attributes of /         status: running | complete | diverged | interrupted | implausible; id; name
+//   /metrics/values         a row per recorded frame (F, C); the first column is the time
+//   /constraints/<kind>     vertices, rest values and softness, only on request
+//   /provenance/inputs/<k>  the bytes of the k-th file that the config names
+//   /facts                  everything else, as a compressed JSON text; how it is when the run begins in a
+//                           file that grows with its run, which has the end's in /outcome
 //
-// The file of a run that was in memory until its end has its texts and numbers in /facts (facts.hpp) instead:
-// what /provenance, /summary and /timing have here, the names, units and meanings of metrics and cell fields,
-// counts and hashes of constraints. Of these groups it has those with datasets: `inputs`, and recorded
-// constraints.
+// The JSON object has:
+//
+//   id, name, config        texts, and the resolved config
+//   status                  running | complete | diverged | interrupted | implausible
+//   metrics, units, meanings  of the columns of /metrics/values
+//   cell_fields             {name: [unit, meaning]}
+//   constraints, hashes     {kind: number}, {kind: text}
+//   inputs                  [[pointer, name]] of the files that the config names
+//   provenance              {name: text}: commit, compiler, …; as JSON `point`, the place on the sweep, and
+//                           `models`, the labels of all bending models
+//   summary                 {name: number}; a number that is not finite is a text: "nan", "inf", "-inf"
+//   passes                  [[name, seconds, calls, acted]]
+//   wall_s, cpu_s, step_cpu_s
 //
 // The number of committed frames is that of the rows of /metrics/values, written last in every frame. After a
-// power cut the last row may be torn. Files of older programs have a dataset /metrics/<name> for every metric
-// instead, and are read as well.
+// power cut the last row may be torn.
 #pragma once
 
 #include <array>
@@ -135,8 +139,8 @@ struct InMemory {
 /// Writes `part`, by default `<path>.part`, which finish() seals (checksum.hpp) and renames to `path`. A
 /// crash leaves the .part file with every frame whose write() returned. Writers in several threads take turns
 /// frame by frame. The folder has to exist. Throws RunFileError if the disk fails or another writer has
-/// `part` open, std::invalid_argument if sizes don't match the header. With `first` there is no file before
-/// that much is known, synchronise() or the destructor.
+/// `part` open, std::invalid_argument if sizes don't match the header, or its config is not JSON. With
+/// `first` there is no file before that much is known, synchronise() or the destructor.
 class RunFileWriter {
  public:
   RunFileWriter(const std::filesystem::path& path, const RunHeader& header,

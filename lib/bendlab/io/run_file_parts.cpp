@@ -48,16 +48,11 @@ std::string bytes_of(std::span<const double> numbers) {
 
 // Everything that is compared at once: texts and numbers by name.
 std::map<std::string, std::string> small_parts(hid_t file) {
-  std::map<std::string, std::string> parts = {{"status", hdf5::read_text_attribute(file, "status")}};
-  const std::vector<std::string> names = metric_names(file);
-  const auto columns = read_all_metrics(file, read_shape(file).times.size());
-  for (std::size_t i = 0; i < names.size(); ++i) parts["metrics/" + names[i]] = bytes_of(columns[i]);
-  const std::optional<Facts> facts = read_facts(file);
-  if (!facts && !hdf5::has_link(file, "summary")) return parts;
-  for (const auto& [name, value] : facts
-                                       ? facts->numbers_in("summary")
-                                       : hdf5::read_number_attributes(hdf5::open_group(file, "summary")))
-    parts["summary/" + name] = bytes_of(std::span(&value, 1));
+  const Json facts = read_facts(file);
+  std::map<std::string, std::string> parts = {{"status", facts.at("status")}};
+  for (const auto& [column, values] : read_all_metrics(file, read_shape(file).times.size()))
+    parts["metrics/" + column.name] = bytes_of(values);
+  for (const auto& [name, value] : facts.at("summary").items()) parts["summary/" + name] = value.dump();
   return parts;
 }
 

@@ -1,4 +1,4 @@
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -9,30 +9,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using hdf5::Handle;
-
-std::vector<PassTime> read_passes(hid_t timing) {
-  const auto names = hdf5::read_texts(timing, "pass");
-  const auto seconds = hdf5::read_all<double>(timing, "seconds");
-  const auto calls = hdf5::read_all<std::uint64_t>(timing, "calls");
-  std::vector<std::uint64_t> acted(names.size(), 0);
-  if (hdf5::has_link(timing, "acted")) acted = hdf5::read_all<std::uint64_t>(timing, "acted");
-  std::vector<PassTime> passes;
-  for (std::size_t i = 0; i < names.size(); ++i)
-    passes.push_back({names[i], seconds.at(i), calls.at(i), acted.at(i)});
-  return passes;
-}
-
-void take(const Facts& facts, RunRecord& run) {
-  run.provenance = facts.texts_in("provenance");
-  run.config = facts.text("config");
-  for (const Column& column : facts.metrics()) run.metrics.push_back(column.name);
-  for (const auto& [kind, count] : facts.numbers_in("counts"))
-    run.constraints[kind] = static_cast<std::uint64_t>(count);
-  run.summary = facts.numbers_in("summary");
-  run.passes = facts.passes();
-  std::map<std::string, double> timing = facts.numbers_in("timing");
-  run.wall_s = timing["wall_s"], run.cpu_s = timing["cpu_s"], run.step_cpu_s = timing["step_cpu_s"];
-}
 
 }  // namespace
 
@@ -49,31 +25,8 @@ std::vector<fs::path> unfinished_files(const fs::path& folder) {
 
 RunRecord read_run(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
-    RunRecord run;
-    run.file = path;
-    run.id = hdf5::read_text_attribute(file, "id");
-    run.name = hdf5::read_text_attribute(file, "name");
-    run.status = read_status(file);
+    RunRecord run = record_of(read_facts(file), path);
     run.frames = read_shape(file).times.size();
-    if (const std::optional<Facts> facts = read_facts(file)) {
-      take(*facts, run);
-      return run;
-    }
-    const Handle provenance = hdf5::open_group(file, "provenance");
-    run.provenance = hdf5::read_text_attributes(provenance);
-    run.config = hdf5::read_texts(provenance, "config").at(0);
-    run.metrics = metric_names(file);
-    const Handle constraints = hdf5::open_group(file, "constraints");
-    for (const std::string& kind : hdf5::links(constraints))
-      run.constraints[kind] = static_cast<std::uint64_t>(
-          hdf5::read_number_attribute(hdf5::open_group(constraints, kind), "count"));
-    if (run.status == RunStatus::running || !hdf5::has_link(file, "summary")) return run;
-    const Handle timing = hdf5::open_group(file, "timing");
-    run.passes = read_passes(timing);
-    run.wall_s = hdf5::read_number_attribute(timing, "wall_s");
-    run.cpu_s = hdf5::read_number_attribute(timing, "cpu_s");
-    run.step_cpu_s = hdf5::read_number_attributes(timing)["step_cpu_s"];  // 0 in older files
-    run.summary = hdf5::read_number_attributes(hdf5::open_group(file, "summary"));
     return run;
   });
 }
@@ -91,20 +44,12 @@ RestRecord read_rest(const fs::path& path) {
 
 std::vector<InputFile> read_inputs(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
+    const Json facts = read_facts(file);
     std::vector<InputFile> inputs;
-    if (!hdf5::has_link(file, "provenance")) return inputs;  // a short run without such files
-    const Handle provenance = hdf5::open_group(file, "provenance");
-    if (!hdf5::has_link(provenance, "inputs")) return inputs;
-    const Handle group = hdf5::open_group(provenance, "inputs");
-    const std::optional<Facts> facts = read_facts(file);
-    for (const std::string& name : hdf5::links(group)) {
-      const Handle dataset = hdf5::open_dataset(group, name);
-      const auto bytes = hdf5::read_all<std::uint8_t>(group, name);
-      const std::string pointer = facts ? facts->text("pointers/" + name)
-                                        : hdf5::read_text_attribute(dataset, "pointer");
-      const std::string said =
-          facts ? facts->text("files/" + name) : hdf5::read_text_attribute(dataset, "name");
-      inputs.push_back({pointer, said, {bytes.begin(), bytes.end()}});
+    for (const Json& input : facts.at("inputs")) {
+      const std::string dataset = fmt::format("/provenance/inputs/{}", inputs.size());
+      const auto bytes = hdf5::read_all<std::uint8_t>(file, dataset);
+      inputs.push_back({input.at(0), input.at(1), {bytes.begin(), bytes.end()}});
     }
     return inputs;
   });
@@ -123,20 +68,23 @@ std::string hdf5_version() {
 
 std::vector<double> read_metric(const fs::path& path, const std::string& name) {
   return with_run(path, [&](hid_t file) {
-    return read_metric_rows(file, name, read_shape(file).times.size());
+    std::vector<std::string> names;
+    for (Column& column : metric_columns(file)) names.push_back(std::move(column.name));
+    const auto found = std::ranges::find(names, name);
+    if (found == names.end())
+      throw hdf5::Failure(fmt::format("it has no metric '{}', but {}", name, fmt::join(names, ", ")));
+    return hdf5::read_column(hdf5::open_dataset(file, metric_values),
+                             static_cast<hsize_t>(found - names.begin()), read_shape(file).times.size());
   });
 }
 
 std::vector<MetricRecord> read_metrics(const fs::path& path) {
   return with_run(path, [&](hid_t file) {
-    std::vector<std::vector<double>> values = read_all_metrics(file, read_shape(file).times.size());
-    std::vector<MetricRecord> records;
-    for (const Column& column : metric_columns(file))
-      records.push_back({column, std::move(values[records.size()])});
-    std::ranges::sort(records, {}, [](const MetricRecord& each) {
+    std::vector<MetricRecord> metrics = read_all_metrics(file, read_shape(file).times.size());
+    std::ranges::sort(metrics, {}, [](const MetricRecord& each) {
       return std::pair(each.column.name != "time", each.column.name);
     });
-    return records;
+    return metrics;
   });
 }
 

@@ -19,6 +19,7 @@ using hdf5::Series;
 // frames.
 constexpr std::uint64_t index_bytes = 16 * 1024;
 constexpr std::uint64_t footer_bytes = 512 * 1024;
+constexpr hsize_t metric_rows_per_chunk = 32;
 
 // Whether the scene's settings ask for the constraints themselves, not only for their number and hash.
 bool has_arrays(const ConstraintRecord& record) {
@@ -36,12 +37,6 @@ void write_arrays(hid_t group, const ConstraintRecord& record) {
   if (!record.softness.empty()) hdf5::write_array(group, "softness", record.softness);
 }
 
-void write_identity(hid_t file, const RunHeader& header, RunStatus status) {
-  hdf5::write_attribute(file, "id", header.id);
-  hdf5::write_attribute(file, "name", header.name);
-  hdf5::write_attribute(file, "status", to_string(status));
-}
-
 void write_rest(hid_t file, const RunHeader& header) {
   const Handle rest = hdf5::create_group(file, "rest");
   hdf5::write_array(rest, "positions", header.rest_positions, 3);
@@ -50,9 +45,8 @@ void write_rest(hid_t file, const RunHeader& header) {
   hdf5::write_array(rest, "pin_seeds", header.pin_seeds);
 }
 
-// What a file has of its header beside the facts.
-void write_header(hid_t file, const RunHeader& header, RunStatus status) {
-  write_identity(file, header, status);
+// What a file has of its header besides the facts.
+void write_header(hid_t file, const RunHeader& header) {
   write_rest(file, header);
   if (std::ranges::any_of(header.constraints, has_arrays)) {
     const Handle constraints = hdf5::create_group(file, "constraints");
@@ -76,6 +70,7 @@ std::vector<double> metric_row(const Frame& frame) {
 
 // All frames at once, as datasets that do not grow.
 void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>& frames) {
+  constexpr auto if_small = hdf5::Compression::if_small;
   const auto joined = [&]<class T>(T, const auto& part_of) {
     std::vector<T> values;
     for (const Frame& frame : frames) {
@@ -89,21 +84,21 @@ void write_frames(hid_t file, const RunHeader& header, const std::vector<Frame>&
   };
   const Handle vtk = hdf5::open_group(file, "VTKHDF");
   if (header.double_positions)
-    hdf5::write_plain_array(vtk, "Points", joined(double{}, positions), 3);
+    hdf5::write_array(vtk, "Points", joined(double{}, positions), 3, if_small);
   else
-    hdf5::write_plain_array(vtk, "Points", joined(float{}, positions), 3);
+    hdf5::write_array(vtk, "Points", joined(float{}, positions), 3, if_small);
   const Handle cell_data =
       hdf5::create_group(vtk, "CellData", static_cast<unsigned>(header.cell_fields.size()));
   for (std::size_t i = 0; i < header.cell_fields.size(); ++i) {
     const auto field = [&](const Frame& frame) -> const auto& {
       return frame.cell_fields[i];
     };
-    hdf5::write_plain_array(cell_data, header.cell_fields[i].name, joined(float{}, field));
+    hdf5::write_array(cell_data, header.cell_fields[i].name, joined(float{}, field), 0, if_small);
   }
   std::vector<double> values;
   for (const Frame& frame : frames) std::ranges::copy(metric_row(frame), std::back_inserter(values));
-  hdf5::write_plain_array(hdf5::create_group(file, "metrics", 1), metric_values, values,
-                          1 + header.metrics.size());
+  hdf5::create_group(file, "metrics", 1);
+  hdf5::write_array(file, metric_values, values, 1 + header.metrics.size(), if_small);
 }
 
 void require_size(const char* what, std::size_t size, std::size_t expected) {
@@ -112,6 +107,7 @@ void require_size(const char* what, std::size_t size, std::size_t expected) {
 }
 
 void require_consistent(const RunHeader& header) {
+  if (!Json::accept(header.config)) throw std::invalid_argument("run file: the config is not JSON");
   if (header.rest_positions.size() % 3 != 0 || header.triangles.size() % 3 != 0)
     throw std::invalid_argument("run file: rest positions and triangles come in threes");
   require_size("RunHeader::pinned", header.pinned.size(), header.rest_positions.size() / 3);
@@ -141,6 +137,7 @@ struct RunFileWriter::Impl {
   ParaViewShape shape;           // grows with the frames
   std::size_t metric_count = 0;  // without the time
   std::vector<float> narrow;     // positions as they are stored
+  Json facts;
   bool failed = false;
   std::optional<Open> open;
 
@@ -223,17 +220,22 @@ void RunFileWriter::Impl::write_now(const Frame& frame) {
 void RunFileWriter::Impl::create(const RunHeader& header, const EarlierFrames& earlier) {
   auto& [file, points, metrics, cell_fields] = *open;
   file = hdf5::create_file(part.string());
-  write_header(file, header, RunStatus::running);
-  write_facts(file, facts_of(header));
+  write_header(file, header);
+  facts = facts_of(header);
+  write_facts(file, "facts", facts);
   const Handle vtk = create_vtkhdf(file);
   write_static_part(vtk, header);
-  points = create_points(vtk, shape);
+  const hid_t real = shape.double_positions ? H5T_NATIVE_DOUBLE : H5T_NATIVE_FLOAT;
+  points = Series(vtk, "Points", {.type = real, .rows = shape.vertices, .columns = 3});
   const Handle cell_data = hdf5::create_group(vtk, "CellData");
   for (const auto& field : header.cell_fields) {
-    cell_fields.push_back(create_cell_field(cell_data, field.name, shape));
+    cell_fields.emplace_back(cell_data, field.name,
+                             Series::Layout{.type = H5T_NATIVE_FLOAT, .rows = shape.triangles});
     shape.cell_fields.push_back(field.name);
   }
-  metrics = create_metric_values(hdf5::create_group(file, "metrics"), 1 + header.metrics.size());
+  hdf5::create_group(file, "metrics");
+  metrics = Series(file, metric_values,
+                   {.columns = 1 + header.metrics.size(), .frames_per_chunk = metric_rows_per_chunk});
   if (!earlier.file.empty()) copy_frames(earlier);
   hdf5::flush(file);
 }
@@ -256,7 +258,7 @@ void RunFileWriter::Impl::copy_frames(const EarlierFrames& earlier) {
     copy(float{}, "/VTKHDF/Points", points, shape.vertices);
   for (std::size_t i = 0; i < cell_fields.size(); ++i)
     copy(float{}, "/VTKHDF/CellData/" + shape.cell_fields[i], cell_fields[i], shape.triangles);
-  copy(double{}, "/metrics/" + std::string(metric_values), metrics, 1);
+  copy(double{}, metric_values, metrics, 1);
   shape.times.assign(old.times.begin(), old.times.begin() + static_cast<std::ptrdiff_t>(earlier.frames));
 }
 
@@ -288,13 +290,13 @@ void RunFileWriter::Impl::write_kept(const RunFooter& footer) {
     const hdf5::Lock lock;
     const hdf5::SmallScope small;
     Handle file = hdf5::create_small_file(part.string());
-    write_header(file, kept->header, footer.status);
+    write_header(file, kept->header);
     write_static_part(create_vtkhdf(file), kept->header);
     write_frames(file, kept->header, kept->frames);
     write_steps(file, shape);
-    Facts facts = facts_of(kept->header);
-    facts.append(facts_of(footer));
-    write_facts(file, facts);
+    facts = facts_of(kept->header);
+    facts.merge_patch(facts_of(footer));
+    write_facts(file, "facts", facts);
     file.close();
   } catch (const hdf5::Failure& failure) {
     throw file_error(part, "can't be written", failure.what(), failure.code());
@@ -306,8 +308,8 @@ void RunFileWriter::Impl::close(const RunFooter& footer) {
   // Steps has at most 16 numbers a frame; the footer is small.
   hdf5::require_room(open->file, footer_bytes + 8 * 16 * shape.times.size());
   write_steps(open->file, shape);
-  write_outcome(open->file, facts_of(footer));
-  hdf5::write_attribute(open->file, "status", to_string(footer.status));
+  facts.merge_patch(facts_of(footer));
+  write_facts(open->file, "outcome", facts);
   hdf5::flush(open->file);
   Handle file = std::move(open->file);
   open.reset();

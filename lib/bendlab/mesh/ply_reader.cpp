@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstring>
 #include <functional>
-#include <optional>
 #include <stdexcept>
 
 #include "bendlab/mesh/polygon_list.hpp"
@@ -15,12 +14,34 @@
 namespace bendlab {
 namespace {
 
-enum class Scalar { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+template <class Number>
+double read_number(std::string_view& bytes, bool swap) {
+  std::array<char, sizeof(Number)> raw;
+  if (bytes.size() < raw.size()) throw std::invalid_argument("the file ends before its last element");
+  std::copy_n(bytes.begin(), raw.size(), raw.begin());
+  bytes.remove_prefix(raw.size());
+  if (swap) std::reverse(raw.begin(), raw.end());
+  return static_cast<double>(std::bit_cast<Number>(raw));
+}
+
+struct Type {
+  std::string_view name, other_name;
+  double (*read)(std::string_view& bytes, bool swap);  // takes a binary number off the front
+};
+
+constexpr std::array<Type, 8> types = {{{"char", "int8", read_number<std::int8_t>},
+                                        {"uchar", "uint8", read_number<std::uint8_t>},
+                                        {"short", "int16", read_number<std::int16_t>},
+                                        {"ushort", "uint16", read_number<std::uint16_t>},
+                                        {"int", "int32", read_number<std::int32_t>},
+                                        {"uint", "uint32", read_number<std::uint32_t>},
+                                        {"float", "float32", read_number<float>},
+                                        {"double", "float64", read_number<double>}}};
 
 struct Property {
   std::string_view name;
-  Scalar type;
-  std::optional<Scalar> count_type;  // of a list
+  const Type* type;
+  const Type* count_type;  // of a list, else null
 };
 
 struct Element {
@@ -34,20 +55,11 @@ struct Header {
   std::vector<Element> elements;
 };
 
-using ValueSource = std::function<double(Scalar)>;  // the file's next value; every type fits into a double
+using ValueSource = std::function<double(const Type&)>;  // the file's next value
 
-Scalar scalar_of(const TextLines& lines, std::size_t word) {
-  constexpr std::array<std::array<std::string_view, 2>, 8> names = {{{"char", "int8"},
-                                                                     {"uchar", "uint8"},
-                                                                     {"short", "int16"},
-                                                                     {"ushort", "uint16"},
-                                                                     {"int", "int32"},
-                                                                     {"uint", "uint32"},
-                                                                     {"float", "float32"},
-                                                                     {"double", "float64"}}};
-  for (std::size_t type = 0; type < names.size(); ++type)
-    if (lines.word(word) == names[type][0] || lines.word(word) == names[type][1])
-      return static_cast<Scalar>(type);
+const Type* type_of(const TextLines& lines, std::size_t word) {
+  for (const Type& type : types)
+    if (lines.word(word) == type.name || lines.word(word) == type.other_name) return &type;
   lines.fail(lines.quoted(word) + " is no PLY type");
 }
 
@@ -64,14 +76,14 @@ Header read_header(TextLines& lines) {
     if (key != "property") continue;
     if (header.elements.empty()) lines.fail("a property before the first element");
     if (lines.word(1) == "list")
-      header.elements.back().properties.push_back({lines.word(4), scalar_of(lines, 3), scalar_of(lines, 2)});
+      header.elements.back().properties.push_back({lines.word(4), type_of(lines, 3), type_of(lines, 2)});
     else
-      header.elements.back().properties.push_back({lines.word(2), scalar_of(lines, 1), std::nullopt});
+      header.elements.back().properties.push_back({lines.word(2), type_of(lines, 1), nullptr});
   }
 }
 
 ValueSource text_source(TextLines& lines) {
-  return [&lines, word = std::size_t{0}, words = std::size_t{0}](Scalar) mutable {
+  return [&lines, word = std::size_t{0}, words = std::size_t{0}](const Type&) mutable {
     if (word == words) {
       lines.need_next("its last element");
       word = 0, words = lines.word_count();
@@ -80,38 +92,9 @@ ValueSource text_source(TextLines& lines) {
   };
 }
 
-template <class Type>
-double read_scalar(std::string_view& bytes, bool swap) {
-  std::array<char, sizeof(Type)> raw;
-  if (bytes.size() < raw.size()) throw std::invalid_argument("the file ends before its last element");
-  std::copy_n(bytes.begin(), raw.size(), raw.begin());
-  bytes.remove_prefix(raw.size());
-  if (swap) std::reverse(raw.begin(), raw.end());
-  return static_cast<double>(std::bit_cast<Type>(raw));
-}
-
 ValueSource binary_source(std::string_view bytes, bool little_endian) {
-  return [bytes, swap = little_endian != (std::endian::native == std::endian::little)](Scalar type) mutable {
-    switch (type) {
-      case Scalar::int8:
-        return read_scalar<std::int8_t>(bytes, swap);
-      case Scalar::uint8:
-        return read_scalar<std::uint8_t>(bytes, swap);
-      case Scalar::int16:
-        return read_scalar<std::int16_t>(bytes, swap);
-      case Scalar::uint16:
-        return read_scalar<std::uint16_t>(bytes, swap);
-      case Scalar::int32:
-        return read_scalar<std::int32_t>(bytes, swap);
-      case Scalar::uint32:
-        return read_scalar<std::uint32_t>(bytes, swap);
-      case Scalar::float32:
-        return read_scalar<float>(bytes, swap);
-      case Scalar::float64:
-        return read_scalar<double>(bytes, swap);
-    }
-    return 0.0;
-  };
+  const bool swap = little_endian != (std::endian::native == std::endian::little);
+  return [bytes, swap](const Type& type) mutable { return type.read(bytes, swap); };
 }
 
 std::int64_t whole(double value) {
@@ -125,7 +108,7 @@ void read_property(const Property& property, const ValueSource& next, std::vecto
   values.clear();
   const std::int64_t count = property.count_type ? whole(next(*property.count_type)) : 1;
   if (count < 0) throw std::invalid_argument(fmt::format("a list of {} values", count));
-  for (std::int64_t i = 0; i < count; ++i) values.push_back(next(property.type));
+  for (std::int64_t i = 0; i < count; ++i) values.push_back(next(*property.type));
 }
 
 void read_element(const Element& element, const ValueSource& next, PolygonSoup& soup, PolygonList& polygons) {

@@ -2,8 +2,9 @@
 // follow the format, for text with the line. Indices and coordinates are not checked. Polygons are cut into
 // triangles, by cut_polygon.hpp.
 //
-// The formats are not read by CGAL: its readers return a bare "false" for bad indices and coordinates and,
-// compiled without assertions, crash on a PLY file with whole-number coordinates.
+// The formats are not read by CGAL (5.5). Its readers return a bare "false" for bad numbers and indices; take
+// "1.5" for the index 1; allocate what a header or a list says, without the data; crash on a PLY file whose
+// coordinates are whole numbers; and refuse STL in capitals, with quads, or of a solid named "facet".
 #pragma once
 
 #include <string_view>

@@ -37,7 +37,7 @@ def summaries(folder):
     for path in sorted(folder.glob("**/run.vtkhdf")):
         with h5py.File(path, "r") as file:
             facts = Facts(file)
-            config = json.loads(facts.config)
+            config = facts.config
             found.append((config["bending"]["model"], config["mesh"]["cells"], config["initial"]["seed"],
                           facts.id, facts.summary["mean_strain"]))
     return found
