@@ -4,7 +4,7 @@ import fig_performance_methods
 import fig_performance_overview
 import looks
 from charts_html import lines, number, series
-from fig_performance import KINDS, OVER_SIZE, PRECISION, SCALARS, at, per_vertex, usual
+from fig_performance import OVER_SIZE, PRECISION, SCALARS, at, kinds, label, per_vertex, usual
 
 NS = number("ns", "time per constraint and iteration", "ns",
             "median of the repetitions, from lowest to highest")
@@ -46,7 +46,7 @@ def _sizes(table, command):
             rows = table.get((name, scalar), [])
             if rows:
                 look = looks.of_place(place) | ({"hollow": True, "dash": "7 4"} if scalar == "double" else {})
-                some.append(_series(f"{KINDS[name][0]}, {PRECISION[scalar]}", look, rows,
+                some.append(_series(f"{label(name)}, {PRECISION[scalar]}", look, rows,
                                     [row["vertices"] for row in rows]))
     if not some:
         return None
@@ -59,7 +59,7 @@ def _sizes(table, command):
 def _kinds(table, command):
     """Points: what each kind costs, at the size that most have."""
     size = usual(table)
-    names = [name for name in KINDS if any(at(table, name, scalar, size) for scalar in SCALARS)]
+    names = [name for name in kinds(table) if any(at(table, name, scalar, size) for scalar in SCALARS)]
     some = []
     for scalar in SCALARS:
         rows = [(names.index(name), row) for name in names if (row := at(table, name, scalar, size))]
@@ -70,7 +70,7 @@ def _kinds(table, command):
         return None
     return lines("kinds", "What does each kind of constraint cost?", f"Cost on {size:,} vertices",
                  {"name": "kind", "label": "", "unit": "", "scale": "band",
-                  "categories": [KINDS[name][0] for name in names]}, [NS, PER_VERTEX], some, command,
+                  "categories": [label(name) for name in names]}, [NS, PER_VERTEX], some, command,
                  printed=["fig_performance_kinds.png"])
 
 
@@ -78,13 +78,13 @@ def _methods(table, command):
     """Curves: the cost of an iteration over the size of the cloth."""
     some = []
     for scalar in SCALARS:
-        for place, (name, (label, _)) in enumerate(fig_performance_methods.LINES.items()):
+        for name, (shown, drawn) in fig_performance_methods.lines(table).items():
             rows = table.get((name, scalar), [])
             if rows:
-                look = looks.of_place(place) | ({"hollow": True, "dash": "7 4"} if scalar == "double" else {})
+                look = looks.of_look(*drawn) | ({"hollow": True, "dash": "7 4"} if scalar == "double" else {})
                 vertices = [row["vertices"] for row in rows]
                 values = lambda time: {"vertex": [per_vertex(row, time) for row in rows]}
-                some.append(series(f"{label}, {PRECISION[scalar]}", look, vertices,
+                some.append(series(f"{shown}, {PRECISION[scalar]}", look, vertices,
                                    values("ns_per_constraint"), low=values("ns_lowest"),
                                    high=values("ns_highest")))
     if not some:

@@ -7,7 +7,8 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from load import MODEL_LABELS, Indices, Run, group, load_run
+import registry
+from load import Indices, Run, group, load_run
 from sweeps import file_in, point_key, settings_at
 
 
@@ -76,7 +77,7 @@ def _of_file(file, indices=None):
     """The sweep of a sweep file."""
     indices = indices or Indices(file.parent)
     told = json.loads(file.read_text(encoding="utf-8"))
-    MODEL_LABELS.update(told["models"])
+    registry.learn(told["models"], told.get("methods", {}))
     sweep = Sweep(told["experiment"], file, [], told["axes"],
                   told["settings"] | {"expect": told.get("expect", [])}, told["config"], told["overrides"])
     for number, entry in enumerate(told["runs"]):

@@ -89,7 +89,7 @@ def _curves(groups, out):
                 continue
             curves = np.array([run.metrics[metric][1:length] - offset for run in group])
             time = group[0].metrics["time"][1:length]
-            colour = style.MODEL_COLOURS[model]
+            colour = style.colour(model)
             panel.plot(time, np.median(curves, axis=0), label=f"{style.model_name(model)}, N = {n}",
                        color=colour, linestyle="-" if n == CELLS[-1] else "--")
             panel.fill_between(time, curves.min(axis=0), curves.max(axis=0), color=colour, alpha=0.15,

@@ -5,8 +5,9 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 import accuracy
+import registry
 import style
-from load import by_model, models
+from load import by_model
 from report import Section, Table, figure_main
 
 PAPER = "10 iterations, 1/60 s, k = 0.5"  # the paper's own setting
@@ -149,7 +150,7 @@ def _fronts(scenes, out):
         for run in paper:
             if np.isfinite(accuracy.error(run)):
                 row[0].scatter(accuracy.cost(run), 100 * accuracy.error(run), marker="*", s=110,
-                               color=style.MODEL_COLOURS[run.model], edgecolors=style.INK, linewidths=0.6,
+                               color=style.colour(run.model), edgecolors=style.INK, linewidths=0.6,
                                zorder=3)
         titles.append(f"{scene}: {message(stated, paper)}")
     for panel in axes[-1]:
@@ -175,7 +176,7 @@ def _basins(basins, out):
 def _legend(figure, panels, others=()):
     """Draws the legend below all panels: every model with a dot in one of them, then `others`."""
     found = {label: handle for panel in panels for handle, label in zip(*panel.get_legend_handles_labels())}
-    known = [found[name] for name in map(accuracy.name_of, models()) if name in found]
+    known = [found[name] for name in map(accuracy.name_of, registry.models()) if name in found]
     figure.legend(handles=[*known, *others], loc="upper center", bbox_to_anchor=(0.5, -0.01), ncol=7)
 
 
@@ -185,7 +186,7 @@ def _front(panel, stated, against):
         points = [(accuracy.cost(run), 100 * accuracy.error(run, against=against)) for run in some]
         points = [point for point in points if np.isfinite(point).all()]
         if points:
-            colour = style.MODEL_COLOURS[model]
+            colour = style.colour(model)
             panel.scatter(*zip(*points), s=17, marker=style.marker(model),
                           color=["white" if error < 100 * gap else colour for _, error in points],
                           edgecolors=colour, linewidths=0.8)

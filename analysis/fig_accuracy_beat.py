@@ -120,24 +120,24 @@ def _picture(rest, paper, line, star, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.8), layout="constrained")
     for model, some in by_model(rest).items():
         axes.scatter([accuracy.cost(run) for run in some], [100 * accuracy.error(run) for run in some], s=16,
-                     marker=style.marker(model), color=style.MODEL_COLOURS[model],
+                     marker=style.marker(model), color=style.colour(model),
                      label=accuracy.name_of(model), linewidths=0)
     best = accuracy.front(rest)
     axes.step(*_places(best), where="post", color=style.INK, linewidth=1, zorder=0)
-    axes.plot(*_places(line), "--", color=style.MODEL_COLOURS["adaptive"], linewidth=1, zorder=1)
+    axes.plot(*_places(line), "--", color=style.colour("adaptive"), linewidth=1, zorder=1)
     for run in {cells(run): run for run in best[::-1]}.values():  # the cheapest of each mesh
         _number(axes, run, (-12, -3))
     for run in line:
         _number(axes, run, (6, 6) if cells(run) > 8 else (-10, -10))
     for run in [*line, *(run for run in paper if run is not star)]:
-        axes.scatter(*_places([run]), marker="*", s=130, color=style.MODEL_COLOURS[run.model],
+        axes.scatter(*_places([run]), marker="*", s=130, color=style.colour(run.model),
                      edgecolors=style.INK, linewidths=0.6, zorder=3)
     axes.axhline(100 * accuracy.error(star), color=style.GREY, linewidth=0.7, linestyle=":")
     axes.axvline(accuracy.cost(star), color=style.GREY, linewidth=0.7, linestyle=":")
     axes.set_xscale("log"), axes.set_yscale("log")
     axes.set_xlabel("CPU time per frame of 1/60 s (ms)"), axes.set_ylabel(
         "distance from the stated cloth (% of size)")
-    stars = [Line2D([], [], marker="*", markersize=10, color=style.MODEL_COLOURS[run.model],
+    stars = [Line2D([], [], marker="*", markersize=10, color=style.colour(run.model),
                     markeredgecolor=style.INK, markeredgewidth=0.6, linestyle="--" if run is star else "",
                     linewidth=1,
                     label="the paper's "

@@ -4,13 +4,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import accuracy
+import registry
 import style
 from load import group
 from report import Section, Table, figure_main
 
-LOOKS = {"pbd": ("#d55e00", "o"), "pbd, levels": ("#e69f00", "X"), "quasi_newton": ("#0072b2", "s"),
-         "quasi_newton, membrane auto": ("#56b4e9", "D"), "newton": ("#009e73", "^"),
-         "newton, euler": ("#8a4b08", "v"), "vbd": ("#cc79a7", "P")}
 PAPER = (1, 10)  # substeps, iterations
 REST = ("methods_slow", "methods_96_slow", "methods_192_slow")
 
@@ -70,11 +68,19 @@ def kind_of(run):
         return f"{method}, membrane auto"
     if run.get("/solver/levels"):
         return f"{method}, levels"
-    return f"{method}, euler" if run.get("/solver/integrator") == "euler" and method == "newton" else method
+    by_euler = run.get("/solver/integrator") == "euler" != registry.usual(method, "integrator")
+    return f"{method}, euler" if by_euler else method
+
+
+def look_of(kind):
+    """(colour, mark) of a kind of runs."""
+    method, *more = kind.split(", ")
+    return style.method_look(method, len(more))
 
 
 def _by_kind(runs):
-    return sorted(group(runs, kind_of).items(), key=lambda each: list(LOOKS).index(each[0]))
+    return sorted(group(runs, kind_of).items(),
+                  key=lambda each: (registry.method_place(each[0].split(", ")[0]), each[0]))
 
 
 def _error(run):
@@ -110,7 +116,7 @@ def _fronts(runs, out, name, of_panel, ylabel, title):
                                   layout="constrained", sharey=True, squeeze=False)
     for axes, (panel, of_size) in zip(panels[0], panels_of):
         for kind, some in _by_kind(of_size):
-            colour, mark = LOOKS[kind]
+            colour, mark = look_of(kind)
             axes.scatter([accuracy.cost(run) for run in some], [100 * _error(run) for run in some], s=16,
                          color=colour, marker=mark, zorder=2)
             best = accuracy.front(some, against="solver")

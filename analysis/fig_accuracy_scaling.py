@@ -92,7 +92,7 @@ def known(run):
 def _motion(runs, out):
     figure, axes = plt.subplots(figsize=(8.4, 4.4), layout="constrained")
     for model, some in by_model(runs).items():
-        colour = style.MODEL_COLOURS[model]
+        colour = style.colour(model)
         axes.scatter([accuracy.cost(run) for run in some],
                      [100 * accuracy.error(run, against="solver") for run in some], s=18,
                      marker=style.marker(model), edgecolors=colour, zorder=2,

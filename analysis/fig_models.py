@@ -8,7 +8,7 @@ from load import group, summary_spread, typical_run
 from report import Section, Table, figure_main
 from sweeps import load_experiment
 
-SCREEN = (14, 7.4)  # inches of 100 pixels
+SCREEN = (14, 7.4)  # inches of 100 pixels; twelve models fill it
 HOLDS, TORN = 0.1, 1  # mean strain; below HOLDS a sheet is cloth, above TORN it is more than twice as long
 PASSES = [("strain", style.SEQUENCE[5]), ("bending", style.SEQUENCE[1]), ("rest", style.SEQUENCE[6])]
 
@@ -75,7 +75,8 @@ def _grid(experiment):
 def _sheet(experiment, out):
     """One column per model: the cloth with each number of substeps, and below it what a step costs."""
     substeps, models, runs = _grid(experiment)
-    figure, axes = plt.subplots(len(substeps) + 1, len(models), figsize=SCREEN, layout="constrained",
+    size = SCREEN[0] * max(1, len(models) / 12), SCREEN[1]
+    figure, axes = plt.subplots(len(substeps) + 1, len(models), figsize=size, layout="constrained",
                                 squeeze=False, height_ratios=[1] * len(substeps) + [0.62])
     for row, s in zip(axes, substeps):
         _cloths(row, [runs.get((model, s), []) for model in models])

@@ -4,20 +4,15 @@ from collections import Counter
 import matplotlib.pyplot as plt
 import numpy as np
 
+import registry
 import style
 from report import Section, Table
 
-# The constraints that are timed: in rows → name and colour on the page.
+# The constraints of the membrane: in rows → name and colour on the page.
 STRAIN = {"strain": ("strain triangles", style.INK),
           "strain_angle": ("strain triangles, shear as an angle", style.GREY)}
-BENDING = {"crossover": ("crossover springs", style.MODEL_COLOURS["crossover"]),
-           "dense": ("adaptive springs", style.MODEL_COLOURS["adaptive"]),
-           "dihedral": ("dihedral hinges", style.MODEL_COLOURS["dihedral"]),
-           "bridson": ("bridson hinges", style.MODEL_COLOURS["bridson"]),
-           "isometric": ("isometric hinges", style.MODEL_COLOURS["isometric"]),
-           "choi_ko": ("choi_ko springs", style.MODEL_COLOURS["choi_ko"]),
-           "choi_ko_compliance": ("choi_ko springs with compliance", style.MODEL_COLOURS["choi_ko"])}
-KINDS = STRAIN | BENDING
+# Those of bending have the names of their models, but for these: in rows → model, what else is said of it.
+RENAMED = {"dense": ("adaptive", ""), "choi_ko_compliance": ("choi_ko", " with compliance")}
 PRECISION = {"float": "single", "double": "double"}
 SCALARS = {"float": dict(ls="-", marker="o"), "double": dict(ls="--", marker="s", mfc="white")}
 ORACLES = {"float": dict(marker="x", mew=1.8), "double": dict(marker="+", mew=1.2)}
@@ -40,6 +35,36 @@ def series(rows):
     return {key: sorted(some, key=lambda row: row["vertices"]) for key, some in found.items()}
 
 
+def model_of(name):
+    """The bending model whose constraints rows of this name time; None for other rows."""
+    model, _ = RENAMED.get(name, (name, ""))
+    return model if model in registry.models() else None
+
+
+def label(name):
+    """The name of a kind of constraint on the page."""
+    if name in STRAIN:
+        return STRAIN[name][0]
+    model, more = RENAMED.get(name, (name, ""))
+    return f"{model} {'hinges' if registry.made_of(model) == 'hinges' else 'springs'}{more}"
+
+
+def colour(name):
+    """The colour of a kind of constraint."""
+    return STRAIN[name][1] if name in STRAIN else style.colour(model_of(name))
+
+
+def bending(table):
+    """The kinds of bending constraints that are timed, in the order of the rows."""
+    return list(dict.fromkeys(name for name, _ in table if model_of(name)))
+
+
+def kinds(table):
+    """All kinds of constraints that are timed, those of the membrane first."""
+    return [*(name for name in STRAIN if any((name, scalar) in table for scalar in PRECISION)),
+            *bending(table)]
+
+
 def at(table, name, scalar, vertices):
     """The row of a kind at a size, None if there is none."""
     return next((row for row in table.get((name, scalar), []) if row["vertices"] == vertices), None)
@@ -47,7 +72,8 @@ def at(table, name, scalar, vertices):
 
 def usual(table):
     """The number of vertices at which most kinds of constraints are timed; None without any."""
-    sizes = Counter(row["vertices"] for (name, _), rows in table.items() if name in KINDS for row in rows)
+    timed = kinds(table)
+    sizes = Counter(row["vertices"] for (name, _), rows in table.items() if name in timed for row in rows)
     return max(sizes, key=lambda size: (sizes[size], -size), default=None)
 
 
@@ -67,7 +93,7 @@ def iterations(rows):
 def lacking(table, names):
     """A line for each precision in which kinds have no row at all."""
     return [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar in SCALARS
-            if (absent := [KINDS[name][0] for name in names if (name, scalar) not in table])]
+            if (absent := [label(name) for name in names if (name, scalar) not in table])]
 
 
 def part(value):
@@ -108,7 +134,7 @@ def main(bench, out):
                                  "apart."))
         section.tables.append(Table("Cost over size: ns per constraint and iteration",
                                     ["constraint", *COLUMNS, "times as fast as the oracle"],
-                                    [[KINDS[name][0], *columns(row), style.number(row["ratio_to_oracle"])]
+                                    [[label(name), *columns(row), style.number(row["ratio_to_oracle"])]
                                      for name, row in rows]))
     return section
 
@@ -117,7 +143,7 @@ def title(table):
     """How the cost grows from the usual cloth to the largest, over the constraints that are timed on both."""
     size, rows = usual(table), {name: table.get((name, "float"), []) for name in OVER_SIZE}
     largest = max((row["vertices"] for some in rows.values() for row in some), default=0)
-    grown = {KINDS[name][0]: some[-1]["ns_per_constraint"] / first["ns_per_constraint"]
+    grown = {label(name): some[-1]["ns_per_constraint"] / first["ns_per_constraint"]
              for name, some in rows.items() if (first := at(table, name, "float", size))
              and some[-1]["vertices"] == largest > size}
     if not grown:
@@ -131,12 +157,12 @@ def _draw(table, out):
     figure, axes = plt.subplots(figsize=(8.6, 4.6), layout="constrained")
     for name in OVER_SIZE:
         for scalar, look in SCALARS.items():
-            line(axes, table.get((name, scalar), []), lambda row, time: row[time], color=KINDS[name][1],
-                 **look, label=f"{KINDS[name][0]}, {PRECISION[scalar]}")
+            line(axes, table.get((name, scalar), []), lambda row, time: row[time], color=colour(name),
+                 **look, label=f"{label(name)}, {PRECISION[scalar]}")
     for scalar, look in ORACLES.items():
         for name, shift in OVER_SIZE.items():
             for row in table.get((f"{name}_oracle", scalar), []):
-                axes.plot(shift * row["vertices"], row["ns_per_constraint"], color=KINDS[name][1], ms=7,
+                axes.plot(shift * row["vertices"], row["ns_per_constraint"], color=colour(name), ms=7,
                           **look)
         axes.plot([], [], ls="none", color=style.GREY, **look,
                   label=f"oracle of the same colour, {PRECISION[scalar]}")

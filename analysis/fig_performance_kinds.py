@@ -1,20 +1,14 @@
 """What every kind of constraint costs, per constraint and per vertex."""
 import matplotlib.pyplot as plt
 
+import registry
 import style
-from fig_performance import (BENDING, COLUMNS, KINDS, PRECISION, columns, lacking, per_vertex, series, to,
-                             usual)
+from fig_performance import (COLUMNS, PRECISION, STRAIN, bending, columns, kinds, label, lacking, model_of,
+                             per_vertex, series, to, usual)
 from report import Section, Table
 
-COLOURS = {"float": style.MODEL_COLOURS["adaptive"], "double": style.MODEL_COLOURS["crossover"]}
+COLOURS = dict(zip(PRECISION, style.SEQUENCE))
 MARKERS = "oDsv^P"
-SAME = ("Springs of k_ring, lod, sparse_lod and prestressed are projected like adaptive ones, "
-        "discrete_shells like dihedral hinges.")
-
-
-def kinds_of(table):
-    """The kinds of constraints that are timed."""
-    return [name for name in KINDS if any((name, scalar) in table for scalar in COLOURS)]
 
 
 def sizes(table, name, scalar):
@@ -25,11 +19,15 @@ def sizes(table, name, scalar):
 
 def main(bench, out):
     table = series(bench["rows"])
-    section = Section("What does each kind of constraint cost?", "kinds", missing=lacking(table, KINDS),
-                      commands=[f"./bendlab bench --filter '^({'|'.join(KINDS)})/'"])
+    section = Section("What does each kind of constraint cost?", "kinds",
+                      missing=lacking(table, kinds(table)),
+                      commands=[f"./bendlab bench --filter '^({'|'.join(kinds(table) or STRAIN)})/'"])
+    if not bending(table):
+        section.missing.append("any kind of bending constraint")
     section.text = ("Models differ in what one constraint costs, and in how many they have. So the cost "
-                    "stands twice here: per constraint, and per vertex. " + SAME + springs_text(table))
-    if kinds_of(table):
+                    "stands twice here: per constraint, and per vertex. " + same_text(table)
+                    + springs_text(table))
+    if kinds(table):
         section.pictures.append((_draw(table, out), "Time of one iteration. Full marks: the size that all "
                                  "kinds have in common; hollow ones: the largest cloth of the kind. Bars: "
                                  "lowest to highest."))
@@ -49,15 +47,24 @@ def _draw(table, out):
     return style.save(figure, out, "fig_performance_kinds")
 
 
+def same_text(table):
+    """Which models have no row of their own, because their constraints are those of another one."""
+    timed = {model_of(name) for name in bending(table)}
+    springs = [model for model in registry.models() if registry.made_of(model) == "springs"
+               and model not in timed]
+    return (f"Springs of {', '.join(springs)} are projected like adaptive ones, discrete_shells like "
+            "dihedral hinges.")
+
+
 def panels(table):
     """Two panels with a line for every kind of constraint."""
-    return plt.subplots(1, 2, figsize=(11.2, 1.5 + 0.36 * len(kinds_of(table))), layout="constrained",
+    return plt.subplots(1, 2, figsize=(11.2, 1.5 + 0.36 * len(kinds(table))), layout="constrained",
                         sharey=True)
 
 
 def dots(axes, table, value):
     """A line of dots per kind: colours are precisions, marks sizes. `value(row, time)` may be None."""
-    names = kinds_of(table)
+    names = kinds(table)
     shown = [(y, row) for y, name in enumerate(names) for scalar in COLOURS
              for row in sizes(table, name, scalar) if value(row, "ns_per_constraint")]
     marks = dict(zip(sorted({row["vertices"] for _, row in shown}), MARKERS))
@@ -72,7 +79,7 @@ def dots(axes, table, value):
         for size in marks:
             if any(row["scalar"] == scalar and row["vertices"] == size for _, row in shown):
                 axes.plot([], [], **mark(scalar, size), label=f"{PRECISION[scalar]}, {size:,} vertices")
-    axes.set_yticks(range(len(names)), labels=[KINDS[name][0] for name in names])
+    axes.set_yticks(range(len(names)), labels=[label(name) for name in names])
     axes.set_ylim(len(names) - 0.5, -0.5)
 
 
@@ -90,7 +97,7 @@ def at_usual(table, names, scalar="float"):
 
 
 def title(table):
-    rows = at_usual(table, BENDING)
+    rows = at_usual(table, bending(table))
     if len(rows) < 2:
         return "Time per constraint and per vertex"
     return (f"A bending constraint costs {to([row['ns_per_constraint'] for row in rows])} ns; all "
@@ -99,8 +106,8 @@ def title(table):
 
 
 def _table(table):
-    rows = [[KINDS[name][0], *columns(row), style.number(row["constraints"] / row["vertices"]),
+    rows = [[label(name), *columns(row), style.number(row["constraints"] / row["vertices"]),
              style.number(per_vertex(row))]
-            for name in KINDS for scalar in COLOURS for row in sizes(table, name, scalar)]
+            for name in kinds(table) for scalar in COLOURS for row in sizes(table, name, scalar)]
     return Table("Kinds of constraints: ns per constraint and iteration",
                  ["constraint", *COLUMNS, "constraints per vertex", "ns per vertex"], rows)

@@ -1,6 +1,6 @@
 """How fast the kernels are, compared with plain code and with the least time that the machine allows."""
 import style
-from fig_performance import COLUMNS, KINDS, columns, part, series, to, usual
+from fig_performance import COLUMNS, STRAIN, columns, kinds, label, part, series, to, usual
 from fig_performance_kinds import COLOURS, at_usual, dots, panels, sizes
 from report import Section, Table
 
@@ -8,12 +8,13 @@ from report import Section, Table
 def main(bench, out):
     table = series(bench["rows"])
     section = Section("How near is that to what the machine can do?", "limits",
-                      commands=[f"./bendlab bench --filter '^({'|'.join(KINDS)})/'"])
+                      commands=[f"./bendlab bench --filter '^({'|'.join(kinds(table) or STRAIN)})/'"])
     section.text = ("Two comparisons. The oracle is plain scalar code: one constraint at a time, straight "
                     "from the formulas. The roofline is the least time that arithmetic, caches and memory of "
                     "this machine allow; at 100 % of it the code would be as fast as the machine can be.")
-    compared = [name for name in KINDS if any(row["ratio_to_oracle"] or row["roofline_fraction"]
-                                              for scalar in COLOURS for row in table.get((name, scalar), []))]
+    compared = [name for name in kinds(table)
+                if any(row["ratio_to_oracle"] or row["roofline_fraction"]
+                       for scalar in COLOURS for row in table.get((name, scalar), []))]
     if compared:
         section.pictures.append((_draw(table, out), "Left: speed compared with the oracle, which is timed at "
                                  f"{usual(table):,} vertices only. Right: least possible time over "
@@ -39,7 +40,7 @@ def _draw(table, out):
 
 def title(table):
     """The range over the kinds at the usual size."""
-    rows = at_usual(table, KINDS)
+    rows = at_usual(table, kinds(table))
     faster = [row["ratio_to_oracle"] for row in rows if row["ratio_to_oracle"]]
     share = [100 * row["roofline_fraction"] for row in rows if row["roofline_fraction"]]
     if not faster or not share:
@@ -49,8 +50,8 @@ def title(table):
 
 
 def _table(table):
-    rows = [[KINDS[name][0], *columns(row), style.number(row["ratio_to_oracle"]),
+    rows = [[label(name), *columns(row), style.number(row["ratio_to_oracle"]),
              part(row["roofline_fraction"])]
-            for name in KINDS for scalar in COLOURS for row in sizes(table, name, scalar)]
+            for name in kinds(table) for scalar in COLOURS for row in sizes(table, name, scalar)]
     return Table("Compared with the oracle and the roofline: ns per constraint and iteration",
                  ["constraint", *COLUMNS, "times as fast as the oracle", "share of the roofline"], rows)

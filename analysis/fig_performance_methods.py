@@ -1,19 +1,23 @@
 """What an iteration of each solver method costs, and what one of quasi_newton consists of."""
 import matplotlib.pyplot as plt
 
+import registry
 import style
 from fig_performance import COLUMNS, PRECISION, SCALARS, columns, line, part, per_vertex, series
 from report import Section, Table
 
-# In rows → name on the page, colour.
-METHODS = {"method/pbd": ("pbd", style.INK), "method/quasi_newton": ("quasi_newton", style.SEQUENCE[0]),
-           "method/newton": ("newton", style.SEQUENCE[1]), "method/vbd": ("vbd", style.SEQUENCE[3])}
-PARTS = {"gradient": ("gradient of quasi_newton", style.SEQUENCE[2]),
-         "solve": ("solve of quasi_newton", style.SEQUENCE[4])}
-ORACLES = {"gradient_oracle": ("oracle of the gradient", style.SEQUENCE[2]),
-           "solve_oracle": ("CHOLMOD's own solve", style.SEQUENCE[4])}
-LINES = METHODS | PARTS
-ALL = LINES | ORACLES
+# What quasi_newton consists of: in rows → name on the page, (colour, mark); and what that is compared with.
+PARTS = {"gradient": ("gradient of quasi_newton", style.method_look("quasi_newton", 1)),
+         "solve": ("solve of quasi_newton", (style.GREY, "v"))}
+ORACLES = {"gradient_oracle": "oracle of the gradient", "solve_oracle": "CHOLMOD's own solve"}
+STEP = "method/"  # rows of whole steps begin so; the method's name follows
+
+
+def lines(table):
+    """The same as PARTS, of every method that is timed and of the parts."""
+    methods = sorted({name.removeprefix(STEP) for name, _ in table if name.startswith(STEP)},
+                     key=registry.method_place)
+    return {STEP + name: (name, style.method_look(name)) for name in methods} | PARTS
 
 
 def main(bench, out):
@@ -25,7 +29,7 @@ def main(bench, out):
                     "and solves with a factor that it keeps (quasi_newton), factorises (newton), or visits "
                     "every vertex (vbd). How far it brings the cloth is another question: the page of "
                     "accuracy compares errors over time. The gradient and the solve also stand alone.")
-    if any((name, scalar) in table for name in LINES for scalar in SCALARS):
+    if any((name, scalar) in table for name in lines(table) for scalar in SCALARS):
         section.pictures.append((_draw(table, out), "Marks: medians; bars: lowest to highest. Time of a "
                                  "whole step over its iterations; gradient and solve alone."))
         section.tables.append(_table(bench["rows"], table))
@@ -34,9 +38,11 @@ def main(bench, out):
 
 def missing(table):
     """A line for each precision that lacks rows."""
-    expected = {"float": ["method/pbd", "method/quasi_newton", *PARTS], "double": [*LINES, *ORACLES]}
-    return [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar, names in expected.items()
-            if (absent := [ALL[name][0] for name in names if (name, scalar) not in table])]
+    parts = {name: label for name, (label, _) in PARTS.items()}
+    expected = {"float": parts, "double": parts | ORACLES}
+    lacking = [f"{PRECISION[scalar]} precision: {', '.join(absent)}" for scalar, named in expected.items()
+               if (absent := [label for name, label in named.items() if (name, scalar) not in table])]
+    return lacking + ["whole steps"] * (lines(table) == PARTS)
 
 
 def title(table):
@@ -54,7 +60,7 @@ def title(table):
 
 def _draw(table, out):
     figure, axes = plt.subplots(figsize=(8.6, 5), layout="constrained")
-    for name, (label, colour) in LINES.items():
+    for name, (label, (colour, _)) in lines(table).items():
         for scalar, look in SCALARS.items():
             line(axes, table.get((name, scalar), []), per_vertex, color=colour, **look,
                  label=f"{label}, {PRECISION[scalar]}")
@@ -68,12 +74,13 @@ def _draw(table, out):
 
 
 def _table(rows, table):
-    lines = [[ALL[name][0], *columns(row), style.number(per_vertex(row)), threads_gain(rows, row),
+    named = {name: label for name, (label, _) in lines(table).items()} | ORACLES
+    cells = [[label, *columns(row), style.number(per_vertex(row)), threads_gain(rows, row),
               style.number(row["ratio_to_oracle"]), part(row["roofline_fraction"])]
-             for name in ALL for scalar in SCALARS for row in table.get((name, scalar), [])]
+             for name, label in named.items() for scalar in SCALARS for row in table.get((name, scalar), [])]
     return Table("Methods: ns per vertex and iteration; gradients: per constraint",
                  ["method", *COLUMNS, "ns per vertex", "times as fast on two threads",
-                  "times as fast as the oracle", "share of the roofline"], lines)
+                  "times as fast as the oracle", "share of the roofline"], cells)
 
 
 def threads_gain(rows, row):

@@ -5,11 +5,10 @@ from dataclasses import dataclass
 import matplotlib.pyplot as plt
 
 import style
-from fig_performance import KINDS, STRAIN, at, iterations, kind, per_vertex, series
+from fig_performance import STRAIN, at, iterations, kind, kinds, label, per_vertex, series
 from report import Section
 
-GROUPS = {"strain": style.INK, "bending": style.MODEL_COLOURS["crossover"],
-          "effects": style.MODEL_COLOURS["adaptive"]}
+GROUPS = {"strain": style.INK, "bending": style.SEQUENCE[1], "effects": style.SEQUENCE[0]}
 
 
 @dataclass
@@ -28,8 +27,8 @@ def parts(rows):
     if not step:
         return []
     size = step["vertices"]
-    found = [Part("strain" if name in STRAIN else "bending", KINDS[name][0], rounds * per_vertex(row))
-             for name in KINDS if (row := at(table, name, "float", size))]
+    found = [Part("strain" if name in STRAIN else "bending", label(name), rounds * per_vertex(row))
+             for name in kinds(table) if (row := at(table, name, "float", size))]
     for (name, scalar), some in table.items():
         if name.startswith("effect/") and scalar == "float":
             near = min(some, key=lambda row: abs(math.log(row["vertices"] / size)))
@@ -63,7 +62,7 @@ def answer(rows):
     text = (f"One step with {iterations(rows)} iterations of a cloth with {step['vertices']:,} vertices and "
             f"crossover springs takes {style.number(step['step_ms'], 2)} ms on one thread. That is "
             f"{style.number(all_of_it)} ns for each vertex")
-    names = [KINDS[name][0] for name in ("strain", "crossover")]
+    names = [label(name) for name in ("strain", "crossover")]
     if all(name in found for name in names):
         text += (f": {style.number(found[names[0]])} ns for the strain of the triangles and "
                  f"{style.number(found[names[1]])} ns for the springs")
@@ -86,8 +85,8 @@ def _draw(found, rows, out):
         axes.annotate(style.number(part.ns, 2), (part.ns, y), xytext=(8, 0), textcoords="offset points",
                       va="center", fontsize=8.5)
     axes.set_yticks(range(len(found)), labels=[part.name for part in found])
-    for label, part in zip(axes.get_yticklabels(), found):
-        label.set_color(GROUPS[part.group])
+    for tick, part in zip(axes.get_yticklabels(), found):
+        tick.set_color(GROUPS[part.group])
     axes.set_ylim(len(found) - 0.5, -0.5)
     style.plain_log(axes, "x")
     axes.set_xlim(right=2.2 * axes.get_xlim()[1])  # room for the last number
@@ -102,7 +101,7 @@ def _draw(found, rows, out):
 
 def title(found):
     """The dearest and the cheapest bending, and the dearest effect, over strain."""
-    strain = next((part.ns for part in found if part.name == KINDS["strain"][0]), None)
+    strain = next((part.ns for part in found if part.name == label("strain")), None)
     bending = [part for part in found if part.group == "bending"]
     effects = [part for part in found if part.group == "effects"]
     text = []

@@ -5,7 +5,7 @@ import style
 from fig_performance import PRECISION, kind
 from report import Section, Table
 
-COLOURS = {"float": style.MODEL_COLOURS["adaptive"], "double": style.MODEL_COLOURS["crossover"]}
+COLOURS = dict(zip(PRECISION, style.SEQUENCE))
 
 
 def main(bench, out):

@@ -6,6 +6,7 @@ from collections import Counter
 import matplotlib.pyplot as plt
 import numpy as np
 
+import registry
 import style
 from load import group
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, TOLD, TWINS, judge
@@ -18,10 +19,9 @@ NAMES = {SILENT: "wrong without a warning", TOLD: "wrong with a warning",
 WRONG = (SILENT, TOLD)
 MODELS_PICTURE = "fig_plain_models.png"  # for papers and the start page; the page has its matrix as HTML
 MIXED = ("metres", "millimetres", "methods")  # covering arrays: their values are mixed evenly
-ORDER = {"method": ["pbd", "quasi_newton", "quasi_newton, bdf2", "newton", "newton, euler", "vbd"],
-         "mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
+PLACE = {"model": registry.model_place, "method": lambda name: registry.method_place(name.split(", ")[0])}
+ORDER = {"mesh": ["grid, same", "grid, alternating", "grid, both", "equilateral, parallel",
                   "equilateral, perpendicular", "delaunay", "disc", "tube", "sphere"],
-         "model": list(style.MODEL_COLOURS),  # not what files tell: a page is laid out without runs, too
          "pins": ["none", "centre", "circle", "interior", "a corner", "corners", "an edge"],
          "height / width": ["0.25", "1", "4"],
          "start": ["flat", "tilted, thrown", "hanging, pushed", "turning"],
@@ -103,9 +103,8 @@ def same_stiffness(run):
     and a config has one number for both: it is right for one kind only."""
     if run.get("/bending/stiffness") != "compliance" or run.model == "none":
         return True
-    springs = run.get("/bending/compliance") * run.get("/mesh/scale") ** 2 < 1
-    return springs == (run.model in ("crossover", "k_ring", "adaptive", "lod", "sparse_lod",
-                                     "prestressed")) and run.model != "choi_ko"
+    for_springs = run.get("/bending/compliance") * run.get("/mesh/scale") ** 2 < 1
+    return registry.made_of(run.model) == ("springs" if for_springs else "hinges")
 
 
 def count(judged, verdict):
@@ -123,14 +122,16 @@ def _caption(judged):
 
 
 def values_of(judged, axis):
-    """The values of an axis in the runs, in the order of ORDER."""
+    """The values of an axis in the runs, in order."""
     return in_order(axis, {one.settings[axis] for one in judged})
 
 
 def in_order(axis, values):
-    """These values of an axis in the order of ORDER, and others after them."""
+    """These values of an axis: models and methods as the program lists them, others in the order of ORDER and
+    those that it lacks after them."""
     known = ORDER.get(axis, [])
-    return sorted(sorted(values), key=lambda value: known.index(value) if value in known else len(known))
+    place = PLACE.get(axis, lambda value: known.index(value) if value in known else len(known))
+    return sorted(sorted(values), key=place)
 
 
 def _shares(judged, out):

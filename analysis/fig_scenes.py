@@ -10,7 +10,7 @@ import render
 import style
 from load import group
 from report import Section, Table, figure_main
-from sweeps import CONFIGS, load_experiment
+from sweeps import load_experiment
 
 
 @dataclass(frozen=True)
@@ -35,7 +35,6 @@ SCENES = {
 LOOKS = 40  # frames at which a run's distance from its obstacles is measured
 ASPECT, WIDTH = 1.15, 460  # of a picture; pixels
 DPI = 125  # keeps the sheet below 900 kB
-FOLDER = CONFIGS / "scenes"  # mesh files are relative to it
 
 
 def main(results, out):
@@ -66,14 +65,14 @@ def clearance(run, frames):
         positions = run.positions(frame)
         centres = [positions[corners].mean(axis=1) for corners in (edges, triangles)]
         points = np.concatenate([positions, *centres])
-        least = min(least, obstacles.clearance(run.config, run.metrics["time"][frame], points, FOLDER))
+        least = min(least, obstacles.clearance(run, run.metrics["time"][frame], points))
     return least
 
 
 def view_of(samples, view):
     """The camera for the samples (run, frame) of a scene: frames cloths and obstacles."""
     run, frame = samples[0]
-    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)[0]
+    solid = obstacles.surfaces(run, run.metrics["time"][frame])[0]
     cloths = [run.positions(frame) for run, frame in samples]
     middle = np.concatenate([np.median(cloths, axis=0), solid]).mean(axis=0)
     camera = render.camera_for([*cloths, solid], middle, run.size, azimuth=view.azimuth,
@@ -86,7 +85,7 @@ def view_of(samples, view):
 
 def picture(run, frame, camera, view, width=WIDTH):
     """(h, w, 3) image of a frame and its obstacles."""
-    solid = obstacles.surfaces(run.config, run.metrics["time"][frame], run.size, FOLDER)
+    solid = obstacles.surfaces(run, run.metrics["time"][frame])
     colours = np.tile(view.colour, (len(run.triangles), 1))
     return render.render(run.positions(frame), run.triangles, colours, camera, width, mesh_lines=False,
                          obstacles=solid)

@@ -8,9 +8,10 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Patch
 
+import registry
 import render
 import style
-from load import group, models
+from load import group
 from report import Section, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, MOVES_LIMITED, RED, SECTIONS, judge
 from stability_reasons import explain
@@ -105,11 +106,12 @@ def alike_text(alike):
 def _matrix(cells, out):
     """Draws a row for each case that tells runs apart, and below each section how many are folded away."""
     places, notes, heads, height = _rows(cells)
+    models = sorted({cell.model for cell in cells.values()}, key=registry.model_place)
     figure, axes = plt.subplots(figsize=(9.3, ROW * height + 1.2), layout="constrained")
     halves, colours = [], []
     for place, case in places:
         axes.text(-0.15, place + 0.5, case.title, ha="right", va="center", fontsize=8)
-        for (column, model), precision in itertools.product(enumerate(models()), PRECISIONS):
+        for (column, model), precision in itertools.product(enumerate(models), PRECISIONS):
             cell = cells.get((case.name, model, precision))
             halves.append(_half(column, place, precision))
             colours.append(COLOURS[cell.verdict] if cell else MISSING)
@@ -120,7 +122,7 @@ def _matrix(cells, out):
         axes.text(-0.15, place + 0.5, title, ha="right", va="center", fontsize=8.6, fontweight="bold")
     for place, note in notes:
         axes.text(0.04, place + 0.5, note, va="center", fontsize=8, color=style.GREY)
-    _label_matrix(axes, height)
+    _label_matrix(axes, models, height)
     return style.save(figure, out, "fig_stability")
 
 
@@ -139,10 +141,10 @@ def _rows(cells):
     return places, notes, heads, y
 
 
-def _label_matrix(axes, height):
+def _label_matrix(axes, models, height):
     """Names the columns and the colours."""
-    axes.set_xlim(0, len(models())), axes.set_ylim(height, -0.1)
-    axes.set_xticks(np.arange(len(models())) + 0.5, [style.model_name(model) for model in models()],
+    axes.set_xlim(0, len(models)), axes.set_ylim(height, -0.1)
+    axes.set_xticks(np.arange(len(models)) + 0.5, [style.model_name(model) for model in models],
                     rotation=35, ha="left")
     axes.xaxis.tick_top()
     axes.tick_params(length=0)

@@ -14,7 +14,6 @@ CAP = 160.0  # degrees; a triangle with a larger angle is a cap
 STRETCHED = 1.0  # stretch - 1; above it a triangle's strain has failed: more than twice its length at rest
 NEAR = 2  # rings around the pinned vertices; triangles within are followed
 MODELS = ["none", "crossover", "dihedral"]
-LOOKS = {"none": ":", "crossover": "-", "dihedral": "--"}
 
 
 @dataclass

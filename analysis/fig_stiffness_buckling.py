@@ -3,6 +3,7 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
+import registry
 import strips
 import style
 from load import group
@@ -12,9 +13,9 @@ from report import Check, Section, figure_main
 # converged to 0.1 %. A lattice of hinges has Poisson's ratio ν = -1/3. Springs in all directions have ν =
 # 1/3, as central forces do: their energy
 # is proportional to the mean square of the curvature along them, 3/8 (κ₁² + κ₂² + 2/3 κ₁ κ₂).
-CRITICAL = {"discrete_shells": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39},
-            "prestressed": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
-POISSON = {"discrete_shells": "−1/3", "prestressed": "1/3"}
+CRITICAL = {"hinges": {0.1: 20.92, 0.2: 22.16, 0.3: 23.49, 0.5: 26.30, 1.0: 33.39},
+            "springs that push": {0.1: 15.148, 0.2: 16.474, 0.3: 17.929, 0.5: 21.085, 1.0: 29.387}}
+POISSON = {"hinges": "−1/3", "springs that push": "1/3"}
 NOTICEABLE = 1e-3  # of the length; a sheet with a larger deflection has buckled
 
 
@@ -33,7 +34,7 @@ def main(results, out):
         section.checks.append(Check(f"Γ* at width over length {width_over_length(some[0]):.2f}", model,
                                     strips.mesh_name(some[0]), theory(some[0]), critical_load(some),
                                     0.03 if cells > 24 else 0.05,
-                                    f"Kirchhoff plate, ν = {POISSON[model]}, Ritz"))
+                                    f"Kirchhoff plate, ν = {POISSON[style.family(model)]}, Ritz"))
     section.checks.append(spring_check(springs))
     if stiff or springs:
         section.pictures.append((_picture(stiff, springs, out), "Deflection of the farthest vertex in static "
@@ -47,7 +48,8 @@ def _lengths(run):
     rest, pinned = run.rest_positions, run.pinned
     free = rest[:, 0].max() - rest[pinned, 0].max()
     row = np.diff(np.unique(np.round(rest[:, 0], 7))).mean()
-    behind = row * run.get("/bending/prestressed/t") / 4 if run.model == "prestressed" else row / 2
+    level = run.get(f"/bending/{run.model}/t") if registry.is_prestressed(run.model) else None
+    behind = row * level / 4 if level else row / 2
     return free + behind, np.ptp(rest[:, 1])
 
 
@@ -58,7 +60,7 @@ def strip_groups(runs):
 
 def theory(run):
     """Γ* of the strip."""
-    table = CRITICAL[run.model]
+    table = CRITICAL[style.family(run.model)]
     return float(np.interp(width_over_length(run), list(table), list(table.values())))
 
 
@@ -126,7 +128,7 @@ def _picture(stiff, springs, out):
     if springs:
         g, z = np.array([pull(run) for run in springs]), np.array([deflection(run) for run in springs])
         right.plot(g, z[0] * np.sqrt(g / g[0]), color=style.INK, linewidth=0.8)
-        right.plot(g, z, "o", color=style.MODEL_COLOURS["k_ring"])
+        right.plot(g, z, "o", color=style.colour("k_ring"))
     right.set_xscale("log"), right.set_yscale("log")
     right.set_xlabel("gravity in the plane (m/s²)"), right.set_ylabel("deflection / L")
     known = [value for value in found if np.isfinite(value)]

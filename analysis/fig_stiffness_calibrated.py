@@ -4,6 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 
+import registry
 import strips
 import style
 from fig_stiffness_resolution import ratio
@@ -12,7 +13,6 @@ from report import Check, Section, Table, figure_main
 
 GOALS = {"equilateral": 0.05, "delaunay": 0.15}
 LOOKS = {"equilateral": "-", "delaunay": "--"}
-SPRINGS = ("adaptive", "lod", "sparse_lod")
 STATED = "the stiffness in the config"
 # Hinges that are calibrated at small deflection
 SMALL_GOALS = {"equilateral": 0.03, "alternating": 0.03, "both": 0.05, "delaunay": 0.03}
@@ -85,7 +85,8 @@ def _small_checks(small):
 
 def lengths_text(runs):
     """The springs' length, and how many edges it is at every resolution, computed from the configs."""
-    springs = [run for run in runs if run.model in SPRINGS and strips.family(run) == "equilateral"]
+    springs = [run for run in runs if run.get(f"/bending/{run.model}/radius")
+               and registry.has_springs_at_rest(run.model) and strips.family(run) == "equilateral"]
     if not springs:
         return ""
     radius = max(run.get(f"/bending/{run.model}/radius") for run in springs)
@@ -125,16 +126,13 @@ def _note(run):
 
 def share_of_droop(run):
     """Stiffness from H/W, over the stated one."""
-    if run.model in SPRINGS:
-        return strips.number(run, "stiffness_quartic") / run.get("/bending/quartic_coefficient")
-    return strips.rigidity(run) / run.get("/bending/flexural_rigidity")
+    return strips.measured(run) / strips.stated(run)
 
 
 def share(run):
     """Stiffness from the moment-curvature fit, else from H/W, over the stated one."""
-    spring = run.model in SPRINGS
-    stated = run.get("/bending/quartic_coefficient" if spring else "/bending/flexural_rigidity")
-    fit = strips.number(run, "stiffness_fit_C" if spring else "stiffness_fit_B") / stated
+    kind = "C" if registry.has_springs_at_rest(run.model) else "B"
+    fit = strips.number(run, f"stiffness_fit_{kind}") / strips.stated(run)
     return share_of_droop(run) if np.isnan(fit) else fit
 
 
@@ -193,7 +191,7 @@ def _membrane_picture(runs, out):
                 panel.plot(x, list(map(share, line)),
                            label=f"{style.model_name(model)}, {cells} cells",
                            **style.look(model, linestyle=look))
-                panel.plot(x, list(map(share_of_droop, line)), "x", color=style.MODEL_COLOURS[model],
+                panel.plot(x, list(map(share_of_droop, line)), "x", color=style.colour(model),
                            markersize=4, alpha=0.6)
                 extremes.setdefault(family, []).extend(map(share, line))
         panel.axhspan(1 - GOALS[family], 1 + GOALS[family], color="#e8f1ea", zorder=0)
@@ -247,7 +245,8 @@ def _table(runs):
     rows = [[name(run), strips.MESH_NAMES[strips.family(run)], strips.cells(run), f"{share(run):.3f}",
              style.number(share_of_droop(run)),
              f"{strips.number(run, 'stiffness_fit_exponent'):.3f}", style.number(strips.droop(run)),
-             style.number(strips.number(run, "springs")) if run.model in (*SPRINGS, "prestressed") else "–"]
+             style.number(strips.number(run, "springs")) if registry.made_of(run.model) == "springs"
+             else "–"]
             for run in sorted(runs, key=lambda run: (name(run), strips.family(run), strips.cells(run)))]
     return Table("Calibrated", ["model", "mesh", "cells", "stiffness over stated", "from H/W", "p", "H/W",
                                 "springs"], rows)

@@ -97,10 +97,7 @@ def _approach(series, cheap, out):
     left.set_ylabel("|H/W − static| (%)")
     for model, some in by_model(cheap).items():
         some = sorted(some, key=substeps)
-        rigidity = some[0].get("/bending/flexural_rigidity")
-        stated = rigidity or some[0].get("/bending/quartic_coefficient")
-        share = [strips.number(run, "stiffness_flexural_rigidity" if rigidity
-                               else "stiffness_quartic") / stated for run in some]
+        share = [strips.measured(run) / strips.stated(run) for run in some]
         right.plot([substeps(run) for run in some], share, label=style.model_name(model),
                    **style.look(model))
     right.axhline(1, color=style.INK, linewidth=0.8)

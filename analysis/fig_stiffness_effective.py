@@ -3,12 +3,12 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
+import registry
 import strips
 import style
 from load import by_model, group
 from report import Check, Section, Table, figure_main
 
-SPRINGS = ("adaptive", "lod", "sparse_lod")  # their stiffness is C in m = C κ³
 TOLERANCE = 0.2  # relative error of the estimate
 CHECKED = 0.01  # smaller shares are shown but not checked: whether 0.1 or 0.2 % does not matter
 
@@ -48,11 +48,10 @@ def shares(runs):
     """A dict per run that has an estimate and a static run of the same model."""
     rows = []
     for model, some in by_model(runs).items():
-        name = "stiffness_quartic" if model in SPRINGS else "stiffness_flexural_rigidity"
         static = [run for run in some if run.get("/solver/method") == "equilibrium"]
         for run in some if static else []:
             estimate = strips.number(run, "effective_bending_stiffness")
-            measured = strips.number(run, name) / strips.number(static[0], name)
+            measured = strips.measured(run) / strips.measured(static[0])
             if run in static or not np.isfinite(estimate) or not np.isfinite(measured):
                 continue
             substeps, iterations = run.get("/solver/substeps"), run.get("/solver/iterations")
@@ -60,7 +59,7 @@ def shares(runs):
                          "iterations": iterations, "solver": f"{substeps} × {iterations}",
                          "measured": measured, "estimate": estimate,
                          "promised": strips.number(run, "substeps_for_90_percent_bending")})
-    return sorted(rows, key=lambda row: (list(style.MODEL_COLOURS).index(row["model"]), -row["iterations"],
+    return sorted(rows, key=lambda row: (registry.model_place(row["model"]), -row["iterations"],
                                          row["substeps"]))
 
 
@@ -73,7 +72,7 @@ def doubling_text(rows):
             doublings = np.log2(fine["substeps"] / coarse["substeps"])
             left = [1 / row["measured"] - 1 for row in (coarse, fine)]
             if min(left) > 0:
-                removed["springs" if model in SPRINGS
+                removed["springs" if registry.made_of(model) == "springs"
                         else "hinges"].append(1 - (left[1] / left[0]) ** (1 / doublings))
     ends = {kind: [f"{100 * pick(some):.0f}" for pick in (min, max)] for kind, some in removed.items()
             if some}
@@ -102,7 +101,7 @@ def _picture(rows, out):
         right.plot([row["substeps"] for row in once], [row["measured"] for row in once],
                    label=style.model_name(model), **style.look(model, linestyle="-"))
         right.plot([row["substeps"] for row in once], [row["estimate"] for row in once], "--",
-                   color=style.MODEL_COLOURS[model], linewidth=1)
+                   color=style.colour(model), linewidth=1)
     left.set_xscale("log"), left.set_yscale("log"), left.set_xlim(ends), left.set_ylim(ends)
     left.set_xlabel("share measured on the strip"), left.set_ylabel("share estimated")
     left.legend(loc="upper left")

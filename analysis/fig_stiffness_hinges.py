@@ -8,6 +8,7 @@ import style
 from load import by_model, group
 from report import Check, Section, Table, figure_main
 
+GIVEN = 1.5696e-3  # N m; B that the compliances in the config give each model
 CURVE = "heavy elastica, Runge-Kutta (analysis/strips.py)"
 # Not from this page's runs. The values approach B with the width; theory gives a narrow beam 1 - ν² = 0.889
 # of B.
@@ -22,23 +23,17 @@ ACROSS = ("under small loads free edges also bend across the strip, and a beam h
           f"{', '.join(map(str, WIDTHS))} cm ({REPEAT}, and other heights)")
 
 
-def rigidity_given(run):
-    """B in N m from the compliance, on an equilateral lattice (`bendlab models` defines compliances)."""
-    factor = {"dihedral": 1, "discrete_shells": 1, "bridson": 1 / 4, "isometric": 3}[run.model]
-    return factor / run.get("/bending/compliance")
-
-
 def main(results, out):
     """Hinge models whose compliances give one flexural rigidity."""
     section = Section("Hinges against the heavy elastica", "hinges")
     runs = strips.experiment_runs(results, section, "hinges", "hinges_slow")
     control = strips.experiment_runs(results, section, "control")
-    section.text = ("A strip is clamped at one end and hangs by its own weight in static equilibrium. Four "
+    section.text = ("A strip is clamped at one end and hangs by its own weight in static equilibrium. All "
                     "hinge models are given one flexural rigidity B; gravity makes Γ = ρ g L³/B about 0.3, "
                     "1, 10 and 100. L begins half a row behind the clamp's edge, at the first hinge that "
                     "turns. At Γ = 100 and below 48 cells the fold at the clamp is narrower than three rows; "
                     "these runs are not checked.")
-    theory = strips.elastica_droop([strips.load_number(run, rigidity_given(run)) for run in runs])
+    theory = strips.elastica_droop([strips.load_number(run, GIVEN) for run in runs])
     for run, droop in zip(runs, theory):
         section.checks += _checks(run, float(droop))
     section.checks += _slopes(runs)
@@ -51,7 +46,7 @@ def main(results, out):
 
 
 def _checks(run, droop):
-    given, mesh = rigidity_given(run), strips.mesh_name(run)
+    given, mesh = GIVEN, strips.mesh_name(run)
     load = strips.load_number(run, given)
     checks = []
     if load < 60 or strips.cells(run) >= 48:
@@ -85,7 +80,7 @@ def _slopes(runs):
 def control_checks(control):
     """Checks of the membrane without bending: its B is the error floor of all others."""
     return [Check("B of the membrane without bending (N m), from H/W", "none", strips.mesh_name(run),
-                  0.02 * 1.5696e-3, floor_rigidity(run), 0, "2 % of the B given to hinges", "most",
+                  0.02 * GIVEN, floor_rigidity(run), 0, "2 % of the B given to hinges", "most",
                   note="no straight lines to fold along" if strips.family(run) == "delaunay" else "")
             for run in control]
 
@@ -104,7 +99,7 @@ def _picture(runs, out):
     finest = {model: max(map(strips.cells, some)) for model, some in by_model(runs).items()}
     worst = []
     for (model, cells), some in group(runs, lambda run: (run.model, strips.cells(run))).items():
-        load = np.array([strips.load_number(run, rigidity_given(run)) for run in some])
+        load = np.array([strips.load_number(run, GIVEN) for run in some])
         measured, theory = np.array([strips.droop(run) for run in some]), strips.elastica_droop(load)
         look = style.look(model, linestyle="")
         if cells == finest[model]:
@@ -129,11 +124,11 @@ def _picture(runs, out):
 
 def _table(runs, control):
     floor = {strips.cells(run): floor_rigidity(run) for run in control if strips.family(run) == "equilateral"}
-    rows = [[run.model, strips.cells(run), style.number(strips.load_number(run, rigidity_given(run))),
-             f"{strips.droop(run):.4f}", f"{strips.rigidity(run) / rigidity_given(run):.3f}",
-             f"{strips.number(run, 'stiffness_fit_B') / rigidity_given(run):.3f}",
+    rows = [[run.model, strips.cells(run), style.number(strips.load_number(run, GIVEN)),
+             f"{strips.droop(run):.4f}", f"{strips.rigidity(run) / GIVEN:.3f}",
+             f"{strips.number(run, 'stiffness_fit_B') / GIVEN:.3f}",
              f"{strips.number(run, 'stiffness_fit_exponent'):.3f}",
-             style.number(floor.get(strips.cells(run), np.nan) / rigidity_given(run))]
+             style.number(floor.get(strips.cells(run), np.nan) / GIVEN)]
             for run in sorted(runs, key=lambda run: (run.model, strips.cells(run), strips.gravity(run)))]
     return Table("Hinges; B over the stated B",
                  ["model", "cells", "Γ", "H/W", "B from H/W", "B from m(κ)", "p", "control: none"], rows)

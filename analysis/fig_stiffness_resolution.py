@@ -54,8 +54,9 @@ def _range(runs, family):
 def _picture(runs, out):
     models = [model for model in by_model(runs) if model != "none"]
     columns = 4
-    figure, axes = plt.subplots(-(-len(models) // columns), columns, figsize=(11.2, 7.4),
-                                layout="constrained", sharex=True, sharey=True)
+    rows = len(models) // columns + 1  # with room for the legend
+    figure, axes = plt.subplots(rows, columns, figsize=(11.2, 0.2 + 2.4 * rows), layout="constrained",
+                                sharex=True, sharey=True, squeeze=False)
     by_place = group(runs, lambda run: (run.model, strips.family(run)))
     counts = sorted({strips.cells(run) for run in runs})
     for panel, model in zip(axes.flat, models):
@@ -77,8 +78,7 @@ def _picture(runs, out):
         panel.set_xlabel("")
     for panel in axes.flat[len(models):]:
         panel.set_axis_off()
-    panel = axes.flat[len(models)] if len(models) < axes.size else axes.flat[-1]
-    panel.legend(*axes.flat[0].get_legend_handles_labels(), loc="center")
+    axes.flat[len(models)].legend(*axes.flat[0].get_legend_handles_labels(), loc="center")
     for row in axes:
         row[0].set_ylabel("B from H/W (N m)")
     for panel in axes[-1]:

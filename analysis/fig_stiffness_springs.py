@@ -3,6 +3,7 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
+import registry
 import strips
 import style
 from load import group
@@ -77,7 +78,7 @@ def slopes(runs):
         small = [run for run in some if strips.droop(run) < 0.3]
         slope = np.polyfit(np.log([strips.gravity(run) for run in small]),
                            np.log([strips.droop(run) for run in small]), 1)[0] if len(small) > 1 else np.nan
-        at_rest = some[0].model == "k_ring"
+        at_rest = registry.has_springs_at_rest(some[0].model)
         checks.append(Check("slope of ln H/W over ln g at H/W < 0.3", label, strips.mesh_name(some[0]),
                             1 / 3 if at_rest else 1, float(slope), 0.02, "m = C κ³" if at_rest else "m = B κ",
                             "absolute"))
@@ -133,8 +134,8 @@ def _gravity_picture(runs, results, out):
         small = droop < 0.3
         slope = np.polyfit(np.log(g[small]), np.log(droop[small]), 1)[0] if small.sum() > 1 else np.nan
         axes.plot(g, droop, label=f"{name}: slope {slope:.3f}", **look)
-        found.setdefault("springs at rest" if model == "k_ring" else "springs that push"
-                         if model == "prestressed" else "hinges", []).append(slope)
+        found.setdefault("springs at rest" if registry.has_springs_at_rest(model) else style.family(model),
+                         []).append(slope)
     axes.set_xscale("log"), axes.set_yscale("log")
     axes.set_xlabel("gravity (m/s²)"), axes.set_ylabel("H/W of the free end")
     powers = {kind: " to ".join(sorted({f"{power:.2f}" for power in (min(some), max(some))}))

@@ -12,10 +12,8 @@ import html
 import json
 import math
 import shlex
-import tempfile
 from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
 
 import h5py
 import numpy as np
@@ -31,7 +29,6 @@ from load import Run
 LIMIT = 60e6  # bytes of all frames of a page in the file; above it frames are left out
 MOST_SPRINGS = 400_000  # of a run; more are not taken into the page
 FLOWN_APART = 50  # sizes; a frame whose box is larger would leave no digits for the others
-FOLDER = Path(__file__).resolve().parents[1] / "configs/scenes"  # of old runs, which keep no files
 
 
 @dataclass
@@ -289,33 +286,15 @@ def _add_springs(sections, run):
 
 
 def _add_obstacles(sections, run, notes, home):
-    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0, relative to `home`.
-    Notes say which can't be drawn."""
+    """[{section, velocity}] of every obstacle but level planes: its surface at t = 0, relative to `home`. A
+    note says if the run's file does not have them."""
     parts = []
-    with tempfile.TemporaryDirectory() as folder:
-        _write_inputs(run, Path(folder))
-        for effect in obstacles.obstacles_of(run.config):
-            name = effect.get("file", "")
-            beside = folder if (Path(folder) / name).is_file() else FOLDER
-            try:
-                points, triangles = obstacles.surfaces({"effects": [effect]}, 0.0, 4 * run.size, beside)
-            except (OSError, ValueError):
-                notes.append(
-                    f"An obstacle is not drawn, for its file {name} was not found or is no .obj file.")
-                continue
-            if len(triangles):
-                section = f"obstacle-{len(parts)}"
-                sections.floats(f"{section}-points", points - home, 3)
-                sections.integers(f"{section}-triangles", triangles, 3)
-                parts.append({"section": section, "velocity": list(effect["velocity"])})
+    for points, triangles, velocity in obstacles.drawn(run).values():
+        section = f"obstacle-{len(parts)}"
+        sections.floats(f"{section}-points", points - home, 3)
+        sections.integers(f"{section}-triangles", triangles, 3)
+        parts.append({"section": section, "velocity": velocity.tolist()})
+    if obstacles.are_unknown(run):
+        notes.append("Obstacles are not drawn: an older program wrote this run, and did not record them.")
     return parts
 
-
-def _write_inputs(run, folder):
-    """Writes the files that the run's config names, which its run file keeps, below a folder."""
-    with h5py.File(run.file, "r") as file:
-        for name, data in Facts(file).inputs:
-            path = (folder / name).resolve()
-            if folder.resolve() in path.parents:
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_bytes(data)

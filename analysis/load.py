@@ -16,6 +16,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+import registry
 from checksum import require_readable
 from facts import Facts
 from run_index import Index, stamp_of
@@ -49,21 +50,6 @@ class Metrics(Mapping):
         """(unit, meaning) of a metric."""
         with _opened(self._path) as file:
             return Facts(file).columns[name]
-
-
-class Labels(dict):
-    """Name of a bending model → its name in figures; the name itself until a file has told the label."""
-
-    def __missing__(self, name):
-        return name
-
-
-MODEL_LABELS = Labels()  # what the files that were read have told, in the order of the program's registry
-
-
-def models():
-    """Names of the registered bending models, as far as files were read."""
-    return list(MODEL_LABELS)
 
 
 @dataclass
@@ -191,6 +177,17 @@ class Run:
         """Diagonal of the rest box."""
         return float(np.linalg.norm(np.ptp(self.rest_positions, axis=0)))
 
+    @cached_property
+    def obstacles(self):
+        """Index of an effect → (points, triangles, velocity) of its surface at time 0. {} for obstacles that
+        an older program did not record."""
+        if self.file is None:
+            return {}
+        with _opened(self.file) as file:
+            return {int(index): (group["positions"][()].astype(float), group["triangles"][()],
+                                 group["velocity"][()])
+                    for index, group in file.get("obstacles", {}).items()}
+
     def constraints(self, kind):
         """(C, n) vertices of every constraint of a kind. KeyError if the run did not record them."""
         with _opened(self.file) as file:
@@ -221,8 +218,7 @@ def at(config, pointer, default=None):
 def method_name(solver):
     """The method of a config's /solver, with its integrator if that is not its default: "newton, euler"."""
     name, integrator = solver.get("method", "pbd"), solver.get("integrator")
-    usual = "euler" if name == "quasi_newton" else "bdf2"
-    return name if integrator in (None, usual) else f"{name}, {integrator}"
+    return name if integrator in (None, registry.usual(name, "integrator")) else f"{name}, {integrator}"
 
 
 def load_run(path):
@@ -239,7 +235,7 @@ def _read(path):
 
 def _run_of(path, found):
     provenance = found["provenance"]
-    _learn_labels(provenance.get("models", "{}"))
+    _learn(provenance.get("models", "{}"), provenance.get("methods", "{}"))
     return Run(
         file=path,
         id=found["id"],
@@ -260,8 +256,8 @@ def _run_of(path, found):
 
 
 @lru_cache(maxsize=None)
-def _learn_labels(models):
-    MODEL_LABELS.update(json.loads(models))
+def _learn(models, methods):
+    registry.learn(json.loads(models), json.loads(methods))
 
 
 def load_runs(folder):
@@ -360,10 +356,9 @@ def group(runs, key):
 
 
 def by_model(runs):
-    """Model → runs, in the order of the registry."""
-    found, known = group(runs, lambda run: run.model), models()
-    place = lambda model: known.index(model) if model in known else len(known)
-    return {model: found[model] for model in sorted(found, key=place)}
+    """Model → runs, in the order of the program's models."""
+    return dict(sorted(group(runs, lambda run: run.model).items(),
+                       key=lambda entry: registry.model_place(entry[0])))
 
 
 def values(runs, name):

@@ -11,22 +11,20 @@ DASHES = {":": "2 4", "-.": "8 4 2 4", "--": "7 5"}  # matplotlib's names → SV
 
 def of_model(model):
     """How a bending model's series is drawn: its family's kind of mark, its own colour."""
-    mark = style.MODEL_MARKS.get(model, ("o", 0))[0]
-    hollow = model in style.FAMILIES["hinges"]
-    dash = style.MODEL_DASHES.get(model)
-    if isinstance(dash, tuple):
-        dash = "4 5"
-    return _look(style.MODEL_COLOURS[model], mark, hollow, DASHES.get(dash, dash))
+    (mark, _), line = style.mark_and_line(model)
+    dash = "4 5" if isinstance(line, tuple) else DASHES.get(line)
+    return of_look(style.colour(model), mark, style.family(model) == "hinges", dash)
 
 
 def of_place(number):
     """How the series of a place in a list is drawn."""
     colours, round_ = style.SEQUENCE, number // len(style.SEQUENCE)
-    return _look(colours[number % len(colours)], MARKS[number % len(MARKS)], bool(round_ % 2),
+    return of_look(colours[number % len(colours)], MARKS[number % len(MARKS)], bool(round_ % 2),
                  [None, "7 4", "2 4"][round_ % 3])
 
 
-def _look(colour, mark, hollow=False, dash=None):
+def of_look(colour, mark, hollow=False, dash=None):
+    """How a series of this colour, mark (one of MARKS) and dash is drawn."""
     look = {name: readable(colour, ground, CONTRAST[name]) for name, ground in GROUNDS.items()}
     return look | {"mark": mark} | ({"hollow": True} if hollow else {}) | ({"dash": dash} if dash else {})
 

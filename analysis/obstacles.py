@@ -1,53 +1,78 @@
 """Obstacles of a scene: surfaces as triangles, and the distance of cloth from them. Lengths in m."""
-from pathlib import Path
-
 import numpy as np
 
-AROUND = 96  # points on a circle
-KINDS = ("plane", "sphere", "capsule", "disc", "mesh_obstacle")
 
-
-def obstacles_of(config):
-    """The obstacles among a resolved config's effects."""
-    return [effect for effect in config.get("effects", []) if effect["type"] in KINDS]
-
-
-def surfaces(config, time, size, folder="."):
-    """(P, 3) points and (T, 3) triangles of all obstacles of a resolved config at a time in s. A plane is a
-    square of side `size`; mesh files are relative to `folder`. Level planes are left out: they are the floor
-    (floor_of)."""
+def surfaces(run, time):
+    """(P, 3) points and (T, 3) triangles of all obstacles of a run at a time in s. Level planes are left out:
+    they are the floor (floor_of)."""
     points, triangles = [np.empty((0, 3))], [np.empty((0, 3), int)]
-    for effect in obstacles_of(config):
-        if not _level(effect):
-            p, t = _surface(effect, size, Path(folder))
-            triangles.append(t + sum(map(len, points)))
-            points.append(p + time * np.array(effect["velocity"], float))
+    for at_start, corners, velocity in drawn(run).values():
+        triangles.append(corners + sum(map(len, points)))
+        points.append(at_start + time * velocity)
     return np.concatenate(points), np.concatenate(triangles)
 
 
-def clearance(config, time, points, folder="."):
-    """Smallest distance of points (n, 3) from the obstacles at a time in s; negative inside, inf without
-    obstacles. Mesh files are relative to `folder`; an open mesh has no inside."""
-    distances = [_distance(effect, points - time * np.array(effect["velocity"], float), Path(folder)).min()
-                 for effect in obstacles_of(config)]
-    return float(min(distances, default=np.inf))
+def drawn(run):
+    """run.obstacles without level planes."""
+    effects = run.get("/effects", [])
+    return {index: surface for index, surface in run.obstacles.items() if not _level(effects[index])}
 
 
-def _distance(effect, points, folder):
-    kind, vector = effect["type"], lambda name: np.array(effect[name], float)
-    if kind == "mesh_obstacle":
-        return _off_mesh(points, *_surface(effect, None, folder))
-    if kind == "plane":
-        return (points - vector("point")) @ _frame(vector("normal"))[2]
-    if kind == "disc":
-        relative, axis = points - vector("centre"), _frame(vector("axis"))[2]
-        up = relative @ axis
-        outward = np.linalg.norm(relative - up[:, None] * axis,
-                                 axis=1) - (effect["radius"] - effect["height"] / 2)
-        return np.hypot(np.maximum(outward, 0), up) - effect["height"] / 2
-    a, b = (vector("a"), vector("b")) if kind == "capsule" else (vector("centre"), vector("centre"))
+def are_unknown(run):
+    """Whether a run has obstacles that its file, of an older program, does not hold."""
+    return not run.obstacles and any({"velocity", "thickness"} <= effect.keys() and not _level(effect)
+                                     for effect in run.get("/effects", []))
+
+
+def clearance(run, time, points):
+    """Smallest distance of points (n, 3) from a run's obstacles at a time in s; negative inside, inf without
+    obstacles. An open mesh has no inside."""
+    least = np.inf
+    for index, effect in enumerate(run.get("/effects", [])):
+        if effect["type"] in DISTANCES:
+            moved = points - time * np.array(effect["velocity"], float)
+            least = min(least, DISTANCES[effect["type"]](effect, moved).min())
+        elif index in run.obstacles:
+            at_start, corners, velocity = run.obstacles[index]
+            least = min(least, _off_mesh(points - time * velocity, at_start, corners))
+    return float(least)
+
+
+def _vector(effect, name):
+    return np.array(effect[name], float)
+
+
+def _off_plane(effect, points):
+    normal = _vector(effect, "normal")
+    return (points - _vector(effect, "point")) @ normal / np.linalg.norm(normal)
+
+
+def _off_disc(effect, points):
+    axis = _vector(effect, "axis")
+    axis /= np.linalg.norm(axis)
+    relative = points - _vector(effect, "centre")
+    up = relative @ axis
+    outward = np.linalg.norm(relative - up[:, None] * axis,
+                             axis=1) - (effect["radius"] - effect["height"] / 2)
+    return np.hypot(np.maximum(outward, 0), up) - effect["height"] / 2
+
+
+def _off_segment(effect, points, a, b):
     along = np.clip((points - a) @ (b - a) / max((b - a) @ (b - a), 1e-300), 0, 1)
     return np.linalg.norm(points - a - along[:, None] * (b - a), axis=1) - effect["radius"]
+
+
+def _off_sphere(effect, points):
+    centre = _vector(effect, "centre")
+    return _off_segment(effect, points, centre, centre)
+
+
+def _off_capsule(effect, points):
+    return _off_segment(effect, points, _vector(effect, "a"), _vector(effect, "b"))
+
+
+# Shapes whose distance is known exactly; that of others is measured from their surface.
+DISTANCES = {"plane": _off_plane, "sphere": _off_sphere, "capsule": _off_capsule, "disc": _off_disc}
 
 
 def _off_mesh(points, corners, triangles):
@@ -116,73 +141,8 @@ def _passes(points, face):
 
 def floor_of(config):
     """Height of the highest level plane, None if there is none."""
-    return max((effect["point"][2] for effect in obstacles_of(config) if _level(effect)), default=None)
+    return max((effect["point"][2] for effect in config.get("effects", []) if _level(effect)), default=None)
 
 
 def _level(effect):
     return effect["type"] == "plane" and not np.any(effect["normal"][:2]) and effect["normal"][2] > 0
-
-
-def _surface(effect, size, folder):
-    kind, vector = effect["type"], lambda name: np.array(effect[name], float)
-    if kind == "sphere":
-        return _revolved(_arc(effect["radius"], -90, 90), vector("centre"), np.array([0, 0, 1.0]))
-    if kind == "capsule":
-        length = np.linalg.norm(vector("b") - vector("a"))
-        profile = np.concatenate([_arc(effect["radius"], -90, 0),
-                                  _arc(effect["radius"], 0, 90) + [0, length]])
-        return _revolved(profile, vector("a"), vector("b") - vector("a") if length else np.array([0, 0, 1.0]))
-    if kind == "disc":
-        edge = _arc(effect["height"] / 2, -90, 90) + [effect["radius"] - effect["height"] / 2, 0]
-        profile = np.concatenate([[[0, edge[0, 1]]], edge, [[0, edge[-1, 1]]]])
-        return _revolved(profile, vector("centre"), vector("axis"))
-    if kind == "plane":
-        right, forward, _ = _frame(vector("normal"))
-        corners = [vector("point") + size / 2 * (x * right + y * forward)
-                   for x, y in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
-        return np.array(corners), np.array([[0, 1, 2], [0, 2, 3]])
-    points, triangles = read_obj(folder / effect["file"])
-    return effect["scale"] * points + vector("offset"), triangles
-
-
-def _arc(radius, first, last):
-    """(n, 2) distance from the axis and height along an arc of `radius`, angles in degrees."""
-    angles = np.radians(np.linspace(first, last, 1 + int(abs(last - first) / 4)))
-    return radius * np.stack([np.cos(angles), np.sin(angles)], axis=1)
-
-
-def _frame(axis):
-    """Two unit vectors perpendicular to an axis, and the axis as a unit vector."""
-    axis = axis / np.linalg.norm(axis)
-    right = np.cross([0.0, 1.0, 0.0] if abs(axis[1]) < 0.9 else [1.0, 0.0, 0.0], axis)
-    right /= np.linalg.norm(right)
-    return right, np.cross(axis, right), axis
-
-
-def _revolved(profile, origin, axis):
-    """Surface of revolution of a profile (n, 2): distances from an axis, heights along it. Normals point
-    outward where the profile goes up."""
-    right, forward, up = _frame(axis)
-    angles = 2 * np.pi * np.arange(AROUND) / AROUND
-    circle = np.cos(angles)[:, None] * right + np.sin(angles)[:, None] * forward
-    points = origin + profile[:, None, :1] * circle + profile[:, None, 1:] * up
-    at = np.arange(len(profile) - 1)[:, None] * AROUND + np.arange(AROUND)
-    beside = np.arange(len(profile) - 1)[:, None] * AROUND + (np.arange(AROUND) + 1) % AROUND
-    quads = np.stack([at, beside, beside + AROUND, at + AROUND], axis=-1).reshape(-1, 4)
-    return points.reshape(-1, 3), np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
-
-
-def read_obj(path):
-    """Points and triangles of a Wavefront OBJ file; polygons become fans. ValueError for other files."""
-    if path.suffix.lower() != ".obj":
-        raise ValueError(f"{path}: obstacles are drawn from .obj files only; convert the mesh to OBJ")
-    points, triangles = [], []
-    for line in path.read_text(encoding="utf-8").splitlines():
-        kind, *words = line.split() or [""]
-        if kind == "v":
-            points.append([float(word) for word in words[:3]])
-        if kind == "f":
-            corners = [int(word.split("/")[0]) for word in words]
-            corners = [c - 1 if c > 0 else len(points) + c for c in corners]
-            triangles += [[corners[0], b, c] for b, c in zip(corners[1:], corners[2:])]
-    return np.array(points, float).reshape(-1, 3), np.array(triangles, int).reshape(-1, 3)

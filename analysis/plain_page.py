@@ -10,6 +10,7 @@ import numpy as np
 import plain_cases
 import plain_matrix
 import project_pages
+import registry
 import style
 from html_parts import Part, escape, section_part, table_html
 from plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY
@@ -61,7 +62,7 @@ def lay_out(out):
         some = [one for one in judged if one["verdict"] == verdict]
         if some:
             parts.append(Part(f"runs-{verdict}", title, failures_html(some), title.split(",")[0]))
-    told = f"{SCENES}{rules(judged)}<p>{escape(covered)}</p>"
+    told = f"{SCENES}{rules()}<p>{escape(covered)}</p>"
     parts += [Part("rules", "Which runs, and by which rules", told, "Rules"),
               Part("data", "As data", "<p><a href='summary.json'>summary.json</a>: every run.</p>", "Data")]
     data = {"runs": [about(one) for one in judged if one["verdict"] != SOUND]}
@@ -114,9 +115,7 @@ def about(one):
             "command": one["command"]}
 
 
-def rules(judged):
-    by_bdf2 = any(one["settings"].get("method") in ("newton", "quasi_newton", "vbd") for one in judged)
-    fall = " (by BDF2 g t² / 2 + 3/4 g h² (1 − 3<sup>−t/h</sup>))" if by_bdf2 else ""
+def rules():
     return ("<p>A run breaks a bound if one of these holds. A coordinate is not a number. A pinned vertex "
             f"moves. The mean strain exceeds {MEAN_STRAIN:g}, or a triangle is stretched to more than "
             f"{STRETCH:g} times its length: every membrane here is stated not to stretch, and woven cloth "
@@ -126,7 +125,8 @@ def rules(judged):
             f"kinetic energy plus energy of weight rises by more than {ENERGY:g} of their scale; prestressed "
             "springs push from the start, so these two are not checked for them. Without pins, the centre "
             "of mass differs from x<sub>0</sub> + v<sub>0</sub> t + g t (t + h) / 2, the exact motion in "
-            f"steps of h{fall}, by more than {FALL:g} of its fall.</p><p>A run has a <b>warning</b> if the "
+            "steps of h (by BDF2 g t² / 2 + 3/4 g h² (1 − 3<sup>−t/h</sup>)), by more than "
+            f"{FALL:g} of its fall.</p><p>A run has a <b>warning</b> if the "
             "program ends it as implausible or diverged, or warns of something that affects these numbers. A "
             "run is <b>wrong without a warning</b> if it breaks a bound and the program reports nothing.</p>")
 
@@ -152,10 +152,9 @@ def refused(combination):
     """Whether the program refuses these values together; rules.cpp has the reasons."""
     values = {pointer: value for pointer, value in combination}
     generator = values.get("/mesh", {}).get("generator")
-    springs = ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "prestressed")
     return ((generator == "tube" and values.get("/mesh/cells") == 2)
             or (generator in ("tube", "sphere") and values.get("/bending", {}).get("stiffness") == "physical"
-                and values.get("/bending/model") in springs))
+                and registry.made_of(values.get("/bending/model")) == "springs"))
 
 
 def twins_text(twins):

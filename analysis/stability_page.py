@@ -157,21 +157,22 @@ def section_of(title, cases, runs, out):
                                   "states its extent (one size at rest)."))
     failed = [run for run in own if run["verdict"] != GREEN]
     if failed:
-        parts.append(failed_html(failed))
+        parts.append(failed_html(failed, len(stability_matrix.models_of(runs))))
     rules_table = table_html(Table("", ["case", "config", "green", "amber", "red", "green if"], rows))
     parts.append(folded(f"The {len(here)} cases and their rules", rules_table))
     return Part(address(title), title, "\n".join(parts), LINKS.get(title, title))
 
 
-def failed_html(failed):
-    """Table of runs that are not green, one row per case, verdict and reason; reasons are below by letter."""
+def failed_html(failed, models):
+    """Table of runs that are not green, one row per case, verdict and reason; reasons are below by letter.
+    `models`: how many the page has."""
     reasons = list(dict.fromkeys(run["why"] or UNKNOWN for run in failed))
     letter = dict(zip(reasons, string.ascii_lowercase))
     rows = []
     for (title, verdict, why), some in group(failed, lambda run: (run["title"], run["verdict"],
                                                                   run["why"] or UNKNOWN)).items():
         numbers = group([known(run["worst"]) for run in some], lambda worst: (worst["what"], worst["unit"]))
-        rows.append([title, verdict, models_text(some),
+        rows.append([title, verdict, models_text(some, models),
                      "; ".join(range_text(found) for found in numbers.values()),
                      "; ".join(_range([one["limit"] for one in found]) for found in numbers.values()),
                      letter[why]])
@@ -181,10 +182,10 @@ def failed_html(failed):
     return f"{table}<ol type='a'>{legend}</ol>"
 
 
-def models_text(runs):
-    """Models of some runs as text, with the precision if it is only one."""
+def models_text(runs, models):
+    """Models of some runs as text, with the precision if it is only one; `models`: how many there are."""
     precisions = group(runs, lambda run: run["model"])
-    if len(precisions) == len(style.MODEL_COLOURS) and all(len(some) == 2 for some in precisions.values()):
+    if len(precisions) == models and all(len(some) == 2 for some in precisions.values()):
         return "all"
     return ", ".join(model + ("" if len(some) == 2 else f" ({some[0]['precision']})")
                      for model, some in precisions.items())

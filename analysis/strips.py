@@ -1,6 +1,7 @@
 """Shared by the figures of stiffness: runs of clamped strips, and their theoretical curves."""
 import numpy as np
 
+import registry
 import style
 from sweeps import load_experiment
 
@@ -62,6 +63,19 @@ def droop(run):
 def rigidity(run):
     """B in N m, from H/W and the curve of the heavy elastica."""
     return number(run, "stiffness_flexural_rigidity")
+
+
+def stated(run):
+    """The physical stiffness in the config: C in N m³ of springs at rest, else B in N m."""
+    bending = run.get("/bending")
+    if not registry.has_springs_at_rest(run.model):
+        return bending["flexural_rigidity"]
+    return bending.get("quartic_coefficient") or bending["flexural_rigidity"] / bending["at_curvature"]**2
+
+
+def measured(run):
+    """The same from H/W."""
+    return number(run, "stiffness_quartic") if registry.has_springs_at_rest(run.model) else rigidity(run)
 
 
 def load_number(run, flexural_rigidity):

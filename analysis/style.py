@@ -1,7 +1,8 @@
 """The look of every figure: fonts, colours, marks, labels, number formats, and how cloth is drawn in a panel.
 
 A family of bending models has a kind of mark: springs are filled circles, hinges are open polygons, springs
-that push a filled plus, no bending a cross. Within a family the colours differ for the colour-blind too.
+that push a filled plus, no bending a cross. Models and methods have their colours in the order in which the
+program lists them, so that each has one on all pages, a new one too.
 """
 import sys
 from pathlib import Path
@@ -15,31 +16,26 @@ from matplotlib.colors import LinearSegmentedColormap, LogNorm
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from PIL import Image
 
+import registry
 import render
 
-class Colours(dict):
-    """Black for a model without a colour of its own."""
-
-    def __missing__(self, name):
-        return "#000000"
-
-
-FAMILIES = {"no bending": ("none",),
-            "springs": ("crossover", "k_ring", "adaptive", "lod", "sparse_lod", "choi_ko"),
-            "springs that push": ("prestressed",),
-            "hinges": ("dihedral", "bridson", "discrete_shells", "isometric")}
-# Springs have the palette of Okabe and Ito, hinges colours between which all kinds of sight distinguish.
-MODEL_COLOURS = Colours({
-    "none": "#7f7f7f", "crossover": "#d55e00", "k_ring": "#009e73", "adaptive": "#0072b2",
-    "lod": "#cc79a7", "sparse_lod": "#e69f00", "choi_ko": "#56b4e9", "dihedral": "#000000",
-    "bridson": "#8a4b08", "discrete_shells": "#5b3fa0", "isometric": "#a3a500",
-    "prestressed": "#c2185b",
-})
-# Hinges often coincide: their marks are nested and their lines are dashes over a solid one.
-MODEL_MARKS = {"none": ("X", 5), "prestressed": ("P", 6), "dihedral": ("s", 8), "bridson": ("D", 5.5),
-               "discrete_shells": ("^", 4), "isometric": ("v", 6)}  # marker, size in points
-MODEL_DASHES = {"none": ":", "prestressed": "-.", "bridson": (0, (4, 8)), "discrete_shells": (6, (4, 8)),
-                "isometric": "--"}
+# In the order of the program's models. The springs among the first twelve have the palette of Okabe and Ito,
+# the hinges colours between which all kinds of sight distinguish, and so do the others between all.
+MODEL_COLOURS = ["#7f7f7f", "#d55e00", "#009e73", "#0072b2", "#cc79a7", "#e69f00", "#c2185b", "#000000",
+                 "#8a4b08", "#5b3fa0", "#56b4e9", "#a3a500", "#a500ff", "#4b004b", "#0f3c1e", "#0f0069",
+                 "#87b469", "#9687ff", "#783c78", "#6900b4"]
+# The marks (size in points) and lines of a family's models. Hinges often coincide: their marks are nested and
+# their lines are dashes over a solid one.
+FAMILY_MARKS = {"no bending": [("X", 5)], "springs": [("o", 4)], "springs that push": [("P", 6)],
+                "hinges": [("s", 8), ("D", 5.5), ("^", 4), ("v", 6)]}
+FAMILY_LINES = {"no bending": [":"], "springs": ["-"], "springs that push": ["-."],
+                "hinges": ["-", (0, (4, 8)), (6, (4, 8)), "--"]}
+# In the order of the program's methods: as it is, and with a setting that a figure tells apart.
+METHOD_COLOURS = [("#d55e00", "#e69f00"), ("#5b3fa0", "#a500ff"), ("#000000", "#7f7f7f"),
+                  ("#009e73", "#8a4b08"), ("#0072b2", "#56b4e9"), ("#cc79a7", "#c2185b"),
+                  ("#a3a500", "#4b004b"), ("#0f3c1e", "#87b469"), ("#0f0069", "#9687ff"),
+                  ("#783c78", "#6900b4")]
+METHOD_MARKS = [("o", "X"), ("D", "s"), ("X", "o"), ("^", "v"), ("s", "D"), ("P", "X")]
 INK, GREY, GRID = "#22262b", "#6d747c", "#dfe3e7"
 SEQUENCE = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#6b6b6b"]
 
@@ -71,17 +67,46 @@ def model_name(model, k=None):
     return model + (f", k = {k}" if model == "k_ring" and k else "")
 
 
+def family(model):
+    """Models of a kind, which look alike: a key of FAMILY_MARKS."""
+    if registry.is_prestressed(model):
+        return "springs that push"
+    return {"nothing": "no bending", "hinges": "hinges"}.get(registry.made_of(model), "springs")
+
+
+def _at(looks, place):
+    return looks[place % len(looks)]
+
+
+def colour(model):
+    """The colour of a model."""
+    return _at(MODEL_COLOURS, registry.model_place(model))
+
+
+def mark_and_line(model):
+    """((marker, size in points), line style) of a model."""
+    earlier = registry.models()[:registry.model_place(model)]
+    place = sum(family(other) == family(model) for other in earlier)
+    return _at(FAMILY_MARKS[family(model)], place), _at(FAMILY_LINES[family(model)], place)
+
+
 def marker(model):
     """The mark of a model in a scatter plot."""
-    return MODEL_MARKS.get(model, ("o", 4))[0]
+    return mark_and_line(model)[0][0]
+
+
+def method_look(method, variant=0):
+    """(colour, marker) of a solver method; `variant` 1: with a setting that a figure tells apart."""
+    place = registry.method_place(method)
+    return tuple(_at(_at(looks, place), variant) for looks in (METHOD_COLOURS, METHOD_MARKS))
 
 
 def look(model, **other):
     """How a model's curve is drawn: colour, line and marks, as keywords of `plot`; `other` replaces some."""
-    colour, (mark, size) = MODEL_COLOURS[model], MODEL_MARKS.get(model, ("o", 4))
-    inside = "none" if model in FAMILIES["hinges"] else colour
-    return dict(color=colour, marker=mark, markersize=size, markerfacecolor=inside, linewidth=1.3,
-                linestyle=MODEL_DASHES.get(model, "-")) | other
+    (mark, size), line = mark_and_line(model)
+    inside = "none" if family(model) == "hinges" else colour(model)
+    return dict(color=colour(model), marker=mark, markersize=size, markerfacecolor=inside, linewidth=1.3,
+                linestyle=line) | other
 
 
 def spread(places, heights, low=-np.inf, high=np.inf):

@@ -6,7 +6,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-from load import MODEL_LABELS, Indices, Run, load_if_begun
+import registry
+from load import Indices, Run, load_if_begun
 
 CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 
@@ -56,7 +57,7 @@ def load_experiment(results, config):
     elif not (_same_runs(settings, sweep["settings"]) and _same_axes(axes, sweep["axes"])):
         experiment.absent = "none of its runs, because the config was changed after it was run"
         return experiment
-    MODEL_LABELS.update(sweep["models"])
+    registry.learn(sweep["models"], sweep.get("methods", {}))
     experiment.sweep = sweep["axes"]
     indices = Indices(folder)
     for entry in sweep["runs"]:

@@ -40,11 +40,17 @@ std::string sweep_text(const fs::path& out, const Experiment& experiment) {
   for (const Expectation& expectation : experiment.expectations) expect.push_back(to_json(expectation));
   for (const auto& [pointer, values] : experiment.axes) axes[pointer] = values;
   for (const RunConfig& config : experiment.runs) runs.push_back(run_entry(out, experiment, config));
-  const Json head = {{"experiment", experiment.name},      {"config", experiment.source.string()},
-                     {"overrides", experiment.overrides},  {"version", build.version},
-                     {"git_commit", build.git_commit},     {"source_hash", build.source_hash},
-                     {"settings", experiment.settings},    {"models", model_labels_json()},
-                     {"cover", experiment.cover.strength}, {"expect", expect}};
+  const Json head = {{"experiment", experiment.name},
+                     {"config", experiment.source.string()},
+                     {"overrides", experiment.overrides},
+                     {"version", build.version},
+                     {"git_commit", build.git_commit},
+                     {"source_hash", build.source_hash},
+                     {"settings", experiment.settings},
+                     {"models", model_traits_json()},
+                     {"methods", method_traits_json()},
+                     {"cover", experiment.cover.strength},
+                     {"expect", expect}};
   std::string text = "{\n";
   for (const auto& [key, value] : head.items()) text += fmt::format("\"{}\": {},\n", key, value.dump());
   return text + fmt::format("\"axes\": {},\n\"runs\": {}\n}}\n", axes.dump(), lines_of(runs));

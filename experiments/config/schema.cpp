@@ -202,13 +202,17 @@ Json schema_json() {
     entry["description"] = list.meaning;
     schema["properties"][std::string(list.name)] = std::move(entry);
   }
+  schema["x-models"] = model_traits_json();
+  schema["x-methods"] = method_traits_json();
   return schema;
 }
 
-Json model_labels_json() {
-  Json labels = Json::object();
-  for (const BendingKind* model : bending_models()) labels[std::string(model->name)] = model->label;
-  return labels;
+Json model_traits_json() {
+  Json traits = Json::object();
+  for (const BendingKind* model : bending_models())
+    traits[std::string(model->name)] = {
+        {"label", model->label}, {"made_of", made_of(*model)}, {"prestressed", model->prestressed}};
+  return traits;
 }
 
 namespace {
@@ -283,7 +287,9 @@ Json kinds_json(std::span<const Kind* const> kinds) {
   for (const Kind* kind : kinds) {
     Json& entry = json.emplace_back(Json::object());
     entry["name"] = kind->name;
-    if constexpr (requires { kind->label; }) entry["label"] = kind->label;
+    if constexpr (std::is_same_v<Kind, BendingKind>)
+      entry["label"] = kind->label, entry["made_of"] = made_of(*kind),
+      entry["prestressed"] = kind->prestressed;
     entry["summary"] = kind->summary, entry["source"] = kind->source;
     if constexpr (requires { kind->limits; }) entry["limits"] = kind->limits;
     if constexpr (requires { kind->compliance; }) entry["compliance"] = kind->compliance;
@@ -307,6 +313,17 @@ std::string methods_text() {
 Json methods_json() {
   return kinds_json(methods());
 }
+
+Json method_traits_json() {
+  Json traits = Json::object();
+  for (const MethodKind* method : methods()) {
+    Json& defaults = traits[std::string(method->name)] = Json::object();
+    for (const SettingRow& row : rows_of(method->settings))
+      if (!row.field.choices.empty()) defaults[std::string(row.field.name)] = json_of(row.usual);
+  }
+  return traits;
+}
+
 std::string effects_text() {
   return kinds_text(effects());
 }

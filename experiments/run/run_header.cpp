@@ -66,6 +66,23 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   return record_of(kind, list, order, in_full, rest_of, rest_of);
 }
 
+std::vector<ObstacleRecord> obstacles_of(const BuiltScene& scene) {
+  const Vector3 low = scene.rest.positions().colwise().minCoeff(),
+                high = scene.rest.positions().colwise().maxCoeff();
+  std::vector<ObstacleRecord> records;
+  for (std::size_t index = 0; index < scene.effects.size(); ++index) {
+    const Effect& effect = scene.effects[index];
+    if (effect.kind().surface == nullptr) continue;
+    const auto [mesh, velocity] = effect.kind().surface(
+        effect.settings(), {.folder = scene.folder, .centre = (low + high) / 2, .size = (high - low).norm()});
+    records.push_back({.effect = index,
+                       .positions = {mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},
+                       .triangles = {mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size()},
+                       .velocity = {velocity.x(), velocity.y(), velocity.z()}});
+  }
+  return records;
+}
+
 }  // namespace
 
 RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
@@ -100,6 +117,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                                              simulation.element_order(Kind::name), in_full,
                                              [&](std::size_t c) { return list.rest[c]; }));
   });
+  header.obstacles = obstacles_of(scene);
   std::string ordering_hash;
   for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;
   header.provenance = {{"version", std::string(build.version)},
@@ -118,7 +136,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                        {"precision", std::string(name_in(precision_names, scene.precision))},
                        {"ordering_hash", ordering_hash},
                        {"point", point_json(config).dump()},
-                       {"models", model_labels_json().dump()},
+                       {"models", model_traits_json().dump()},
+                       {"methods", method_traits_json().dump()},
                        {"started", utc_now()}};
   if (!scene.mesh_notes.empty())
     header.provenance["mesh_notes"] = fmt::format("{}", fmt::join(scene.mesh_notes, "; "));

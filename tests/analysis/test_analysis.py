@@ -38,6 +38,7 @@ import obstacles  # noqa: E402
 import page  # noqa: E402
 import plain_cases  # noqa: E402
 import plain_page  # noqa: E402
+import registry  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_matrix  # noqa: E402
@@ -49,6 +50,7 @@ import strips  # noqa: E402
 import style  # noqa: E402
 import sweeps  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
+from load import group  # noqa: E402
 from made_up_runs import facts  # noqa: E402
 from report import Check, rounded, write_objects  # noqa: E402
 
@@ -80,12 +82,6 @@ def write_run(path, config, committed=3, extra=0, status="complete", summary=Non
     return path
 
 
-def setUpModule():
-    """As if run files had been read: every model with its label."""
-    load.MODEL_LABELS.update({name: name.replace("_", " ") for name in style.MODEL_COLOURS},
-                             none="no bending")
-
-
 def hard_run(case, model, precision, verdict, worst=None, why=""):
     """A run of a hard case as summary.json has it."""
     worst = worst or {"what": "mean strain", "value": 2, "limit": 1, "unit": "1"}
@@ -96,7 +92,7 @@ def hard_run(case, model, precision, verdict, worst=None, why=""):
 
 def every_point(sweep):
     """The points of a sweep as its config writes it."""
-    lists = [list(style.MODEL_COLOURS) if values == "all" else values for values in sweep.values()]
+    lists = [registry.models() if values == "all" else values for values in sweep.values()]
     return [sorted(zip(sweep, values), key=str) for values in itertools.product(*lists)]
 
 
@@ -307,43 +303,33 @@ class RasterTest(unittest.TestCase):
             self.assertAlmostEqual(both.sum() / alone.sum(), share, delta=0.05)  # perspective: 5 against 4.5
 
 
+def with_obstacles(effects, surfaces=None):
+    """A run with these effects; `surfaces`: index of an effect → points, triangles, velocity."""
+    return SimpleNamespace(get=lambda pointer, default=None: effects, config={"effects": effects},
+                           obstacles=surfaces or {})
+
+
 class ObstacleTest(unittest.TestCase):
-    COMMON = {"velocity": [0, 0, 0], "thickness": 0.005}
+    def test_surfaces_move_and_a_level_plane_is_left_out(self):
+        effects = [{"type": "gravity"}, {"type": "plane", "point": [0, 0, -0.3], "normal": [0, 0, 2]},
+                   {"type": "a new one"}, {"type": "plane", "point": [0, 0, 0], "normal": [1, 0, 1]}]
+        surface = lambda height, speed: (SQUARE + [0, 0, height], TRIANGLES, np.array([0, 0, speed]))
+        run = with_obstacles(effects, {1: surface(0, 0), 2: surface(1, 0.5), 3: surface(2, 0)})
+        points, triangles = obstacles.surfaces(run, 4.0)
+        np.testing.assert_array_equal(points, np.concatenate([SQUARE + [0, 0, 3], SQUARE + [0, 0, 2]]))
+        np.testing.assert_array_equal(triangles, np.concatenate([TRIANGLES, TRIANGLES + 4]))
 
-    def surface(self, time=0.0, **effect):
-        return obstacles.surfaces({"effects": [{"type": "gravity"}, {**self.COMMON, **effect}]}, time, 2.0)
-
-    @staticmethod
-    def volume(points, triangles):
-        a, b, c = (points[triangles[:, i]] for i in range(3))
-        return (a * np.cross(b, c)).sum() / 6  # positive where normals point outward
-
-    def test_surfaces_lie_where_the_obstacles_are(self):
-        points, triangles = self.surface(time=2.0, type="sphere", centre=[1, 2, 3], radius=0.5,
-                                         velocity=[0, 0, -1])
-        np.testing.assert_allclose(np.linalg.norm(points - [1, 2, 1], axis=1), 0.5, atol=1e-12)
-        # Facets lie within by (2°)²
-        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi / 6), 1, delta=0.01)
-
-        points, triangles = self.surface(type="capsule", a=[0, 0, 0], b=[0, 3, 0], radius=0.2)
-        nearest = np.clip(points, [0, 0, 0], [0, 3, 0])
-        np.testing.assert_allclose(np.linalg.norm(points - nearest, axis=1), 0.2, atol=1e-12)
-        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.04 * 3 + np.pi * 0.8 * 0.04 / 3),
-                               1, delta=0.01)
-
-        points, triangles = self.surface(type="disc", centre=[0, 0, 1], axis=[0, 0, 2], radius=0.5,
-                                         height=0.1)
-        inward = np.hypot(points[:, 0], points[:, 1]) - 0.45
-        depth = np.hypot(np.maximum(inward, 0), points[:, 2] - 1)
-        np.testing.assert_allclose(depth, 0.05, atol=1e-12)
-        # Half a circle about the axis: Pappus
-        rim = 2 * np.pi * (0.45 + 4 * 0.05 / (3 * np.pi)) * np.pi * 0.05**2 / 2
-        self.assertAlmostEqual(self.volume(points, triangles) / (np.pi * 0.45**2 * 0.1 + rim), 1, delta=0.01)
+    def test_a_run_whose_obstacles_were_not_recorded_is_told_from_one_without(self):
+        ball = {"type": "sphere", "velocity": [0, 0, 0], "thickness": 0.01}
+        wind = {"type": "wind", "velocity": [0, 3, 0]}
+        self.assertTrue(obstacles.are_unknown(with_obstacles([wind, ball])))
+        self.assertFalse(obstacles.are_unknown(with_obstacles([wind])))
+        self.assertFalse(obstacles.are_unknown(with_obstacles([ball], {0: (SQUARE, TRIANGLES, np.zeros(3))})))
 
     def test_the_clearance_is_the_distance_from_the_surface(self):
         common = {"centre": [0, 0, 1], "axis": [0, 0, 1], "normal": [0, 0, 3], "point": [0, 0, 1],
                   "a": [0, 0, 0], "b": [0, 0, 2], "radius": 0.5, "height": 0.1, "velocity": [0, 0, 1]}
-        at = lambda kind, point, time=0: obstacles.clearance({"effects": [{"type": kind, **common}]}, time,
+        at = lambda kind, point, time=0: obstacles.clearance(with_obstacles([{"type": kind, **common}]), time,
                                                              np.array([point], float))
         for kind, point, expected in (("plane", [5, 0, 0.8], -0.2), ("sphere", [0, 0.7, 1], 0.2),
                                       ("sphere", [0, 0.4, 1], -0.1), ("capsule", [0.7, 0, 1.4], 0.2),
@@ -354,16 +340,16 @@ class ObstacleTest(unittest.TestCase):
         self.assertAlmostEqual(at("sphere", [0, 0.7, 3], time=2), 0.2, places=12)
         self.assertAlmostEqual(at("disc", [0.53, 0, 1.04]), np.hypot(0.08, 0.04) - 0.05, places=12)
 
-    CUBE = ("".join(f"v {i % 2} {i // 2 % 2} {i // 4}\n" for i in range(8))
-            + "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n")
+    CUBE = [corners for a, b, c, d in ([0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2],
+                                       [1, 3, 7, 5]) for corners in ([a, b, c], [a, c, d])]
 
-    def mesh_clearance(self, text, points, time=0.0):
-        """Clearance from a mesh scaled by 2, moved 5 m to the right, with a velocity of 1 m/s upwards."""
-        effect = {"type": "mesh_obstacle", "file": "mesh.obj", "scale": 2.0, "offset": [5, 0, 0],
-                  "velocity": [0, 0, 1]}
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "mesh.obj").write_text(text)
-            return obstacles.clearance({"effects": [effect]}, time, np.array(points, float), folder)
+    def mesh_clearance(self, triangles, points, time=0.0):
+        """Clearance from these triangles of a cube scaled by 2 and moved 5 m to the right, with a velocity of
+        1 m/s upwards."""
+        corners = np.array([[i % 2, i // 2 % 2, i // 4] for i in range(8)], float)
+        surface = 2 * corners + [5, 0, 0], np.array(triangles), np.array([0, 0, 1.0])
+        return obstacles.clearance(with_obstacles([{"type": "a new one"}], {0: surface}), time,
+                                   np.array(points, float))
 
     def test_the_clearance_of_a_mesh_is_that_of_the_cube_it_shows(self):
         def expected(points):
@@ -387,30 +373,14 @@ class ObstacleTest(unittest.TestCase):
                                delta=1e-12)
 
     def test_an_open_mesh_has_no_inside(self):
-        without_bottom = self.CUBE.replace("f 1 3 4 2\n", "")
+        without_bottom = self.CUBE[2:]
         for point, distance in (([6, 1.1, 0.3], 0.9), ([6, 1, 2.5], 0.5), ([6, 1, -0.5], np.hypot(1, 0.5))):
             self.assertAlmostEqual(self.mesh_clearance(without_bottom, [point]), distance, delta=1e-12)
 
-    def test_a_level_plane_is_the_floor_and_a_slope_a_patch(self):
-        level = {"type": "plane", "point": [0, 0, -0.3], "normal": [0, 0, 2], **self.COMMON}
+    def test_a_level_plane_is_the_floor(self):
+        level = {"type": "plane", "point": [0, 0, -0.3], "normal": [0, 0, 2]}
         self.assertEqual(obstacles.floor_of({"effects": [level]}), -0.3)
-        self.assertEqual(len(obstacles.surfaces({"effects": [level]}, 0, 1.0)[0]), 0)
         self.assertIsNone(obstacles.floor_of({"effects": [{**level, "normal": [1, 0, 1]}]}))
-        points, _ = self.surface(type="plane", point=[0, 0, -0.3], normal=[1, 0, 1])
-        np.testing.assert_allclose((points - [0, 0, -0.3]) @ [1, 0, 1], 0, atol=1e-12)
-        self.assertAlmostEqual(np.linalg.norm(points[0] - points[1]), 2.0)
-
-    def test_a_mesh_is_read_scaled_and_moved(self):
-        with tempfile.TemporaryDirectory() as folder:
-            (Path(folder) / "roof.obj").write_text("# a quad\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1/1 2/2 "
-                                                   "3/3 -1\n")
-            mesh = {"type": "mesh_obstacle", "file": "roof.obj", "scale": 2.0, "offset": [0, 0, 5],
-                    **self.COMMON}
-            points, triangles = obstacles.surfaces({"effects": [mesh]}, 0, 1.0, folder)
-        np.testing.assert_array_equal(points, 2 * SQUARE + [0, 0, 5])
-        np.testing.assert_array_equal(triangles, TRIANGLES)
-        with self.assertRaisesRegex(ValueError, "convert the mesh to OBJ"):
-            obstacles.read_obj(Path("roof.stl"))
 
 
 class FigureTest(unittest.TestCase):
@@ -463,7 +433,7 @@ class FigureTest(unittest.TestCase):
         for name in ("hanging_sheet", "cantilever", "cantilever_rigidity"):
             sweep = json.loads((sweeps.CONFIGS / f"models/{name}.json").read_text())["sweep"]
             models = sweep.get("/bending/model") or [value["model"] for value in sweep["/bending"]]
-            self.assertLessEqual(set(models), set(style.MODEL_COLOURS))
+            self.assertLessEqual(set(models), set(registry.models()))
 
     def test_every_scene_has_a_view_and_its_models_a_name(self):
         configs = {path.stem: json.loads(path.read_text()) for path in sweeps.CONFIGS.glob("scenes/*.json")}
@@ -471,7 +441,7 @@ class FigureTest(unittest.TestCase):
         self.assertEqual(set(configs), set(times))
         for name, config in configs.items():
             self.assertEqual(config["name"], name)
-            self.assertLessEqual(set(config["sweep"]["/bending/model"]), set(style.MODEL_COLOURS))
+            self.assertLessEqual(set(config["sweep"]["/bending/model"]), set(registry.models()))
             self.assertLessEqual(times[name], config["duration"])
 
     def test_the_title_of_the_scenes_counts_what_went_wrong(self):
@@ -482,7 +452,7 @@ class FigureTest(unittest.TestCase):
             config = {"bending": {"model": model}, "effects": [floor]}
             return SimpleNamespace(model=model, complete=status == "complete", config=config, summary=summary,
                                    frames=1, metrics={"time": [0.0]}, positions=lambda frame: SQUARE,
-                                   triangles=TRIANGLES)
+                                   triangles=TRIANGLES, obstacles={}, get=lambda *_: [floor])
         runs = [run("adaptive", "complete", 1.1, 0), run("crossover", "complete", 1.5, 2),
                 run("lod", "diverged", 9, 50)]
         title = fig_scenes.title({"flag": SimpleNamespace(runs=runs)})
@@ -620,14 +590,12 @@ class FigureTest(unittest.TestCase):
             x, y, z = np.where(ratio > 0.008856, np.cbrt(ratio), 7.787 * ratio + 16 / 116)
             return np.array([116 * y - 16, 500 * (x - y), 200 * (y - z)])
 
-        self.assertEqual({model for family in style.FAMILIES.values() for model in family},
-                         set(style.MODEL_COLOURS))
-        for family, sight in itertools.product(style.FAMILIES.values(), map(np.array, sights)):
+        families = list(group(registry.models(), style.family).values())
+        for family, sight in itertools.product(families, map(np.array, sights)):
             for one, other in itertools.combinations(family, 2):
-                apart = np.linalg.norm(lab(style.MODEL_COLOURS[one], sight)
-                                       - lab(style.MODEL_COLOURS[other], sight))
+                apart = np.linalg.norm(lab(style.colour(one), sight) - lab(style.colour(other), sight))
                 self.assertGreater(apart, 15, (one, other))  # 2.3 is just noticeable
-        kinds = [{style.marker(model) for model in family} for family in style.FAMILIES.values()]
+        kinds = [{style.marker(model) for model in family} for family in families]
         for one, other in itertools.combinations(kinds, 2):
             self.assertFalse(one & other)
 
@@ -762,7 +730,7 @@ class StabilityTest(unittest.TestCase):
                                                       ("none", "double", 0.25, "it slips"),
                                                       ("adaptive", "double", 0.75, "it slips"),
                                                       ("dihedral", "double", 3.0, "")]]
-        text = stability_page.failed_html(cells)
+        text = stability_page.failed_html(cells, 3)
         self.assertEqual(text.count("<tr>"), 3)  # the head and two rows
         self.assertIn("none, adaptive (double)</td><td class=t>mean strain 0.250 to 0.750", text)
         self.assertEqual(text.count("it slips"), 1)
@@ -775,12 +743,12 @@ class StabilityTest(unittest.TestCase):
             for quantity, case, models in stability_reasons.PLACE.findall(one.text):
                 self.assertIn(quantity, stability_reasons.QUANTITIES)
                 self.assertTrue(any(name.startswith(case) for name in names), case)
-                self.assertLessEqual(set(models.split()), set(style.MODEL_COLOURS))
+                self.assertLessEqual(set(models.split()), set(registry.models()))
             for part in filter(None, one.apart.split("; ")):
                 self.assertTrue((sweeps.CONFIGS / f"stability/{part.split()[0]}.json").is_file(), part)
             for beginning in one.cases:
                 self.assertTrue(any(name.startswith(beginning) for name in names), beginning)
-            self.assertLessEqual(set(one.models), set(style.MODEL_COLOURS))
+            self.assertLessEqual(set(one.models), set(registry.models()))
 
     def test_a_reason_needs_its_number(self):
         cell = lambda name, status="complete", **numbers: SimpleNamespace(case=SimpleNamespace(name=name),

@@ -222,8 +222,8 @@ class PageTest(unittest.TestCase):
         text, rows = self.page([])
         self.assertEqual(rows, [])
         self.assertNotIn("<img", text)
-        for what in ("a whole step", "dihedral hinges", "quasi_newton", "effects: gravity", "set_up/",
-                     "corner, strip, irreg", "more than one thread", "recording/", "sweep/"):
+        for what in ("a whole step", "any kind of bending constraint", "quasi_newton", "effects: gravity",
+                     "set_up/", "corner, strip, irreg", "more than one thread", "recording/", "sweep/"):
             self.assertIn(what, text)
 
 

@@ -3,6 +3,7 @@
 #include "experiments/run/run_header.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "experiments/config/experiment.hpp"
@@ -51,7 +52,30 @@ auto& hinge_list(SimulationInput& input) {
   return std::get<ElementList<HingeAngle>>(input.elements);
 }
 
+RunHeader header_of(const Experiment& experiment) {
+  const RunConfig& config = experiment.runs.front();
+  const BuiltScene scene = build_scene(config.scene());
+  return header_of(experiment, config, "id", scene, *simulation_of(scene), Recorder(config, scene));
+}
+
 }  // namespace
+
+TEST_CASE("run header: the surface of each obstacle is recorded, by its index among the effects", "[run]") {
+  const RunHeader header = header_of(parse_experiment(
+      R"({"name": "t", "mesh": {"cells": 3}, "effects": [{"type": "gravity"},
+          {"type": "sphere", "centre": [1, 2, -3], "radius": 0.5, "velocity": [0, 0, 1]},
+          {"type": "plane"}]})",
+      "test"));
+  REQUIRE(header.obstacles.size() == 2);
+  const ObstacleRecord& ball = header.obstacles[0];
+  CHECK(ball.effect == 1);
+  CHECK(ball.velocity == std::vector<double>{0, 0, 1});
+  REQUIRE(ball.positions.size() % 3 == 0);
+  for (std::size_t k = 0; k < ball.positions.size(); k += 3)
+    CHECK_THAT(std::hypot(ball.positions[k] - 1, ball.positions[k + 1] - 2, ball.positions[k + 2] + 3),
+               Catch::Matchers::WithinRel(0.5, 1e-14));
+  CHECK(header.obstacles[1].effect == 2);
+}
 
 TEST_CASE("run header: an equilibrium's constraints are recorded in the order of their lists", "[run]") {
   const Experiment experiment = experiment_of(hinges, R"({"method": "equilibrium"})");

@@ -6,7 +6,9 @@
 #include <string>
 
 #include "bendlab/bending/model.hpp"
+#include "bendlab/constraints/kinds.hpp"
 #include "bendlab/effects/effect.hpp"
+#include "bendlab/scene/built_scene.hpp"
 #include "bendlab/scene/fields_json.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/config_tables.hpp"
@@ -107,6 +109,37 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
     CHECK(effect_list[i]["name"] == effects()[i]->name);
     CHECK_THAT(unwrapped(effects_text()), ContainsSubstring(unwrapped(std::string(effects()[i]->summary))));
   }
+}
+
+TEST_CASE("schema: figures are told what each model is made of") {
+  for (const auto& [name, traits] : model_traits_json().items()) {
+    INFO(name);
+    const BuiltScene scene =
+        build_scene(parse_experiment(
+                        R"({"name": "t", "defaults": "paper", "mesh": {"cells": 4}, "bending": {"model": ")" +
+                            name + "\"}}",
+                        "test")
+                        .runs.front()
+                        .scene());
+    const std::size_t springs = scene.input.distance.size(), others = element_count(scene.input.elements);
+    CHECK(traits["label"] == find_bending_model(name)->label);
+    CHECK((traits["made_of"] == "nothing") == (springs + others == 0));
+    CHECK((traits["made_of"] == "springs") == (springs > 0));
+    if (traits["made_of"] == "hinges") CHECK(others == 4 * 4 + 2 * 4 * 3);  // diagonals and inner sides
+  }
+  CHECK(model_traits_json().size() == bending_models().size());
+  CHECK(model_traits_json()["choi_ko"]["made_of"] == "elements");
+  CHECK(model_traits_json()["prestressed"]["prestressed"] == true);
+  CHECK(model_traits_json()["sparse_lod"]["prestressed"] == false);
+}
+
+TEST_CASE("schema: figures are told what methods choose by default") {
+  const Json chosen = method_traits_json();
+  CHECK(chosen.size() == methods().size());
+  CHECK(chosen["newton"]["integrator"] == "bdf2");
+  CHECK(chosen["quasi_newton"]["integrator"] == "euler");
+  CHECK(chosen["pbd"]["sweep"] == "forward");
+  CHECK(chosen["equilibrium"].empty());
 }
 
 TEST_CASE("schema: the text of effects has an empty line between two of them, and none before or after") {

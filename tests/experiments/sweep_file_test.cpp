@@ -27,7 +27,7 @@ TEST_CASE("sweep file: has every run of the sweep with its place, id and folder"
   REQUIRE(place.run("run first.json") == 0);
   const json sweep = sweep_in(place, "s/first.sweep.json");
   CHECK(sweep["axes"]["/bending/lod/t"] == json({1, 2}));
-  CHECK(sweep["models"]["lod"] == "LOD");
+  CHECK(sweep["models"]["lod"]["label"] == "LOD");
   CHECK(sweep["settings"]["duration"] == 0.05);
   REQUIRE(sweep["runs"].size() == 2 * (1 + 2));  // none has no rings t
   CHECK(sweep["runs"][0]["point"] == json({{"/mesh/cells", 2}, {"/bending/model", "none"}}));
@@ -36,7 +36,8 @@ TEST_CASE("sweep file: has every run of the sweep with its place, id and folder"
     const RunRecord record = read_run(file);
     CHECK(record.id == run["id"]);
     CHECK(json::parse(record.provenance.at("point")) == run["point"]);
-    CHECK(json::parse(record.provenance.at("models")) == sweep["models"]);
+    for (const char* traits : {"models", "methods"})
+      CHECK(json::parse(record.provenance.at(traits)) == sweep[traits]);
   }
 }
 

@@ -104,7 +104,8 @@ class Installed(unittest.TestCase):
         for run in self.runs:
             self.assertEqual(run["status"], "complete")
             with h5py.File(self.example / run["file"]) as file:
-                self.assertEqual(json.loads(Facts(file).provenance["models"])["edge_hinge"], "edge hinge")
+                self.assertEqual(json.loads(Facts(file).provenance["models"])["edge_hinge"]["label"],
+                                 "edge hinge")
                 rest, last = file["rest/positions"][()], self.frame(file, -1)
                 # The measure, from the positions that the file has.
                 self.assertAlmostEqual(Facts(file).summary["height"], last[:, 2].mean(), delta=1e-6)

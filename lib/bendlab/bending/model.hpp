@@ -86,6 +86,13 @@ inline bool is_made_of_hinges(const BendingKind& model) {
   return model.expect == nullptr && !model.springs_only;
 }
 
+/// What build() makes: "nothing", "springs", "hinges", or "elements" of another kind.
+inline std::string_view made_of(const BendingKind& model) {
+  if (!model.bends) return "nothing";
+  if (model.springs_only) return "springs";
+  return is_made_of_hinges(model) ? "hinges" : "elements";
+}
+
 /// Names of the registered models that are made of hinges.
 std::vector<std::string_view> models_of_hinges();
 

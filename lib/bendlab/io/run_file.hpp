@@ -6,6 +6,8 @@
 //   /rest                   positions (V, 3) m, triangles (T, 3), pinned (V), pin_seeds
 //   /metrics/values         a row per recorded frame (F, C); the first column is the time
 //   /constraints/<kind>     vertices, rest values and softness, only on request
+//   /obstacles/<k>          the surface of effect k at time 0: positions (n, 3) m, triangles (m, 3) with
+//                           normals outward, velocity (3) m/s; positions in the precision of Points
 //   /provenance/inputs/<k>  the bytes of the k-th file that the config names
 //   /facts                  everything else, as a compressed JSON text; how it is when the run begins in a
 //                           file that grows with its run, which has the end's in /outcome
@@ -19,7 +21,7 @@
 //   constraints, hashes     {kind: number}, {kind: text}
 //   inputs                  [[pointer, name]] of the files that the config names
 //   provenance              {name: text}: commit, compiler, …; as JSON `point`, the place on the sweep, and
-//                           `models`, the labels of all bending models
+//                           `models` and `methods`, traits of all that the program has
 //   summary                 {name: number}; a number that is not finite is a text: "nan", "inf", "-inf"
 //   passes                  [[name, seconds, calls, acted]]
 //   wall_s, cpu_s, step_cpu_s
@@ -84,6 +86,14 @@ struct InputFile {
   std::string bytes;
 };
 
+/// The surface of an obstacle at time 0.
+struct ObstacleRecord {
+  std::size_t effect = 0;         ///< index in /effects
+  std::vector<double> positions;  ///< 3n, m
+  std::vector<int> triangles;     ///< 3m, normals outward
+  std::vector<double> velocity;   ///< 3, m/s
+};
+
 /// What is known before the first step.
 struct RunHeader {
   std::string id, name;
@@ -94,6 +104,7 @@ struct RunHeader {
   std::vector<Column> metrics;      ///< one per value of Frame::metrics; `time` is added by the writer
   std::vector<Column> cell_fields;  ///< one per field of Frame::cell_fields
   std::vector<ConstraintRecord> constraints;
+  std::vector<ObstacleRecord> obstacles;
   std::map<std::string, std::string> provenance;  ///< attribute → text
   std::vector<InputFile> inputs;
   std::string config;             ///< resolved config as JSON text

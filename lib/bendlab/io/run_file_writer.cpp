@@ -53,6 +53,19 @@ void write_header(hid_t file, const RunHeader& header) {
     for (const ConstraintRecord& record : header.constraints)
       if (has_arrays(record)) write_arrays(hdf5::create_group(constraints, record.kind), record);
   }
+  if (!header.obstacles.empty()) {
+    const Handle obstacles = hdf5::create_group(file, "obstacles");
+    for (const ObstacleRecord& record : header.obstacles) {
+      const Handle obstacle = hdf5::create_group(obstacles, std::to_string(record.effect));
+      if (header.double_positions)
+        hdf5::write_array(obstacle, "positions", record.positions, 3);
+      else
+        hdf5::write_array(obstacle, "positions",
+                          std::vector<float>(record.positions.begin(), record.positions.end()), 3);
+      hdf5::write_array(obstacle, "triangles", record.triangles, 3);
+      hdf5::write_array(obstacle, "velocity", record.velocity);
+    }
+  }
   if (header.inputs.empty()) return;
   const Handle inputs = hdf5::create_group(hdf5::create_group(file, "provenance"), "inputs");
   for (std::size_t k = 0; k < header.inputs.size(); ++k) {

@@ -21,10 +21,12 @@ import expectations
 import html_parts
 import live
 import looks
+import registry
 import run_facts
 import style
 import sweep_charts
 from html_parts import VIEWER, json_text
+from load import group
 from meanings import Meanings
 from sweep_axes import axes_of, label_of
 
@@ -346,7 +348,7 @@ class Colours(unittest.TestCase):
     def test_lines_and_marks_are_seen(self):
         for name, ground in looks.GROUNDS.items():
             self.assertEqual(ground, {"light": "#ffffff", "dark": self.schemes()["dark"]["paper"]}[name])
-            for look in [*map(looks.of_model, style.MODEL_COLOURS), *map(looks.of_place, range(21))]:
+            for look in [*map(looks.of_model, registry.models()), *map(looks.of_place, range(21))]:
                 self.assertGreaterEqual(looks.contrast(look[name], ground), 3)
 
     def test_contrast_is_that_of_the_standard(self):
@@ -357,7 +359,7 @@ class Colours(unittest.TestCase):
         seen = {json.dumps(looks.of_place(i), sort_keys=True) for i in range(21)}
         self.assertEqual(len(seen), 21)
         families = {name: {(look["mark"], look.get("hollow", False)) for look in map(looks.of_model, models)}
-                    for name, models in style.FAMILIES.items()}
+                    for name, models in group(registry.models(), style.family).items()}
         self.assertEqual(families["springs"], {("o", False)})
         self.assertTrue(all(hollow for _, hollow in families["hinges"]))
 

@@ -1,0 +1,66 @@
+"""The bending models and solver methods that the program has, in its order, with their traits.
+
+configs/schema.json lists those of this checkout, so that pages are laid out without runs. Run files and sweep
+files list those of the program that wrote them, which may have more: these come after the others.
+"""
+import json
+from pathlib import Path
+
+SCHEMA = Path(__file__).resolve().parent.parent / "configs/schema.json"
+_models, _methods = {}, {}  # name → traits, as far as they are known
+
+
+def learn(models, methods):
+    """Takes in what a file lists. Older files have a label in place of a model's traits, and no methods."""
+    for known, listed in ((_models, models), (_methods, methods)):
+        for name, traits in listed.items():
+            known.setdefault(name, {}).update(traits if isinstance(traits, dict) else {})
+
+
+def models():
+    """Names of all bending models."""
+    return list(_models)
+
+
+def methods():
+    """Names of all solver methods."""
+    return list(_methods)
+
+
+def model_place(name):
+    """The number of a model in the order of all; one that no file lists comes last."""
+    return _place(_models, name)
+
+
+def method_place(name):
+    """The same of a solver method."""
+    return _place(_methods, name)
+
+
+def _place(known, name):
+    known.setdefault(name, {})
+    return list(known).index(name)
+
+
+def made_of(model):
+    """What the model's constraints are: "nothing", "springs", "hinges", "elements"; "" if it is not known."""
+    return _models.get(model, {}).get("made_of", "")
+
+
+def is_prestressed(model):
+    """Whether its springs push in the sheet at rest."""
+    return _models.get(model, {}).get("prestressed", False)
+
+
+def has_springs_at_rest(model):
+    """Whether its constraints are springs that do not push in the sheet at rest: their moment is C κ³."""
+    return made_of(model) == "springs" and not is_prestressed(model)
+
+
+def usual(method, setting):
+    """The default of a method's own setting that is a choice; None if it has none."""
+    return _methods.get(method, {}).get(setting)
+
+
+_schema = json.loads(SCHEMA.read_text(encoding="utf-8")) if SCHEMA.exists() else {}
+learn(_schema.get("x-models", {}), _schema.get("x-methods", {}))
