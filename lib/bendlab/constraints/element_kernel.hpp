@@ -1,5 +1,11 @@
-// What the kernels of all element kinds share. The source of a kind specialises PackKernel and instantiates
-// the kernels with BENDLAB_ELEMENT_KERNELS; no other source includes this header.
+// The kernels of all element kinds. Each loads a pack of constraints, solves for the corrections, and stores
+// them. The source of a kind specialises PackKernel and instantiates the kernels with
+// BENDLAB_ELEMENT_KERNELS; no other source includes this header.
+//
+//   load    WholeCorners, SplitCorners   positions and inverse masses of the corners (see Places)
+//   solve   PackKernel                   C and ∇C, by a law of the kind
+//           PbdStiffness, XpbdStiffness  Δλ, by the stiffness of the batch
+//   store   the corners, XpbdStiffness   x += w ∇C Δλ, λ += Δλ
 //
 // What lies in a lane: one constraint of the batch, with all its corners and rest values.
 //
@@ -29,21 +35,36 @@ struct PackConstraint {
   PackMask<Real> defined;
 };
 
-/// The laws of a kind, as a type.
-template <auto... laws>
-struct LawList {};
-
-/// What a kind gives its kernels; `law` is a std::integral_constant<Kind::Law, …>:
+/// A kind with one of its laws, for the lanes of a pack. A specialisation inherits from ElasticKernel and has
 ///
-/// * `Laws`: its LawList;
-/// * `evaluate<Real>(points, rest, law)` → PackConstraint<Real, Kind::arity>: the lanes' Kind::value();
+/// * `evaluate(p, rest)` → PackConstraint: the lanes' Kind::value();
 /// * `rest_size_squared(rest)`, m²: of a length that is no longer than the constraint's size at rest;
-/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that;
-/// * if it is OneSided, `change(value, rest, law, w, alpha, multiplier)`: the lanes' Kind::change();
-/// * if it opens along its rest shape, `when_collapsed(points, rest, law)`: in collapsed lanes the value to
-///   correct, elsewhere 0 (see ConstraintValue).
-template <class Kind>
+/// * `exceeds_rest_size(squared, rest)`: the lanes in which a squared length is larger than that.
+template <class Real, class Kind, typename Kind::Law law>
 struct PackKernel;
+
+/// What a PackKernel inherits, and redefines if its kind differs: the energy is ½ C² / α for every C, and
+/// collapsed constraints stay collapsed.
+template <class Scalar, class Kind>
+struct ElasticKernel {
+  using Real = Scalar;
+  using Batch = ElementBatch<Real, Kind>;
+  using Constraint = PackConstraint<Real, Kind::arity>;
+  using Corners = std::array<PackPoints<Real>, Kind::arity>;
+  using Rest = std::array<Pack<Real>, Kind::rest_values>;
+
+  /// The lanes in which k and damping act on the value C.
+  BENDLAB_INLINE static PackMask<Real> resists(const Pack<Real>&) { return Pack<Real>{} == Pack<Real>{}; }
+
+  /// Δλ of a projection with w = Σ w|∇C|². A OneSided kind has the lanes' Kind::change() instead.
+  BENDLAB_INLINE static Pack<Real> change(const Pack<Real>& value, const Rest&, const Pack<Real>& w,
+                                          const Pack<Real>& alpha, const Pack<Real>& multiplier) {
+    return (-value - alpha * multiplier) / (w + alpha);
+  }
+
+  /// In collapsed lanes the value to correct, elsewhere 0 (see ConstraintValue).
+  BENDLAB_INLINE static Pack<Real> when_collapsed(const Corners&, const Rest&) { return Pack<Real>{}; }
+};
 
 namespace detail {
 
@@ -56,25 +77,23 @@ BENDLAB_INLINE std::array<const int*, N> offsets_at(const std::array<LargeArray<
 }
 
 template <class Real, std::size_t N>
-BENDLAB_INLINE std::array<PackPoints<Real>, N> gather_points(const Point<Real>* points,
-                                                             const std::array<LargeArray<int>, N>& corner,
-                                                             std::size_t lane) {
+BENDLAB_INLINE std::array<PackPoints<Real>, N> gather(const Point<Real>* points,
+                                                      const std::array<const int*, N>& offsets) {
   std::array<PackPoints<Real>, N> packs;
-  for (std::size_t i = 0; i < N; ++i) packs[i] = gather(points, &corner[i][lane]);
+  for (std::size_t i = 0; i < N; ++i) packs[i] = bendlab::gather(points, offsets[i]);
   return packs;
 }
 
 template <class Real, std::size_t N>
-BENDLAB_INLINE void scatter_corners(Point<Real>* points, const std::array<LargeArray<int>, N>& corner,
-                                    std::size_t lane, const std::array<PackPoints<Real>, N>& packs) {
-  for (std::size_t i = 0; i < N; ++i) scatter(points, &corner[i][lane], packs[i]);
+BENDLAB_INLINE void scatter(Point<Real>* points, const std::array<const int*, N>& offsets,
+                            const std::array<PackPoints<Real>, N>& packs) {
+  for (std::size_t i = 0; i < N; ++i) bendlab::scatter(points, offsets[i], packs[i]);
 }
 
 template <class Real, std::size_t N>
-BENDLAB_INLINE std::array<Pack<Real>, N> load_rest(const std::array<LargeArray<Real>, N>& rest,
-                                                   std::size_t lane) {
+BENDLAB_INLINE std::array<Pack<Real>, N> load(const std::array<LargeArray<Real>, N>& rest, std::size_t lane) {
   std::array<Pack<Real>, N> packs;
-  for (std::size_t i = 0; i < N; ++i) packs[i] = load(&rest[i][lane]);
+  for (std::size_t i = 0; i < N; ++i) packs[i] = bendlab::load(&rest[i][lane]);
   return packs;
 }
 
@@ -82,6 +101,41 @@ template <class Real>
 BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
   return x > y ? x : y;
 }
+
+// The corners of a pack of constraints, at whole places.
+template <class Real, std::size_t N>
+struct WholeCorners {
+  Point<Real>* points;
+  std::array<const int*, N> offsets;
+  std::array<PackPoints<Real>, N> p;
+
+  BENDLAB_INLINE WholeCorners(const Places<Real>& places, const std::array<const int*, N>& at)
+      : points(places.moved), offsets(at), p(gather(places.moved, at)) {}
+
+  BENDLAB_INLINE void move(std::size_t i, const PackVector<Real>& way) const {
+    bendlab::scatter<Real>(points, offsets[i], {p[i].position + way, p[i].w});
+  }
+};
+
+// The same at split places, relative to the base of the first corner.
+template <class Real, std::size_t N>
+struct SplitCorners {
+  const Places<Real>& places;
+  std::array<const int*, N> offsets;
+  std::array<PackPoints<Real>, N> p;
+  std::array<MovedRows<Real>, N> moved;
+
+  BENDLAB_INLINE SplitCorners(const Places<Real>& split, const std::array<const int*, N>& at)
+      : places(split), offsets(at) {
+    for (std::size_t i = 0; i < N; ++i) moved[i] = moved_rows(places, offsets[i]);
+    const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
+    for (std::size_t i = 1; i < N; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
+  }
+
+  BENDLAB_INLINE void move(std::size_t i, const PackVector<Real>& way) {
+    scatter_moved(places, offsets[i], moved[i], way);
+  }
+};
 
 // Sums over ∇C that a projection needs.
 template <class Real>
@@ -103,16 +157,102 @@ struct Leverage {
   }
 };
 
+// PBD: a projection removes the fraction k of C.
+template <class Real>
+struct PbdStiffness {
+  Real k;
+
+  template <class Kernel>
+  BENDLAB_INLINE Pack<Real> change(const typename Kernel::Constraint& c, const Leverage<Real>& leverage,
+                                   const typename Kernel::Rest&, const typename Kernel::Batch&,
+                                   std::size_t) const {
+    const Pack<Real> zero{}, one = broadcast<Real>(1);
+    const PackMask<Real> acts = c.defined & leverage.is_more_than_rounding & Kernel::resists(c.value);
+    return acts ? -k * c.value / (acts ? leverage.weighted : one) : zero;
+  }
+
+  template <class Batch>
+  BENDLAB_INLINE void store_multiplier(Batch&, std::size_t, const Pack<Real>&) const {}
+};
+
+// XPBD: α̃ is this compliance times each constraint's softness.
+template <class Real>
+struct XpbdStiffness {
+  Real compliance_over_h2;
+
+  template <class Kernel>
+  BENDLAB_INLINE Pack<Real> change(const typename Kernel::Constraint& c, const Leverage<Real>& leverage,
+                                   const typename Kernel::Rest& rest, const typename Kernel::Batch& batch,
+                                   std::size_t lane) const {
+    const Pack<Real> zero{}, one = broadcast<Real>(1);
+    const Pack<Real> alpha = compliance_over_h2 * bendlab::load(&batch.softness[lane]),
+                     multiplier = bendlab::load(&batch.multiplier[lane]);
+    const PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
+    const Pack<Real> w = acts ? leverage.weighted : one;
+    return acts ? Kernel::change(c.value, rest, w, alpha, multiplier) : zero;
+  }
+
+  template <class Batch>
+  BENDLAB_INLINE void store_multiplier(Batch& batch, std::size_t lane, const Pack<Real>& change) const {
+    store(&batch.multiplier[lane], bendlab::load(&batch.multiplier[lane]) + change);
+  }
+};
+
+// Projects a pack of constraints. Returns false and changes nothing if they have to be projected carefully:
+// one has collapsed, or a corner would move farther than its constraint's size at rest.
+template <class Kernel, class Corners, class Stiffness, class Real>
+BENDLAB_INLINE bool project_pack(const Places<Real>& places, typename Kernel::Batch& batch, std::size_t lane,
+                                 const Stiffness& stiffness) {
+  // Load.
+  Corners corners(places, offsets_at(batch.corner, lane));
+  const auto rest = load(batch.rest, lane);
+  // Solve: C and ∇C, then Δλ.
+  const auto c = Kernel::evaluate(corners.p, rest);
+  const Leverage<Real> leverage(corners.p, c.gradient);
+  const Pack<Real> change = stiffness.template change<Kernel>(c, leverage, rest, batch, lane);
+  // No corner moves farther than √way: w²|∇C|² is at most the largest w times Σ w|∇C|².
+  const Pack<Real> way = change * leverage.weighted * change * leverage.largest_w;
+  if (any(~c.defined | Kernel::exceeds_rest_size(way, rest))) [[unlikely]]
+    return false;
+  // Store.
+  stiffness.store_multiplier(batch, lane, change);
+  for (std::size_t i = 0; i < c.gradient.size(); ++i)
+    corners.move(i, scaled<Real>(change * corners.p[i].w, c.gradient[i]));
+  return true;
+}
+
+// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
+// either.
+template <class Kernel>
+BENDLAB_INLINE void open(typename Kernel::Constraint& c, const typename Kernel::Corners& p,
+                         const typename Kernel::Rest& rest, const typename Kernel::Batch& batch,
+                         std::size_t lane) {
+  using Real = typename Kernel::Real;
+  decltype(c.gradient) gradient{};
+  PackMask<Real> opens{};
+  if (batch.rest_points != nullptr) {
+    const auto at_rest = Kernel::evaluate(gather(batch.rest_points, offsets_at(batch.corner, lane)), rest);
+    const Pack<Real> value = Kernel::when_collapsed(p, rest);
+    opens = ~c.defined & at_rest.defined & (value != Pack<Real>{});
+    c.value = opens ? value : c.value;
+    for (std::size_t i = 0; i < gradient.size(); ++i)
+      gradient[i] = select(opens, at_rest.gradient[i], gradient[i]);
+  }
+  for (std::size_t i = 0; i < gradient.size(); ++i)
+    c.gradient[i] = select(c.defined, c.gradient[i], gradient[i]);
+  c.defined = c.defined | opens;
+}
+
 // Shortens a change of the multiplier that would move a corner farther than largest_move sizes.
-template <class Kind, class Real>
-BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
-                                       const std::array<PackVector<Real>, Kind::arity>& gradient,
-                                       const std::array<PackPoints<Real>, Kind::arity>& p,
-                                       const std::array<Pack<Real>, Kind::rest_values>& rest) {
-  Pack<Real> size = PackKernel<Kind>::template rest_size_squared<Real>(rest), farthest{};
-  for (std::size_t i = 0; i < Kind::arity; ++i) {
-    farthest = larger<Real>(farthest, p[i].w * p[i].w * dot(gradient[i], gradient[i]));
-    for (std::size_t j = i + 1; j < Kind::arity; ++j) {
+template <class Kernel>
+BENDLAB_INLINE auto within_reach(const Pack<typename Kernel::Real>& change,
+                                 const typename Kernel::Constraint& c, const typename Kernel::Corners& p,
+                                 const typename Kernel::Rest& rest) {
+  using Real = typename Kernel::Real;
+  Pack<Real> size = Kernel::rest_size_squared(rest), farthest{};
+  for (std::size_t i = 0; i < p.size(); ++i) {
+    farthest = larger<Real>(farthest, p[i].w * p[i].w * dot(c.gradient[i], c.gradient[i]));
+    for (std::size_t j = i + 1; j < p.size(); ++j) {
       const PackVector<Real> d = p[j].position - p[i].position;
       size = larger<Real>(size, dot(d, d));
     }
@@ -123,158 +263,80 @@ BENDLAB_INLINE Pack<Real> within_reach(const Pack<Real>& change,
   return too_far ? change * square_root(most / (too_far ? way : one)) : change;
 }
 
-// Gives lanes without a direction the gradient of their rest shape, or a gradient of 0 if that has none
-// either.
-template <class Kind, class Real, class Law>
-BENDLAB_INLINE PackConstraint<Real, Kind::arity> opened(PackConstraint<Real, Kind::arity> c,
-                                                        const std::array<PackPoints<Real>, Kind::arity>& p,
-                                                        const std::array<Pack<Real>, Kind::rest_values>& rest,
-                                                        Law law, const ElementBatch<Real, Kind>& batch,
-                                                        std::size_t lane) {
-  std::array<PackVector<Real>, Kind::arity> gradient{};
-  PackMask<Real> opens{};
-  if constexpr (requires { PackKernel<Kind>::template when_collapsed<Real>(p, rest, law); }) {
-    if (batch.rest_points != nullptr) {
-      const auto at_rest = PackKernel<Kind>::template evaluate<Real>(
-          gather_points<Real>(batch.rest_points, batch.corner, lane), rest, law);
-      const Pack<Real> value = PackKernel<Kind>::template when_collapsed<Real>(p, rest, law);
-      opens = ~c.defined & at_rest.defined & (value != Pack<Real>{});
-      c.value = opens ? value : c.value;
-      for (std::size_t i = 0; i < Kind::arity; ++i)
-        gradient[i] = select(opens, at_rest.gradient[i], gradient[i]);
-    }
-  }
-  for (std::size_t i = 0; i < Kind::arity; ++i) c.gradient[i] = select(c.defined, c.gradient[i], gradient[i]);
-  c.defined = c.defined | opens;
-  return c;
+// project_pack() with collapsed constraints opened and moves bounded. A function of its own, so that the rare
+// case takes no registers from the usual one.
+template <class Kernel, class Corners, class Stiffness, class Real>
+[[gnu::noinline]] void project_carefully(const Places<Real>& places, typename Kernel::Batch& batch,
+                                         std::size_t lane, const Stiffness& stiffness) {
+  Corners corners(places, offsets_at(batch.corner, lane));
+  const auto rest = load(batch.rest, lane);
+  auto c = Kernel::evaluate(corners.p, rest);
+  open<Kernel>(c, corners.p, rest, batch, lane);
+  const Leverage<Real> leverage(corners.p, c.gradient);
+  const Pack<Real> change = within_reach<Kernel>(
+      stiffness.template change<Kernel>(c, leverage, rest, batch, lane), c, corners.p, rest);
+  stiffness.store_multiplier(batch, lane, change);
+  for (std::size_t i = 0; i < c.gradient.size(); ++i)
+    corners.move(i, scaled<Real>(change * corners.p[i].w, c.gradient[i]));
 }
 
-// Projects a pack of constraints. Returns false and changes nothing if they have to be projected carefully:
-// one has collapsed, or a corner would move farther than its constraint's size at rest.
-template <class Real, class Kind, typename Kind::Law law, bool compliant, bool careful, bool split>
-BENDLAB_INLINE bool project_pack(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
-                                 std::size_t lane, Real compliance_over_h2) {
-  const Pack<Real> zero{}, one = broadcast<Real>(1);
-  const auto offsets = offsets_at(batch.corner, lane);
-  std::array<PackPoints<Real>, Kind::arity> p;
-  [[maybe_unused]] std::array<MovedRows<Real>, Kind::arity> moved;
-  if constexpr (split) {
-    for (std::size_t i = 0; i < Kind::arity; ++i) moved[i] = moved_rows(places, offsets[i]);
-    const BaseRows<Real> base = base_rows(places, offsets[0], moved[0], p[0]);
-    for (std::size_t i = 1; i < Kind::arity; ++i) p[i] = base.relative(places, offsets[i], moved[i]);
-  } else {
-    for (std::size_t i = 0; i < Kind::arity; ++i) p[i] = gather(places.moved, offsets[i]);
-  }
-  const auto rest = load_rest(batch.rest, lane);
-  constexpr std::integral_constant<typename Kind::Law, law> this_law;
-  PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(p, rest, this_law);
-  if constexpr (careful) c = opened<Kind>(c, p, rest, this_law, batch, lane);
-  const Leverage<Real> leverage(p, c.gradient);
-  PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
-  Pack<Real> sum = leverage.weighted, alpha{}, multiplier{};
-  if constexpr (compliant) {
-    alpha = compliance_over_h2 * load(&batch.softness[lane]);
-    if constexpr (!OneSided<Kind>) sum = sum + alpha;
-  }
-  if constexpr (OneSided<Kind> && !compliant) acts = acts & (c.value < zero);
-  const Pack<Real> divisor = acts ? sum : one;
-  Pack<Real> change;
-  if constexpr (compliant) {
-    multiplier = load(&batch.multiplier[lane]);
-    if constexpr (OneSided<Kind>)
-      change =
-          acts ? PackKernel<Kind>::template change<Real>(c.value, rest, this_law, divisor, alpha, multiplier)
-               : zero;
-    else
-      change = acts ? (-c.value - alpha * multiplier) / divisor : zero;
-  } else {
-    change = acts ? -batch.k * c.value / divisor : zero;
-  }
-  if constexpr (careful) {
-    change = within_reach<Kind>(change, c.gradient, p, rest);
-  } else {
-    // No corner moves farther than √way: w²|∇C|² is at most the largest w times Σ w|∇C|².
-    const Pack<Real> way = change * leverage.weighted * change * leverage.largest_w;
-    if (any(~c.defined | PackKernel<Kind>::template exceeds_rest_size<Real>(way, rest))) [[unlikely]]
-      return false;
-  }
-  if constexpr (compliant) store(&batch.multiplier[lane], multiplier + change);
-  for (std::size_t i = 0; i < Kind::arity; ++i) {
-    const PackVector<Real> move = scaled<Real>(change * p[i].w, c.gradient[i]);
-    if constexpr (split) {
-      scatter_moved(places, offsets[i], moved[i], move);
-    } else {
-      p[i].position = p[i].position + move;
-      scatter(places.moved, offsets[i], p[i]);
-    }
-  }
-  return true;
+template <class Kernel, class Corners, class Stiffness, class Real>
+void project_lanes(const Places<Real>& places, typename Kernel::Batch& batch, std::size_t first,
+                   std::size_t last, const Stiffness& stiffness) {
+  for (std::size_t lane = first; lane < last; lane += static_cast<std::size_t>(lanes<Real>))
+    if (!project_pack<Kernel, Corners>(places, batch, lane, stiffness)) [[unlikely]]
+      project_carefully<Kernel, Corners>(places, batch, lane, stiffness);
 }
 
-// A function of its own, so that the rare case takes no registers from the usual one.
-template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
-[[gnu::noinline]] void project_carefully(const Places<Real>& places, ElementBatch<Real, Kind>& batch,
-                                         std::size_t lane, Real compliance_over_h2) {
-  project_pack<Real, Kind, law, compliant, true, split>(places, batch, lane, compliance_over_h2);
-}
-
-template <class Real, class Kind, typename Kind::Law law, bool compliant, bool split>
-void project_lanes(const Places<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
-                   std::size_t last, Real compliance_over_h2) {
-  for (std::size_t lane = batch.order.stacks[first]; lane < batch.order.stacks[last];
-       lane += static_cast<std::size_t>(lanes<Real>))
-    if (!project_pack<Real, Kind, law, compliant, false, split>(places, batch, lane, compliance_over_h2))
-        [[unlikely]]
-      project_carefully<Real, Kind, law, compliant, split>(places, batch, lane, compliance_over_h2);
-}
-
-template <class Real, class Kind, typename Kind::Law law>
-void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch,
+template <class Kernel, class Real>
+void damp_lanes(const Point<Real>* points, Point<Real>* velocities, const typename Kernel::Batch& batch,
                 Real k) {
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = 0; lane < batch.order.lane_count(); lane += static_cast<std::size_t>(lanes<Real>)) {
-    const auto p = gather_points<Real>(points, batch.corner, lane);
-    auto v = gather_points<Real>(velocities, batch.corner, lane);
-    PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
-        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
+    const auto offsets = offsets_at(batch.corner, lane);
+    const auto p = gather(points, offsets);
+    auto v = gather(velocities, offsets);
+    auto c = Kernel::evaluate(p, load(batch.rest, lane));
     if (any(~c.defined)) [[unlikely]]
       for (PackVector<Real>& gradient : c.gradient)
         gradient = select(c.defined, gradient, PackVector<Real>{});
-    Pack<Real> rate{};
-    for (std::size_t i = 0; i < Kind::arity; ++i) rate = rate + dot(c.gradient[i], v[i].position);
+    Pack<Real> rate{};  // Ċ
+    for (std::size_t i = 0; i < v.size(); ++i) rate = rate + dot(c.gradient[i], v[i].position);
     const Leverage<Real> leverage(p, c.gradient);
-    PackMask<Real> acts = c.defined & leverage.is_more_than_rounding;
-    if constexpr (OneSided<Kind>) acts = acts & (c.value < zero);
+    const PackMask<Real> acts = c.defined & leverage.is_more_than_rounding & Kernel::resists(c.value);
     const Pack<Real> change = acts ? -k * rate / (acts ? leverage.weighted : one) : zero;
-    for (std::size_t i = 0; i < Kind::arity; ++i)
+    for (std::size_t i = 0; i < v.size(); ++i)
       v[i].position = v[i].position + scaled<Real>(change * p[i].w, c.gradient[i]);
-    scatter_corners(velocities, batch.corner, lane, v);
+    scatter(velocities, offsets, v);
   }
 }
 
-template <class Real, class Kind, typename Kind::Law law>
-void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces,
-                         const ElementBatch<Real, Kind>& batch, std::size_t first, std::size_t last) {
+template <class Kernel, class Real>
+void add_forces_of_lanes(const Point<Real>* points, Point<Real>* forces, const typename Kernel::Batch& batch,
+                         std::size_t first, std::size_t last) {
   const Pack<Real> zero{}, one = broadcast<Real>(1);
   for (std::size_t lane = first; lane < last; lane += static_cast<std::size_t>(lanes<Real>)) {
-    const auto p = gather_points<Real>(points, batch.corner, lane);
-    auto force = gather_points<Real>(forces, batch.corner, lane);
-    const PackConstraint<Real, Kind::arity> c = PackKernel<Kind>::template evaluate<Real>(
-        p, load_rest(batch.rest, lane), std::integral_constant<typename Kind::Law, law>{});
-    const Pack<Real> alpha = batch.compliance * load(&batch.softness[lane]);
+    const auto offsets = offsets_at(batch.corner, lane);
+    auto force = gather(forces, offsets);
+    const auto c = Kernel::evaluate(gather(points, offsets), load(batch.rest, lane));
+    const Pack<Real> alpha = batch.compliance * bendlab::load(&batch.softness[lane]);
     const auto acts = c.defined & (alpha > zero);
     const Pack<Real> multiplier = acts ? c.value / (acts ? alpha : one) : zero;
-    for (std::size_t i = 0; i < Kind::arity; ++i)
+    for (std::size_t i = 0; i < force.size(); ++i)
       force[i].position =
           force[i].position - select(acts, scaled<Real>(multiplier, c.gradient[i]), PackVector<Real>{});
-    scatter_corners(forces, batch.corner, lane, force);
+    scatter(forces, offsets, force);
   }
 }
 
-// Calls action(std::integral_constant<Law, law>) for the batch's law.
-template <class Law, auto... laws, class Action>
-void with_law(Law chosen, LawList<laws...>, const Action& action) {
-  ((chosen == laws ? action(std::integral_constant<Law, laws>{}) : void()), ...);
+// Calls action(PackKernel<Real, Kind, law>{}) for the batch's law.
+template <class Real, class Kind, class Action>
+void with_kernel(const ElementBatch<Real, Kind>& batch, const Action& action) {
+  using Law = typename Kind::Law;
+  [&]<std::size_t... law>(std::index_sequence<law...>) {
+    ((batch.law == Law{law} ? action(PackKernel<Real, Kind, Law{law}>{}) : void()), ...);
+  }
+  (std::make_index_sequence<Kind::law_names.size()>{});
 }
 
 }  // namespace detail
@@ -283,22 +345,25 @@ void with_law(Law chosen, LawList<laws...>, const Action& action) {
 template <class Real, class Kind>
 void project(const PlacesOf<Real>& places, ElementBatch<Real, Kind>& batch, std::size_t first,
              std::size_t last, Real substep, bool) {
-  const Real compliance = batch.compliance / (substep * substep);
-  detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
+  const std::size_t begin = batch.order.stacks[first], end = batch.order.stacks[last];
+  detail::with_kernel(batch, [&]<class Kernel>(Kernel) {
     with_split(places, [&]<bool split>(std::bool_constant<split>) {
-      batch.kind == StiffnessKind::compliance
-          ? detail::project_lanes<Real, Kind, law.value, true, split>(places, batch, first, last, compliance)
-          : detail::project_lanes<Real, Kind, law.value, false, split>(places, batch, first, last,
-                                                                       compliance);
+      using Corners = std::conditional_t<split, detail::SplitCorners<Real, Kind::arity>,
+                                         detail::WholeCorners<Real, Kind::arity>>;
+      if (batch.kind == StiffnessKind::compliance)
+        detail::project_lanes<Kernel, Corners>(
+            places, batch, begin, end, detail::XpbdStiffness<Real>{batch.compliance / (substep * substep)});
+      else
+        detail::project_lanes<Kernel, Corners>(places, batch, begin, end,
+                                               detail::PbdStiffness<Real>{batch.k});
     });
   });
 }
 
 template <class Real, class Kind>
 void damp(const Point<Real>* points, Point<Real>* velocities, const ElementBatch<Real, Kind>& batch, Real k) {
-  detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
-    detail::damp_lanes<Real, Kind, law.value>(points, velocities, batch, k);
-  });
+  detail::with_kernel(
+      batch, [&]<class Kernel>(Kernel) { detail::damp_lanes<Kernel>(points, velocities, batch, k); });
 }
 
 template <class Real, class Kind>
@@ -307,9 +372,9 @@ void add_forces(const Point<Real>* points, Point<Real>* forces, const ElementBat
   if constexpr (OneSided<Kind>) {
     if (first < last) throw std::logic_error("add_forces: the force of a one-sided kind jumps");
   } else {
-    detail::with_law(batch.law, typename PackKernel<Kind>::Laws{}, [&](auto law) {
-      detail::add_forces_of_lanes<Real, Kind, law.value>(points, forces, batch, batch.order.stacks[first],
-                                                         batch.order.stacks[last]);
+    detail::with_kernel(batch, [&]<class Kernel>(Kernel) {
+      detail::add_forces_of_lanes<Kernel>(points, forces, batch, batch.order.stacks[first],
+                                          batch.order.stacks[last]);
     });
   }
 }

@@ -33,6 +33,7 @@ struct HingeAngle {
     angle,      ///< C = θ - θ0, wrapped into (-π, π] (Müller et al. 2007, §3.3, with a sign)
     half_sine,  ///< ½C² = V, dV/dθ = sin(θ/2) - sin(θ0/2) (the elastic force of Bridson et al. 2003, §4)
   };
+  static constexpr std::array<std::string_view, 2> law_names = {"angle", "half_sine"};
 
   template <class Real>
   static ConstraintValue<Real, 4> value(const std::array<Vector3Of<Real>, 4>& p,

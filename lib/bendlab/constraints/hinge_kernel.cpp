@@ -12,26 +12,20 @@
 #include "bendlab/constraints/pack_math.hpp"
 
 namespace bendlab {
-template <>
-struct PackKernel<HingeAngle> {
-  using Laws = LawList<HingeAngle::Law::angle, HingeAngle::Law::half_sine>;
 
-  template <class Real>
-  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const Pack<Real>& squared,
-                                                         const std::array<Pack<Real>, 4>& rest) {
+template <class Real, HingeAngle::Law law>
+struct PackKernel<Real, HingeAngle, law> : ElasticKernel<Real, HingeAngle> {
+  using P = Pack<Real>;
+  using Rest = std::array<P, 4>;
+
+  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const P& squared, const Rest& rest) {
     return squared * rest[1] * rest[1] > broadcast<Real>(1);
   }
 
-  template <class Real>
-  BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 4>& rest) {
-    return 1 / (rest[1] * rest[1]);
-  }
+  BENDLAB_INLINE static P rest_size_squared(const Rest& rest) { return 1 / (rest[1] * rest[1]); }
 
-  template <class Real, HingeAngle::Law law>
   BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
-                                                         const std::array<Pack<Real>, 4>& rest,
-                                                         std::integral_constant<HingeAngle::Law, law>) {
-    using P = Pack<Real>;
+                                                         const Rest& rest) {
     const P one = broadcast<Real>(1), per_length = rest[1];
     const auto difference = [&](std::size_t to, std::size_t from) {
       return scaled<Real>(per_length, p[to].position - p[from].position);

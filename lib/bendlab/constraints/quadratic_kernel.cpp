@@ -10,29 +10,27 @@
 #include "bendlab/constraints/quadratic_bend.hpp"
 
 namespace bendlab {
-template <>
-struct PackKernel<QuadraticBend> {
-  using Laws = LawList<QuadraticBend::Law::norm, QuadraticBend::Law::energy>;
 
-  template <class Real>
-  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const Pack<Real>& squared,
-                                                         const std::array<Pack<Real>, 6>& rest) {
+template <class Real, QuadraticBend::Law law>
+struct PackKernel<Real, QuadraticBend, law> : ElasticKernel<Real, QuadraticBend> {
+  using P = Pack<Real>;
+  using Corners = std::array<PackPoints<Real>, 4>;
+  using Rest = std::array<P, 6>;
+
+  BENDLAB_INLINE static PackMask<Real> exceeds_rest_size(const P& squared, const Rest& rest) {
     return squared > rest[5] * rest[5];
   }
 
-  template <class Real>
-  BENDLAB_INLINE static Pack<Real> rest_size_squared(const std::array<Pack<Real>, 6>& rest) {
-    return rest[5] * rest[5];
+  BENDLAB_INLINE static P rest_size_squared(const Rest& rest) { return rest[5] * rest[5]; }
+
+  BENDLAB_INLINE static PackVector<Real> bend_of(const Corners& p, const Rest& rest) {
+    return scaled<Real>(rest[1], p[1].position - p[0].position) +
+           scaled<Real>(rest[2], p[2].position - p[0].position) +
+           scaled<Real>(rest[3], p[3].position - p[0].position);
   }
 
-  template <class Real, QuadraticBend::Law law>
-  BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const std::array<PackPoints<Real>, 4>& p,
-                                                         const std::array<Pack<Real>, 6>& rest,
-                                                         std::integral_constant<QuadraticBend::Law, law>) {
-    using P = Pack<Real>;
-    const PackVector<Real> bend = scaled<Real>(rest[1], p[1].position - p[0].position) +
-                                  scaled<Real>(rest[2], p[2].position - p[0].position) +
-                                  scaled<Real>(rest[3], p[3].position - p[0].position);
+  BENDLAB_INLINE static PackConstraint<Real, 4> evaluate(const Corners& p, const Rest& rest) {
+    const PackVector<Real> bend = bend_of(p, rest);
     const P squared = dot(bend, bend), one = broadcast<Real>(1), least = collapsed_ratio<Real> * rest[5];
     PackConstraint<Real, 4> result;
     result.defined = (squared > least * least) & (squared < overgrown_square<Real> * rest[5] * rest[5]);
@@ -47,14 +45,8 @@ struct PackKernel<QuadraticBend> {
     return result;
   }
 
-  template <class Real, QuadraticBend::Law law>
-  BENDLAB_INLINE static Pack<Real> when_collapsed(const std::array<PackPoints<Real>, 4>& p,
-                                                  const std::array<Pack<Real>, 6>& rest,
-                                                  std::integral_constant<QuadraticBend::Law, law>) {
-    using P = Pack<Real>;
-    const PackVector<Real> bend = scaled<Real>(rest[1], p[1].position - p[0].position) +
-                                  scaled<Real>(rest[2], p[2].position - p[0].position) +
-                                  scaled<Real>(rest[3], p[3].position - p[0].position);
+  BENDLAB_INLINE static P when_collapsed(const Corners& p, const Rest& rest) {
+    const PackVector<Real> bend = bend_of(p, rest);
     const P least = collapsed_ratio<Real> * rest[5];
     const P value = law == QuadraticBend::Law::norm ? -rest[4] : -Real(0.5) * rest[4] * rest[4];
     return dot(bend, bend) > least * least ? P{} : value;
