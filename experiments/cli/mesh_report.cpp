@@ -32,7 +32,7 @@ double omega_of(const RestMesh& rest) {
 }
 
 Levels levels_of(const RestMesh& rest) {
-  return adaptive_levels(rest, LevelSettings{});
+  return adaptive_levels(rest.size(), rest.mean_edge_length(), LevelSettings{});
 }
 
 struct Count {

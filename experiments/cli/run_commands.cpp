@@ -163,6 +163,14 @@ std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path&
     state = state_on_disk(states, folder, id);
     needs = forecast(config);
   });
+  // Runs that were computed tell how much more or less time than forecast the others will take.
+  double measured_s = 0, forecast_s = 0;
+  for (const KnownRun& run : known)
+    if (const auto found = states.find(run.folder.string());
+        found != states.end() && is_whole(found->second.status) && run.needs)
+      measured_s += found->second.cpu_s, forecast_s += run.needs->cpu_s;
+  for (KnownRun& run : known)
+    if (measured_s > 0 && run.needs) run.needs->cpu_s *= measured_s / forecast_s;
   return known;
 }
 

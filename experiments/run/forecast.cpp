@@ -18,8 +18,8 @@
 #include "bendlab/scene/rules.hpp"
 #include "bendlab/scene/start_after.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/run/expected_mesh.hpp"
 #include "experiments/run/run_control.hpp"
+#include "experiments/run/run_size.hpp"
 
 namespace bendlab {
 namespace {
@@ -30,16 +30,10 @@ namespace fs = std::filesystem;
 namespace bytes {
 constexpr double of_program = 26e6;
 constexpr double per_vertex = 1130;  // mesh, membrane, frames on their way to the file
-// As a list, and in the order of the kernels; springs on grids of 64 to 512 cells.
-constexpr double per_spring = 15, per_spring_in_double = 20, per_arc = 32;
-constexpr double per_hinge = 105;
-constexpr double fitted = 85, fitted_by_reach = 16, most_fitted = 213;
-constexpr double bent_sheet = 3900;  // per vertex: the sheet bent, for a fit of pairs (a sparse factor)
-constexpr double bent_sheet_less = 1e7;
-constexpr double factor_per_vertex = 4700, factor_growth = 310;  // of `equilibrium`; + growth · log2 V
-// Of `quasi_newton`, likewise, with its pairs, where bending is small beside the membrane: 32 to 256 cells.
-// Where it is not, it takes 2900 on 128 cells.
-constexpr double metric_per_vertex = 1000, metric_growth = 30;
+constexpr double padding = 1.3;      // of the kernels' groups of constraints
+// While the stiffness of pairs is fitted: of the sheet bent, a sparse factor, per vertex; or of a pair.
+constexpr double bent_sheet = 3900, bent_sheet_less = 1e7, fitted = 190;
+constexpr double factor_of_scalars = 110, factor_of_blocks = 700;  // per vertex and log2 of the vertices
 constexpr double levels_per_vertex = 330;
 constexpr double file = 36e3, small_file = 8e3;
 constexpr double file_per_vertex = 39, file_per_regular_vertex = 5.5;  // the rest pose is compressed
@@ -51,38 +45,38 @@ constexpr double compressed = 0.65, most_compressed = 32768;  // a small file's 
 // cells.
 namespace seconds {
 constexpr double of_run = 3e-3;
-constexpr double set_up_per_vertex = 6e-6, set_up_per_pair = 2e-7;
-constexpr double choice_by_reach = 7e-7;  // per chosen spring and edge of its reach
-// A fit bends the sheet, per vertex and, for the factor of its matrix, per vertex and √V; then fits each.
-constexpr double bent_sheet = 7e-6, bent_sheet_factor = 1e-7, fitted_by_reach = 6.5e-7, fitted_hinge = 3e-6;
-constexpr double vertex = 8e-9;                                 // in a substep, whatever effects there are
-constexpr double triangle = 6e-9, pair = 2.2e-9, hinge = 9e-9;  // a projection
-constexpr double levels_per_vertex = 3.5e-5, spans_per_vertex = 4e-9;  // once; an iteration
+constexpr double set_up_per_vertex = 6e-6, levels_per_vertex = 3.5e-5, scalars_per_vertex = 1e-5;
+constexpr double set_up_per_constraint = 2e-7, bent_sheet_per_vertex = 2e-5, fitted = 3e-6;
 constexpr double frame_per_triangle = 1.2e-7;
-constexpr double equilibrium_per_vertex = 4e-4;
-constexpr double factor_per_vertex = 1e-6, factor_growth = 3e-7;  // of blocks; + growth · √V
-constexpr double metric_per_vertex = 2e-5, iteration_per_vertex = 1.2e-7;
+constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
+constexpr double number = 1e-9;  // a projection, per number of the constraint
 }  // namespace seconds
 
 struct Parts {
-  double program = 0, mesh = 0, bending = 0, factor = 0;
+  double mesh = 0, bending = 0, factor = 0;
 };
 
-// A fit needs the response of the whole sheet where pairs are fitted to one.
-double bent_sheet_bytes(double vertices) {
-  const double growth = 1 + 0.04 * std::max(0.0, std::log2(vertices / 66049));
-  return std::max(0.0, vertices * bytes::bent_sheet * growth - bytes::bent_sheet_less);
+bool has_levels(const Method& method) {
+  return method.kind().carries_stretch != nullptr && method.kind().carries_stretch(method.settings());
 }
 
-// What a pair takes while its stiffness is fitted. A longer one crosses more triangles.
-double fitted_bytes(double reach) {
-  return std::min(bytes::fitted + bytes::fitted_by_reach * reach, bytes::most_fitted);
-}
-
-// More of the matrix is filled where constraints reach farther: its separators are as many vertices wide.
-double fill(const ExpectedConstraints& bending, double vertices) {
-  const double of_vertex = (bending.springs + bending.arcs) / vertices, r = bending.reach / 2;
-  return r <= 1 ? 1 : of_vertex > 8 ? r * r : r;
+Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double) {
+  const Solver& solver = config.scene().solver;
+  const MethodKind& method = solver.method.kind();
+  Parts parts{.mesh = size.vertices *
+                      (bytes::per_vertex + (has_levels(solver.method) ? bytes::levels_per_vertex : 0)),
+              .bending = size.list_bytes + size.numbers * bytes::padding * (in_double ? 6 : 4)};
+  const double factor = size.vertices * std::log2(size.vertices);
+  // More of the matrix is filled where constraints reach farther, and there are more of them.
+  const double fill = std::max(1.0, size.pairs / size.vertices / 9);
+  if (method.factorised == Factorised::scalars) parts.factor = factor * bytes::factor_of_scalars;
+  if (method.factorised == Factorised::blocks) parts.factor = factor * bytes::factor_of_blocks * fill;
+  if (config.scene().bending.stiffness != Stiffness::physical || size.pairs == 0) return parts;
+  // The fit is over before anything is factorised.
+  const double fit =
+      std::max(size.vertices * bytes::bent_sheet - bytes::bent_sheet_less, size.pairs * bytes::fitted);
+  parts.bending = std::max(parts.bending, fit - parts.factor);
+  return parts;
 }
 
 std::string advice_for(const Parts& parts, const RunConfig& config, bool fitted) {
@@ -120,88 +114,66 @@ double left_in_limit() {
   return static_cast<double>(limit.rlim_cur) - pages * static_cast<double>(sysconf(_SC_PAGESIZE));
 }
 
-double disk_bytes(const RunConfig& config, const ExpectedMesh& mesh, double frames, double cpu_s,
-                  bool in_double) {
-  double farthest = mesh.size / 2;  // from the origin, unless a mesh file is far from it
-  farthest = std::max(farthest, config.scene().mesh.offset.cwiseAbs().maxCoeff());
-  in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * mesh.mean_edge;
-  const bool regular = config.mesh_file().empty() && config.scene().mesh.generator != Generator::delaunay;
-  const double points = mesh.vertices * bytes::frame_per_vertex * (in_double ? 2 : 1);
-  const double fields = mesh.triangles * bytes::frame_per_triangle;
+double disk_bytes(const RunConfig& config, const RunSize& size, double frames, double cpu_s, bool in_double) {
+  const Mesh& mesh = config.scene().mesh;
+  // From the origin, unless a mesh file is far from it.
+  const double farthest = std::max(size.size / 2, mesh.offset.cwiseAbs().maxCoeff());
+  in_double = in_double || farthest * 0x1p-24 > tolerated_rounding * size.mean_edge;
+  const bool regular = !mesh.file && mesh.generator != Generator::delaunay;
+  const double points = size.vertices * bytes::frame_per_vertex * (in_double ? 2 : 1);
+  const double fields = size.triangles * bytes::frame_per_triangle;
   // Positions are doubles until they are written.
-  const double kept = frames * (bytes::frame + mesh.vertices * 3 * sizeof(double) + fields);
+  const double kept = frames * (bytes::frame + size.vertices * 3 * sizeof(double) + fields);
   const bool is_small = kept <= static_cast<double>(in_memory.bytes) && cpu_s < in_memory.seconds;
   const bool is_compressed = is_small && frames * points <= bytes::most_compressed;
   return (is_small ? bytes::small_file : bytes::file) +
-         mesh.vertices * (regular ? bytes::file_per_regular_vertex : bytes::file_per_vertex) +
+         size.vertices * (regular ? bytes::file_per_regular_vertex : bytes::file_per_vertex) +
          frames * (bytes::frame + points + fields) * (is_compressed ? bytes::compressed : 1);
+}
+
+double set_up_seconds(const Scene& scene, const RunSize& size) {
+  const bool fitted = scene.bending.stiffness == Stiffness::physical && size.pairs > 0;
+  double vertex = seconds::set_up_per_vertex + (fitted ? seconds::bent_sheet_per_vertex : 0);
+  if (has_levels(scene.solver.method)) vertex += seconds::levels_per_vertex;
+  if (scene.solver.method.kind().factorised == Factorised::scalars) vertex += seconds::scalars_per_vertex;
+  return size.vertices * vertex + size.constraints * seconds::set_up_per_constraint +
+         (fitted ? size.pairs * seconds::fitted : 0);
+}
+
+double solver_seconds(const Scene& scene, const RunSize& size) {
+  constexpr double strain_numbers = 7, equilibrium_iterations = 20;
+  const MethodKind& method = scene.solver.method.kind();
+  const double substeps = static_cast<double>(step_count(scene)) * substeps_of(scene.solver);
+  const double iterations =
+      method.has_motion ? substeps * iterations_of(scene.solver) : equilibrium_iterations;
+  const double cost = method.factorised == Factorised::blocks ? 7 * std::sqrt(size.vertices) : method.cost;
+  double vertex = seconds::vertex;
+  for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;
+  return substeps * size.vertices * vertex +
+         iterations * cost * (size.triangles * strain_numbers + size.numbers) * seconds::number;
 }
 
 }  // namespace
 
 std::optional<Forecast> forecast(const RunConfig& config) {
-  const std::optional<ExpectedMesh> mesh = expected_mesh(config);
-  if (!mesh) return std::nullopt;
+  const std::optional<RunSize> size = size_of(config);
+  if (!size) return std::nullopt;
   const Scene& scene = config.scene();
-  const BendingModel& model = scene.bending.model;
   const MethodKind& method = scene.solver.method.kind();
-  const ExpectedConstraints bending = model.kind().expect ? model.kind().expect(model.settings(), *mesh)
-                                                          : ExpectedConstraints{.hinges = mesh->hinges};
-  const double vertices = mesh->vertices, pairs = bending.springs + bending.arcs;
-  const bool fitted = config.scene().bending.stiffness == Stiffness::physical;
-  const double steps = static_cast<double>(step_count(scene));
-  const double frames =
-      1 + std::min(steps, config.scene().duration * config.settings().output.frames_per_second);
-
-  Forecast needs{.constraints = pairs + bending.hinges};
-  Parts parts{.program = bytes::of_program, .mesh = vertices * bytes::per_vertex};
+  const bool fitted = scene.bending.stiffness == Stiffness::physical;
   const bool in_double =
       method.make_float == nullptr || scene.solver.precision == ChosenPrecision::double_precision;
-  parts.bending = bending.springs * (in_double ? bytes::per_spring_in_double : bytes::per_spring) +
-                  bending.arcs * bytes::per_arc + bending.hinges * bytes::per_hinge;
-  if (method.factorised == Factorised::scalars)
-    parts.factor = vertices * (bytes::metric_per_vertex + bytes::metric_growth * std::log2(vertices));
-  if (method.factorised == Factorised::blocks)
-    parts.factor = vertices * (bytes::factor_per_vertex + bytes::factor_growth * std::log2(vertices)) *
-                   fill(bending, vertices);
-  if (fitted && pairs > 0)  // the fit is over before anything is factorised
-    parts.bending = std::max({parts.bending, bent_sheet_bytes(vertices) - parts.factor,
-                              pairs * fitted_bytes(bending.reach) - parts.factor});
-  const bool levels =
-      method.carries_stretch != nullptr && method.carries_stretch(scene.solver.method.settings());
-  if (levels) parts.mesh += vertices * bytes::levels_per_vertex;
-  needs.memory_bytes = parts.program + parts.mesh + parts.bending + parts.factor;
-  needs.advice = advice_for(parts, config, fitted && pairs > 0);
-
-  const double projection =
-      mesh->triangles * seconds::triangle + pairs * seconds::pair + bending.hinges * seconds::hinge;
-  double vertex = seconds::vertex;
-  for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;
-  const double substep = iterations_of(scene.solver) * projection + vertices * vertex;
-  needs.set_up_s = vertices * seconds::set_up_per_vertex + pairs * seconds::set_up_per_pair +
-                   bending.chosen * bending.reach * seconds::choice_by_reach;
-  if (fitted && pairs > 0)
-    needs.set_up_s += vertices * (seconds::bent_sheet + seconds::bent_sheet_factor * std::sqrt(vertices)) +
-                      pairs * bending.reach * seconds::fitted_by_reach;
-  else if (fitted)
-    needs.set_up_s += bending.hinges * seconds::fitted_hinge;
-  double step = substeps_of(scene.solver) * substep;
-  if (levels)
-    needs.set_up_s += vertices * seconds::levels_per_vertex,
-        step +=
-        substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * seconds::spans_per_vertex;
-  step += substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * method.vertex_seconds;
-  if (method.factorised == Factorised::scalars)
-    needs.set_up_s += vertices * seconds::metric_per_vertex,
-        step +=
-        substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * seconds::iteration_per_vertex;
-  if (method.factorised == Factorised::blocks)
-    step += substeps_of(scene.solver) * iterations_of(scene.solver) * vertices * fill(bending, vertices) *
-            (seconds::factor_per_vertex + seconds::factor_growth * std::sqrt(vertices));
-  needs.cpu_s = seconds::of_run + needs.set_up_s + frames * mesh->triangles * seconds::frame_per_triangle +
-                (method.has_motion ? steps * step
-                                   : vertices * seconds::equilibrium_per_vertex * fill(bending, vertices));
-  needs.disk_bytes = disk_bytes(config, *mesh, std::ceil(frames), needs.cpu_s, in_double);
+  const double steps = static_cast<double>(step_count(scene));
+  const double frames =
+      std::ceil(1 + std::min(steps, scene.duration * config.settings().output.frames_per_second));
+  const Parts parts = memory_parts(config, *size, in_double);
+  Forecast needs{.memory_bytes = bytes::of_program + parts.mesh + parts.bending + parts.factor,
+                 .set_up_s = set_up_seconds(scene, *size),
+                 .constraints = size->constraints,
+                 .advice = advice_for(parts, config, fitted && size->pairs > 0)};
+  needs.cpu_s = seconds::of_run + needs.set_up_s + frames * size->triangles * seconds::frame_per_triangle +
+                solver_seconds(scene, *size);
+  needs.disk_bytes = disk_bytes(config, *size, frames, needs.cpu_s, in_double);
   return needs;
 }
 

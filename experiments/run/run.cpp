@@ -134,6 +134,23 @@ RunOutcome reused(const Found& found, const RunConfig& config) {
   return outcome;
 }
 
+// What the file says at its end.
+RunFooter footer_of(const RunOutcome& outcome, const RunClock& clock) {
+  RunFooter footer{.status = outcome.status,
+                   .summary = outcome.summary,
+                   .passes = outcome.passes,
+                   .wall_s = outcome.wall_s,
+                   .cpu_s = outcome.cpu_s,
+                   .step_cpu_s = outcome.step_cpu_s};
+  if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
+  footer.provenance["ended"] = utc_now();
+  if (!clock.went_on_at().empty())
+    footer.provenance["went_on_at"] = fmt::format("{:.6g} s", fmt::join(clock.went_on_at(), ", "));
+  if (outcome.broken) footer.provenance["implausible"] = to_json(*outcome.broken).dump();
+  if (!outcome.warnings.empty()) footer.provenance["warnings"] = to_json(outcome.warnings).dump();
+  return footer;
+}
+
 RunOutcome compute(const Experiment& experiment, const RunConfig& config, const std::filesystem::path& out,
                    const RunControl& control, const StartingPose* start, const RunPlace& place) {
   RunClock clock;
@@ -192,19 +209,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   outcome.wall_s = clock.wall_s();
   add_findings(recorder.findings(end, true), outcome);
   judge_summary(simulation->time(), outcome);
-  RunFooter footer{.status = outcome.status,
-                   .summary = outcome.summary,
-                   .passes = outcome.passes,
-                   .wall_s = outcome.wall_s,
-                   .cpu_s = outcome.cpu_s,
-                   .step_cpu_s = outcome.step_cpu_s};
   outcome.warnings = warnings_of({experiment, config, scene, &outcome.summary, outcome.status});
-  if (!outcome.message.empty()) footer.provenance["message"] = outcome.message;
-  footer.provenance["ended"] = utc_now();
-  if (!clock.went_on_at().empty())
-    footer.provenance["went_on_at"] = fmt::format("{:.6g} s", fmt::join(clock.went_on_at(), ", "));
-  if (outcome.broken) footer.provenance["implausible"] = to_json(*outcome.broken).dump();
-  if (!outcome.warnings.empty()) footer.provenance["warnings"] = to_json(outcome.warnings).dump();
   if (!place.claim->holds())
     throw RunFileError(
         fmt::format("{}: another process took this run over, because this one was silent for too long; its "
@@ -213,7 +218,7 @@ RunOutcome compute(const Experiment& experiment, const RunConfig& config, const 
   if (place.keeps_file && outcome.status == RunStatus::interrupted)
     add_message(outcome, "stopped; the file that was there is kept");
   else
-    writer.finish(footer);
+    writer.finish(footer_of(outcome, clock));
   return outcome;
 }
 

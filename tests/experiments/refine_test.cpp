@@ -4,7 +4,7 @@
 
 #include "bendlab/scene/built_scene.hpp"
 #include "experiments/config/experiment.hpp"
-#include "experiments/run/expected_mesh.hpp"
+#include "experiments/run/run_size.hpp"
 #include "tests/catch.hpp"
 #include "tests/experiments/workplace.hpp"
 
@@ -55,12 +55,11 @@ TEST_CASE("refine: the forecast knows the mesh", "[mesh][forecast]") {
     INFO(mesh);
     const RunConfig config = run_of(mesh + R"(, "refine": 2)", R"(, "pins": {"vertices": []})");
     const RestMesh rest(rest_mesh_of(config.scene().mesh, config.folder()).mesh);
-    const auto expected = expected_mesh(config);
-    REQUIRE(expected);
-    CHECK(expected->vertices == rest.vertex_count());
-    CHECK(expected->triangles == rest.triangle_count());
-    CHECK(expected->edges == static_cast<double>(rest.edges().rows()));
-    CHECK_THAT(expected->mean_edge, WithinRel(rest.mean_edge_length(), 0.1));  // of a disc it is an estimate
+    const auto size = size_of(config);
+    REQUIRE(size);
+    CHECK(size->vertices == rest.vertex_count());
+    CHECK(size->triangles == rest.triangle_count());
+    CHECK_THAT(size->mean_edge, WithinRel(rest.mean_edge_length(), 1e-12));
   }
 }
 

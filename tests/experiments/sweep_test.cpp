@@ -90,21 +90,21 @@ TEST_CASE("sweep: a run and its folder are named after its place") {
       experiment(R"("sweep": {"/mesh/cells": [8, 16], "/bending/model": ["lod", "isometric"]})");
   const Experiment single = experiment(R"("mesh": {"cells": 8})");
   const RunConfig& third = swept.runs.at(2);
-  CHECK(run_text({&swept, &third}) == "t (cells 16, model lod)");
-  CHECK(place_text({&swept, &third}) == "cells 16, model lod");
+  CHECK(run_text(swept, third) == "t (cells 16, model lod)");
+  CHECK(place_text(swept, third) == "cells 16, model lod");
   CHECK(run_folder("out", swept, third, "0123") == "out/t/cells=16,model=lod-0123");
-  CHECK(run_text({&single, &single.runs.at(0)}) == "t");
-  CHECK(place_text({&single, &single.runs.at(0)}) == "t");
+  CHECK(run_text(single, single.runs.at(0)) == "t");
+  CHECK(place_text(single, single.runs.at(0)) == "t");
   // An object is told by the settings in which it differs from the others.
   const Experiment objects = experiment(R"("sweep": {"/solver": [
       {"dt": 0.01, "substeps": 8}, {"dt": 0.01, "method": "pbd", "substeps": 4}, {"dt": 0.01}]})");
-  CHECK(place_text({&objects, &objects.runs.at(0)}) == "solver substeps 8");
-  CHECK(place_text({&objects, &objects.runs.at(1)}) == "solver pbd, substeps 4");
-  CHECK(place_text({&objects, &objects.runs.at(2)}) == "solver as it is");
+  CHECK(place_text(objects, objects.runs.at(0)) == "solver substeps 8");
+  CHECK(place_text(objects, objects.runs.at(1)) == "solver pbd, substeps 4");
+  CHECK(place_text(objects, objects.runs.at(2)) == "solver as it is");
   const Experiment one = experiment(R"("sweep": {"/solver": [{"substeps": 2, "iterations": 3}]})");
-  CHECK(place_text({&one, &one.runs.at(0)}) == "solver iterations 3, substeps 2");
+  CHECK(place_text(one, one.runs.at(0)) == "solver iterations 3, substeps 2");
   const Experiment lists = experiment(R"("sweep": {"/pins": [{"vertices": ["top"]}, {"indices": [3, 4]}]})");
-  CHECK(place_text({&lists, &lists.runs.at(1)}) == "pins indices [3,4]");
+  CHECK(place_text(lists, lists.runs.at(1)) == "pins indices [3,4]");
   CHECK(run_folder("out", single, single.runs.at(0), "0123") == "out/t/0123");
 }
 

@@ -29,7 +29,7 @@ RestMesh two_cells() {
 }
 
 Levels default_levels(const RestMesh& rest) {
-  return adaptive_levels(rest, LevelSettings{});
+  return adaptive_levels(rest.size(), rest.mean_edge_length(), LevelSettings{});
 }
 
 }  // namespace

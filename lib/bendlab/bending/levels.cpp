@@ -23,8 +23,8 @@ double rounded(double m, Rounding rounding) {
 
 }  // namespace
 
-Levels adaptive_levels(const RestMesh& rest, const LevelSettings& settings) {
-  return adaptive_levels(rest.size(), rest.mean_edge_length(), settings);
+Levels adaptive_levels(const BendingInput& input, const LevelSettings& settings) {
+  return adaptive_levels(input.size, input.rest.mean_edge_length(), settings);
 }
 
 Levels adaptive_levels(double size, double edge, const LevelSettings& settings) {

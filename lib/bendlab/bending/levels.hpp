@@ -29,7 +29,7 @@ struct Levels {
 
 /// Ω = |AABB_max - AABB_min| / 2 · 0.5, m = max(Ω / e_avg · 0.1 + 1, 1), n = 2 m + 1, times the multiplier.
 /// Given a radius, m is the nearest whole number of edges in it; without a denser zone at pins n = m.
-Levels adaptive_levels(const RestMesh& rest, const LevelSettings& settings);
+Levels adaptive_levels(const BendingInput& input, const LevelSettings& settings);
 
 /// The same from the diagonal of the rest box and the mean edge, m.
 Levels adaptive_levels(double size, double mean_edge, const LevelSettings& settings);

@@ -9,7 +9,6 @@
 #include <string_view>
 #include <vector>
 
-#include "bendlab/bending/expected.hpp"
 #include "bendlab/constraints/kinds.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
@@ -34,6 +33,10 @@ struct BendingConstraints {
 struct BendingInput {
   const RestMesh& rest;
   const Pins& pins;
+  /// m, diagonal of the rest box. For a forecast `rest` may be a patch of a mesh; this is that of the whole.
+  double size = rest.size();
+  /// A forecast counts the constraints whose first vertex is a multiple of it; others may be left out.
+  int stride = 1;
 };
 
 struct BendingKind;
@@ -62,8 +65,6 @@ struct BendingKind {
   /// It stands for the sheet of a stated rigidity where other models are judged.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;
-  /// How many constraints build() will give, for forecasts; null: a hinge over every interior edge.
-  ExpectedConstraints (*expect)(const void* settings, const ExpectedMesh&) = nullptr;
 };
 
 /// The model's constraints.
@@ -83,7 +84,7 @@ std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingC
 
 /// Whether its elements are hinges: its rigidity is known for rest shapes of any form.
 inline bool is_made_of_hinges(const BendingKind& model) {
-  return model.expect == nullptr && !model.springs_only;
+  return model.bends && !model.springs_only && !model.one_sided;
 }
 
 /// What build() makes: "nothing", "springs", "hinges", or "elements" of another kind.

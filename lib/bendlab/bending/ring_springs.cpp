@@ -97,16 +97,18 @@ std::size_t expected_springs(const std::vector<int>& levels, const RingRule& rul
 
 }  // namespace
 
-DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
+DistanceConstraints ring_springs(const BendingInput& input, const std::vector<int>& levels,
                                  const RingRule& rule) {
+  const RestMesh& rest = input.rest;
+  const Pins& pins = input.pins;
   DistanceConstraints springs;
   if (!rule.path_rest_length) springs = springs_at_rest_in(rest.positions());
-  springs.vertices.reserve(expected_springs(levels, rule));
+  springs.vertices.reserve(expected_springs(levels, rule) / static_cast<std::size_t>(input.stride));
   RingWalker walker(rest.one_ring());
   PathLengths path(rest);
   const int highest = levels.empty() ? 0 : *std::max_element(levels.begin(), levels.end());
   const int most_hops = rule.euclidean_rings ? hops_within(rest, highest) : highest;
-  for (int centre = 0; centre < rest.vertex_count(); ++centre) {
+  for (int centre = 0; centre < rest.vertex_count(); centre += input.stride) {
     const int level = levels[static_cast<std::size_t>(centre)];
     if (level == 0) continue;
     const int hops = rule.euclidean_rings ? most_hops : level;
@@ -124,28 +126,6 @@ DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const s
       }
   }
   return springs;
-}
-
-ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRule& rule, int free_level,
-                                          int pinned_level) {
-  const auto reached = [&](int level) {
-    switch (rule.fill) {
-      case RingFill::all:
-        return expected_in_rings(mesh, 1, level);
-      case RingFill::beyond_edges:
-        return expected_in_rings(mesh, 2, level);
-      case RingFill::last:
-        return expected_in_rings(mesh, level, level);
-      case RingFill::ends:
-        return expected_in_rings(mesh, 1, 1) + (level > 1 ? expected_in_rings(mesh, level, level) : 0);
-    }
-    return 0.0;
-  };
-  const double free = std::max(0.0, mesh.vertices - mesh.pinned);
-  const double of_pinned = free_level == pinned_level ? 0 : mesh.pinned * reached(pinned_level);
-  const double counted_from = free_level == pinned_level ? mesh.vertices : free;
-  return {.springs = counted_from * reached(free_level) / (rule.shared_pairs_twice ? 1 : 2) + of_pinned,
-          .reach = static_cast<double>(free_level)};
 }
 
 RingRule ring_rule(const RingSettings& settings, RingFill fill) {

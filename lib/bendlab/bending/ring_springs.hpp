@@ -48,12 +48,8 @@ struct RingRule {
 
 /// The springs of every vertex v to its rings as `rule` says, with level `levels[v]` (0: none). Ordered by
 /// vertex, then breadth-first.
-DistanceConstraints ring_springs(const RestMesh& rest, const Pins& pins, const std::vector<int>& levels,
+DistanceConstraints ring_springs(const BendingInput& input, const std::vector<int>& levels,
                                  const RingRule& rule);
-
-/// How many springs ring_springs() will give on a mesh with these levels of free and of pinned vertices.
-ExpectedConstraints expected_ring_springs(const ExpectedMesh& mesh, const RingRule& rule, int free_level,
-                                          int pinned_level);
 
 template <class Settings>
 inline constexpr std::array ring_rule_fields = {

@@ -143,13 +143,13 @@ class Thinned {
 }  // namespace
 
 BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power) {
-  const Levels levels = adaptive_levels(input.rest, settings);
+  const Levels levels = adaptive_levels(input, settings);
   const int t = settings.t, least = settings.t_min;
   const std::vector<int> level_of = level_of_vertices(
       input.rest, input.pins, settings, std::max(least, t ? t : levels.m), std::max(least, t ? t : levels.n));
   Thinned thinned(input, settings.springs, power);
   RingWalker walker(input.rest.one_ring());
-  for (int vertex = 0; vertex < input.rest.vertex_count(); ++vertex) {
+  for (int vertex = 0; vertex < input.rest.vertex_count(); vertex += input.stride) {
     const int level = level_of[static_cast<std::size_t>(vertex)];
     walker.walk(vertex, level);
     thinned.add(vertex, walker.ring(level), level * input.rest.mean_edge_length());
@@ -160,13 +160,6 @@ BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const Bend
   constraints.facts.push_back(
       {"t", static_cast<double>(t), "fixed target level; 0: m for free, n for pinned vertices"});
   return constraints;
-}
-
-ExpectedConstraints expected_thinned_rings(const ThinnedRingSettings& settings, const ExpectedMesh& mesh) {
-  const int t = settings.t, least = settings.t_min;
-  const int level = std::max(least, t ? t : adaptive_levels(mesh.size, mesh.mean_edge, settings).m);
-  const double springs = mesh.vertices * settings.springs;
-  return {.springs = springs, .reach = static_cast<double>(level), .chosen = springs};
 }
 
 }  // namespace bendlab

@@ -41,6 +41,4 @@ inline constexpr auto thinned_ring_fields = joined(
 /// ∝ length to the `power` / softness then have the same energy.
 BendingConstraints thinned_rings(const ThinnedRingSettings& settings, const BendingInput& input, int power);
 
-ExpectedConstraints expected_thinned_rings(const ThinnedRingSettings& settings, const ExpectedMesh& mesh);
-
 }  // namespace bendlab

@@ -42,7 +42,7 @@ void check_springs_lie_flat(const Scene& scene, ConfigProblems& problems) {
   const Mesh& mesh = scene.mesh;
   if (scene.bending.stiffness != Stiffness::physical || mesh.file || mesh.given) return;
   const BendingKind& model = scene.bending.model.kind();
-  const bool shortens = (model.springs_only && model.bends) || model.one_sided;
+  const bool shortens = model.bends && !is_made_of_hinges(model);
   if (shortens && (mesh.generator == Generator::tube || mesh.generator == Generator::sphere))
     problems.push_back(
         {"/bending/stiffness",

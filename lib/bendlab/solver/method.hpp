@@ -74,7 +74,8 @@ struct MethodKind {
   std::span<const MethodPass> passes = {};  ///< besides "bending" and those of effects
   Membrane membrane = Membrane::triangles;
   Factorised factorised = Factorised::nothing;
-  double vertex_seconds = 0;  ///< of CPU, of a vertex and iteration; 0: about that of projections
+  /// About how many times as long as projecting each constraint once an iteration takes, for forecasts.
+  double cost = 1;
   bool springs_only = false;  ///< only takes bending models that are made of springs
   /// Why every stiffness has to be a compliance above 0; empty: it may also be k.
   std::string_view needs_compliance = {};

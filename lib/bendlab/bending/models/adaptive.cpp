@@ -7,16 +7,11 @@ namespace {
 constexpr auto fields = joined(level_fields<Adaptive>, ring_fill_field<Adaptive>, ring_rule_fields<Adaptive>);
 
 BendingConstraints build(const Adaptive& settings, const BendingInput& input) {
-  const Levels levels = adaptive_levels(input.rest, settings);
-  return {.distance = ring_springs(input.rest, input.pins,
-                                   level_of_vertices(input.rest, input.pins, settings, levels.m, levels.n),
-                                   ring_rule(settings, settings.rings)),
-          .facts = facts_of(levels)};
-}
-
-ExpectedConstraints expect(const Adaptive& settings, const ExpectedMesh& mesh) {
-  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, settings);
-  return expected_ring_springs(mesh, ring_rule(settings, settings.rings), levels.m, levels.n);
+  const Levels levels = adaptive_levels(input, settings);
+  return {
+      .distance = ring_springs(input, level_of_vertices(input.rest, input.pins, settings, levels.m, levels.n),
+                               ring_rule(settings, settings.rings)),
+      .facts = facts_of(levels)};
 }
 
 }  // namespace
@@ -34,6 +29,5 @@ constinit const BendingKind Adaptive::kind{
     .settings = table_of<Adaptive>(fields),
     .springs_only = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

@@ -22,7 +22,7 @@ constexpr std::array fields = {
 BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
   const int ring = settings.ring;
   const std::vector<int> levels(static_cast<std::size_t>(input.rest.vertex_count()), ring);
-  const DistanceConstraints pairs = ring_springs(input.rest, input.pins, levels, {.fill = RingFill::last});
+  const DistanceConstraints pairs = ring_springs(input, levels, {.fill = RingFill::last});
   BendingConstraints constraints;
   auto& list = std::get<ElementList<ArcSpring>>(constraints.elements);
   list.law = settings.force;
@@ -39,12 +39,6 @@ BendingConstraints build(const ChoiKo& settings, const BendingInput& input) {
                        {"rigidity_factor", 1 - 1.0 / (ring * ring),
                         "of the flexural rigidity k_b / width that an arc would have"}};
   return constraints;
-}
-
-ExpectedConstraints expect(const ChoiKo& settings, const ExpectedMesh& mesh) {
-  const int ring = settings.ring;
-  return {.arcs = expected_ring_springs(mesh, {.fill = RingFill::last}, ring, ring).springs,
-          .reach = static_cast<double>(ring)};
 }
 
 }  // namespace
@@ -64,6 +58,5 @@ constinit const BendingKind ChoiKo::kind{
     .settings = table_of<ChoiKo>(fields),
     .one_sided = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

@@ -77,13 +77,6 @@ BendingConstraints build(const Crossover& settings, const BendingInput& input) {
   return constraints;
 }
 
-ExpectedConstraints expect(const Crossover&, const ExpectedMesh& mesh) {
-  // Where rings grow by 8, half of the vertices have four edges. The springs over two opposite ones of these
-  // join the same vertices: one of them is left.
-  const bool fours = mesh.ring_growth > 7.5;
-  return {.springs = mesh.hinges * (fours ? 2.0 / 3 : 1.0)};
-}
-
 }  // namespace
 
 constinit const BendingKind Crossover::kind{
@@ -98,6 +91,5 @@ constinit const BendingKind Crossover::kind{
     .settings = table_of<Crossover>(fields),
     .springs_only = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

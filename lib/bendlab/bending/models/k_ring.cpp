@@ -15,12 +15,8 @@ constexpr auto fields = joined(own_fields, ring_fill_field<KRing>, ring_rule_fie
 
 BendingConstraints build(const KRing& settings, const BendingInput& input) {
   const std::vector<int> levels(static_cast<std::size_t>(input.rest.vertex_count()), settings.k);
-  return {.distance = ring_springs(input.rest, input.pins, levels, ring_rule(settings, settings.rings)),
+  return {.distance = ring_springs(input, levels, ring_rule(settings, settings.rings)),
           .facts = {{"k", static_cast<double>(settings.k), "level of every vertex"}}};
-}
-
-ExpectedConstraints expect(const KRing& settings, const ExpectedMesh& mesh) {
-  return expected_ring_springs(mesh, ring_rule(settings, settings.rings), settings.k, settings.k);
 }
 
 }  // namespace
@@ -37,6 +33,5 @@ constinit const BendingKind KRing::kind{
     .settings = table_of<KRing>(fields),
     .springs_only = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

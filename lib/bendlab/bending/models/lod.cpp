@@ -24,23 +24,16 @@ RingRule rule_of(const Lod& settings) {
 }
 
 BendingConstraints build(const Lod& settings, const BendingInput& input) {
-  const Levels levels = adaptive_levels(input.rest, settings);
+  const Levels levels = adaptive_levels(input, settings);
   const int t = settings.t;
   BendingConstraints constraints;
-  constraints.distance =
-      ring_springs(input.rest, input.pins,
-                   level_of_vertices(input.rest, input.pins, settings, t ? t : levels.m, t ? t : levels.n),
-                   rule_of(settings));
+  constraints.distance = ring_springs(
+      input, level_of_vertices(input.rest, input.pins, settings, t ? t : levels.m, t ? t : levels.n),
+      rule_of(settings));
   constraints.facts = facts_of(levels);
   constraints.facts.push_back(
       {"t", static_cast<double>(t), "fixed target level; 0: m for free, n for pinned vertices"});
   return constraints;
-}
-
-ExpectedConstraints expect(const Lod& settings, const ExpectedMesh& mesh) {
-  const Levels levels = adaptive_levels(mesh.size, mesh.mean_edge, settings);
-  const int t = settings.t;
-  return expected_ring_springs(mesh, rule_of(settings), t ? t : levels.m, t ? t : levels.n);
 }
 
 }  // namespace
@@ -57,6 +50,5 @@ constinit const BendingKind Lod::kind{
     .settings = table_of<Lod>(fields),
     .springs_only = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

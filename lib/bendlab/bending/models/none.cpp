@@ -14,7 +14,6 @@ constinit const BendingKind None::kind{
     .bends = false,
     .springs_only = true,
     .build = [](const void*, const BendingInput&) { return BendingConstraints{}; },
-    .expect = [](const void*, const ExpectedMesh&) { return ExpectedConstraints{}; },
 };
 
 }  // namespace bendlab

@@ -41,10 +41,6 @@ double strain_of_k(const Prestressed& settings, double k) {
   return settings.excess * (k == 0 ? 0 : k < weak ? share_of_weak : share);
 }
 
-ExpectedConstraints expect(const Prestressed& settings, const ExpectedMesh& mesh) {
-  return expected_thinned_rings(settings, mesh);
-}
-
 }  // namespace
 
 constinit const BendingKind Prestressed::kind{
@@ -67,6 +63,5 @@ constinit const BendingKind Prestressed::kind{
     .strain_of_k_remedy =
         "A smaller /bending/prestressed/excess helps: in tests 0.02 left a mean strain of 0.03",
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

@@ -10,10 +10,6 @@ BendingConstraints build(const SparseLod& settings, const BendingInput& input) {
   return thinned_rings(settings, input, 6);
 }
 
-ExpectedConstraints expect(const SparseLod& settings, const ExpectedMesh& mesh) {
-  return expected_thinned_rings(settings, mesh);
-}
-
 }  // namespace
 
 constinit const BendingKind SparseLod::kind{
@@ -32,6 +28,5 @@ constinit const BendingKind SparseLod::kind{
     .springs_only = true,
     .softness_needs_compliance = true,
     .build = erased<build>,
-    .expect = erased<expect>,
 };
 }  // namespace bendlab

@@ -328,6 +328,7 @@ constinit const MethodKind QuasiNewton::kind{
     .settings = table_of<QuasiNewton>(fields),
     .passes = own_passes,
     .factorised = Factorised::scalars,
+    .cost = 3.5,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,
     .default_substeps = 1,

@@ -142,7 +142,7 @@ constinit const MethodKind Vbd::kind{
         "correction reaches one ring of neighbours per iteration, so that fine sheets converge slowly",
     .settings = table_of<Vbd>(fields),
     .passes = own_passes,
-    .vertex_seconds = 6.6e-6,
+    .cost = 100,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,
     .default_substeps = 1,

@@ -1,0 +1,112 @@
+#include "experiments/run/run_size.hpp"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "bendlab/scene/built_scene.hpp"
+
+namespace bendlab {
+namespace {
+
+constexpr int counted_whole = 2000;    // vertices; of more the constraints are sampled
+constexpr double large_patch = 10000;  // vertices
+
+// A patch of the mesh with half as many edges along it, as long as before. Nothing if that would be too few.
+std::optional<Mesh> half(Mesh mesh) {
+  constexpr int fewest_cells = 16;
+  const double scale = mesh.scale;
+  if (mesh.refine.value_or(0) > 0) {
+    --*mesh.refine;
+    mesh.scale = scale / 2;
+  } else {
+    if (mesh.file || mesh.given || mesh.cells <= fewest_cells) return std::nullopt;
+    const int cells = (mesh.cells + 1) / 2;
+    mesh.scale = scale * cells / mesh.cells;
+    mesh.cells = cells;
+  }
+  return mesh;
+}
+
+Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
+  std::vector<int> seeds;
+  for (const Place place : pinning.vertices)
+    for (const int vertex : select_vertices(rest, place)) seeds.push_back(vertex);
+  for (const int vertex : pinning.indices)
+    if (vertex < rest.vertex_count()) seeds.push_back(vertex);
+  return make_pins(rest, std::move(seeds), pinning.ring, pinning.distance);
+}
+
+// If the whole mesh were like the patch. `whole`: how many times as long as the patch it is.
+RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
+  const RestMesh rest(rest_mesh_of(patch, scene.folder).mesh);
+  const int stride = rest.vertex_count() > counted_whole ? 17 : 1;  // a prime: no period of a grid's rows
+  const BendingConstraints built =
+      constraints_of(scene.bending.model, {rest, pins_of(scene.pins, rest), whole * rest.size(), stride});
+  RunSize size{.vertices = whole * whole * rest.vertex_count(),
+               .triangles = whole * whole * rest.triangle_count(),
+               .size = whole * rest.size(),
+               .mean_edge = rest.mean_edge_length()};
+  const double weight = whole * whole * stride;
+  const auto add = [&](std::span<const int> vertices, std::size_t bytes, std::size_t numbers) {
+    if (vertices.front() % stride != 0) return;
+    size.constraints += weight;
+    size.list_bytes += weight * static_cast<double>(bytes);
+    size.numbers += weight * static_cast<double>(numbers);
+    if (vertices.size() == 2) size.pairs += weight;
+  };
+  for (const auto& pair : built.distance.vertices) add(pair, sizeof(int), 2);  // the first vertex is shared
+  for_each_kind(built.elements, [&]<class Kind>(const ElementList<Kind>& list) {
+    for (const auto& vertices : list.vertices)
+      add(vertices, sizeof(vertices) + sizeof(list.rest[0]) + sizeof(double),
+          Kind::arity + Kind::rest_values + 2);  // softness, multiplier
+  });
+  return size;
+}
+
+RunSize size_of(const Scene& scene, Mesh mesh) {
+  mesh.seed = 1, mesh.shuffle.reset(), mesh.offset.setZero();
+  std::vector<Mesh> patches{mesh};
+  while (const std::optional<Mesh> next = half(patches.back())) patches.push_back(*next);
+  std::optional<RunSize> smaller, size;
+  double share = 0;  // of the whole mesh's length
+  while (!patches.empty() && !(size && share * share * size->vertices > large_patch)) {
+    share = patches.back().scale / mesh.scale;
+    smaller = size, size = size_by(scene, patches.back(), 1 / share);
+    patches.pop_back();
+  }
+  // On a patch half as long, the border has twice the share of everything. On the whole mesh it has less than
+  // on the patch.
+  if (smaller)
+    for (double RunSize::*amount : {&RunSize::vertices, &RunSize::triangles, &RunSize::constraints,
+                                    &RunSize::pairs, &RunSize::list_bytes, &RunSize::numbers})
+      *size.*amount += (1 - share) * (*size.*amount - *smaller.*amount);
+  return *size;
+}
+
+}  // namespace
+
+std::optional<RunSize> size_of(const RunConfig& config) {
+  static std::mutex mutex;
+  static std::map<std::string, std::optional<RunSize>> known;  // by the settings that decide it
+  const Json& settings = config.resolved();
+  const std::string model = settings.at("bending").at("model");
+  Json deciding = {settings.at("mesh"), settings.at("pins"), model,
+                   settings.at("bending").value(model, Json())};
+  deciding[0].erase("seed");
+  const std::string key = config.folder().string() + deciding.dump();
+  const std::lock_guard lock(mutex);
+  const auto found = known.find(key);
+  if (found != known.end()) return found->second;
+  std::optional<RunSize>& size = known[key];
+  try {
+    size = size_of(config.scene(), config.scene().mesh);
+  } catch (const std::exception&) {
+  }
+  return size;
+}
+
+}  // namespace bendlab
