@@ -7,9 +7,10 @@ import json
 
 
 class Facts:
-    """`json` (everything), and from it `id`, `name`, `status`, `config`, `provenance` (name → text), `summary`
-    and `timing` (name → number), `passes` [(name, seconds, calls, acted)], `counts` (kind of constraint → how
-    many), `columns` (name of a metric → (unit, meaning)) and `inputs` [(name, bytes)] of an open run file."""
+    """Of an open run file: `json` (everything), and from it `id`, `name`, `status`, `config`, `provenance`
+    (name → text), `summary` and `timing` (name → number), `passes` [(name, seconds, calls, acted)], `counts`
+    (kind of constraint → how many), `columns` (name of a metric → (unit, meaning)), `inputs` [(name,
+    bytes)]."""
 
     def __init__(self, file):
         self.json = json.loads(file["outcome" if "outcome" in file else "facts"][()].tobytes())

@@ -10,6 +10,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "bendlab/parameters/median.hpp"
 #include "bendlab/solver/simulation.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/machine.hpp"
@@ -50,10 +51,8 @@ std::regex expression_of(const std::string& filter) {
 
 Spread spread_of(std::vector<double> values) {
   if (values.empty()) return {};
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  const double median = values.size() % 2 ? values[middle] : (values[middle - 1] + values[middle]) / 2;
-  return {median, values.front(), values.back()};
+  const auto [lowest, highest] = std::ranges::minmax(values);
+  return {median(std::move(values)), lowest, highest};
 }
 
 std::string bench_id(const std::string& name, const std::string& scalar, int threads) {

@@ -12,21 +12,6 @@
 namespace bendlab {
 namespace {
 
-// Every value of a config that is no object, and every list as a whole, by pointer.
-void collect(const Json& value, const std::string& pointer, std::map<std::string, Json>& values) {
-  if (!value.is_object() || value.empty()) {
-    values.emplace(pointer, value);
-    return;
-  }
-  for (const auto& [key, each] : value.items()) collect(each, child_pointer(pointer, key), values);
-}
-
-std::map<std::string, Json> values_of(const Json& config) {
-  std::map<std::string, Json> values;
-  collect(config, "", values);
-  return values;
-}
-
 template <class Map>
 std::set<std::string> names_in(const Map& one, const Map& other) {
   std::set<std::string> names;
@@ -46,7 +31,7 @@ bool same(const std::optional<double>& one, const std::optional<double>& other) 
 
 // Settings that differ between two configs, by pointer.
 std::vector<ChangedSetting> changed_settings(const Json& one, const Json& other) {
-  const std::map<std::string, Json> mine = values_of(one), others = values_of(other);
+  const std::map<std::string, Json> mine = flattened(one), others = flattened(other);
   const auto value_in = [](const std::map<std::string, Json>& values, const std::string& pointer) {
     const auto found = values.find(pointer);
     return found == values.end() ? Json() : found->second;

@@ -7,6 +7,7 @@
 #include <map>
 #include <string_view>
 
+#include "experiments/config/settings_by_pointer.hpp"
 #include "experiments/terminal/table.hpp"
 
 namespace bendlab {
@@ -19,17 +20,6 @@ std::string value_text(const Json& value) {
 }
 
 constexpr std::array<std::string_view, 2> named_first = {"/model", "/method"};  // told without their key
-
-// The entries of an object and of objects in it, by their pointers. Arrays stay whole.
-std::map<std::string, Json> flattened(const Json& object, const std::string& pointer = "") {
-  std::map<std::string, Json> flat;
-  for (const auto& [key, value] : object.items())
-    if (value.is_object())
-      flat.merge(flattened(value, pointer + "/" + key));
-    else
-      flat[pointer + "/" + key] = value;
-  return flat;
-}
 
 // An object by the settings in which the axis' values differ: "quasi_newton, substeps 4".
 std::string object_text(const Json& object, const std::vector<std::map<std::string, Json>>& flat_values) {

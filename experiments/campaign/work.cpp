@@ -1,10 +1,9 @@
 #include "experiments/campaign/work.hpp"
 
 #include <algorithm>
-#include <set>
+#include <optional>
 #include <system_error>
 #include <thread>
-#include <unordered_map>
 
 #include "bendlab/io/claim.hpp"
 #include "experiments/campaign/run_index.hpp"
@@ -57,6 +56,16 @@ class Left {
   std::vector<Watched> watched_;
 };
 
+// The run of a folder that ended while others were read; nothing if none did.
+std::optional<RunRecord> ended_since(const fs::path& folder) try {
+  const fs::path file = folder / "run.vtkhdf";
+  if (!fs::exists(file)) return std::nullopt;
+  RunRecord record = read_checked(file);
+  return is_over(record.status) ? std::optional(std::move(record)) : std::nullopt;
+} catch (const std::exception&) {  // it is no run's file
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, const CampaignOptions& options,
@@ -80,47 +89,31 @@ std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, con
   }
 }
 
-std::optional<RunRecord> ended_since(const fs::path& folder) try {
-  const fs::path file = folder / "run.vtkhdf";
-  if (!fs::exists(file)) return std::nullopt;
-  RunRecord record = read_checked(file);
-  return is_over(record.status) ? std::optional(std::move(record)) : std::nullopt;
-} catch (const std::exception&) {  // it is no run's file
-  return std::nullopt;
+RunsOnDisk::RunsOnDisk(const std::set<fs::path>& parents,
+                       const std::function<void(const std::string&)>& unreadable) {
+  for (const fs::path& parent : parents) {
+    std::error_code none;
+    if (!fs::is_directory(parent, none)) continue;
+    for (RunRecord& run : read_runs(parent, unreadable, Part::state))
+      found_.emplace(run.file.parent_path().string(),
+                     std::move(run));  // a folder's finished file comes first
+  }
 }
 
-std::vector<PlannedState> states_of(const PlanOverview& plan,
-                                    const std::function<void(const std::string&)>& unreadable) {
-  std::set<fs::path> folders;
-  for (const PlannedRun& run : plan.runs) folders.insert(run.folder.parent_path());
-  std::unordered_map<std::string, RunRecord> found;  // by folder
-  for (const fs::path& folder : folders) {
-    std::error_code none;
-    if (!fs::is_directory(folder, none)) continue;
-    for (RunRecord& run : read_runs(folder, unreadable, Part::state))
-      if (is_over(run.status)) found.emplace(run.file.parent_path().string(), std::move(run));
-  }
-  std::vector<PlannedState> states;
-  for (const PlannedRun& run : plan.runs) {
-    using Kind = PlannedState::Kind;
-    PlannedState& state = states.emplace_back();
-    const auto over = [&](const RunRecord& record) {
-      state = {Kind::over, record.status, "", record.wall_s, record.cpu_s};
-    };
-    if (const auto known = found.find(run.folder.string());
-        known != found.end() && known->second.id == run.id) {
-      over(known->second);
-    } else if (std::string owner = owner_of(run.folder); !owner.empty()) {
-      state = {.kind = Kind::running, .text = std::move(owner)};
-    } else if (const auto record = ended_since(run.folder); record && record->id == run.id) {
-      over(*record);
-    } else if (std::string failure = failure_in(run.folder); !failure.empty()) {
-      state = {.kind = Kind::failed, .text = std::move(failure)};
-    } else if (!unfinished_files(run.folder).empty() || fs::exists(run.folder / "run.vtkhdf")) {
-      state.kind = Kind::interrupted;
-    }
-  }
-  return states;
+RunState RunsOnDisk::state_of(const fs::path& folder, const std::string& id) const {
+  using Kind = RunState::Kind;
+  const auto known = found_.find(folder.string());
+  const RunRecord* const found = known == found_.end() ? nullptr : &known->second;
+  if (found && is_over(found->status) && found->id == id) return {Kind::over, *found};
+  if (!found && !fs::exists(folder)) return {};
+  if (std::string owner = owner_of(folder); !owner.empty())
+    return {.kind = Kind::running, .text = std::move(owner)};
+  if (auto record = ended_since(folder); record && record->id == id) return {Kind::over, *std::move(record)};
+  if (std::string failure = failure_in(folder); !failure.empty())
+    return {.kind = Kind::failed, .text = std::move(failure)};
+  if (found && !is_over(found->status)) return {Kind::interrupted, *found};
+  const bool has_file = found || fs::exists(folder / "run.vtkhdf") || !unfinished_files(folder).empty();
+  return {.kind = has_file ? Kind::unreadable : Kind::waiting};
 }
 
 }  // namespace bendlab

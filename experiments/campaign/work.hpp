@@ -4,12 +4,12 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <optional>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "experiments/campaign/campaign.hpp"
-#include "experiments/campaign/plan_file.hpp"
 
 namespace bendlab {
 
@@ -19,19 +19,25 @@ namespace bendlab {
 std::vector<CampaignRun> work_on(const std::vector<Experiment>& experiments, const CampaignOptions& options,
                                  std::chrono::duration<double> lease = std::chrono::seconds(60));
 
-/// What has become of a planned run.
-struct PlannedState {
-  enum class Kind { over, running, failed, interrupted, waiting } kind = Kind::waiting;
-  RunStatus status = RunStatus::running;  ///< of one that is over
-  std::string text;                       ///< who computes it, or why it failed
-  double wall_s = 0, cpu_s = 0;           ///< of one that is over
+/// What has become of a run.
+struct RunState {
+  enum class Kind { over, running, failed, interrupted, unreadable, waiting } kind = Kind::waiting;
+  RunRecord record{};  ///< Part::state of one that is over or interrupted
+  std::string text{};  ///< who computes it, or why it failed
 };
 
-/// The run of a folder that ended while others were read; nothing if none did.
-std::optional<RunRecord> ended_since(const std::filesystem::path& folder);
+/// The runs that lie in some folders.
+class RunsOnDisk {
+ public:
+  /// `parents`: those of runs' folders. `unreadable` as in read_runs().
+  RunsOnDisk(const std::set<std::filesystem::path>& parents,
+             const std::function<void(const std::string&)>& unreadable);
 
-/// States of a plan's runs, in its order. `unreadable` as in read_runs().
-std::vector<PlannedState> states_of(const PlanOverview& plan,
-                                    const std::function<void(const std::string&)>& unreadable);
+  /// Of the run `id` in its folder. Any thread.
+  RunState state_of(const std::filesystem::path& folder, const std::string& id) const;
+
+ private:
+  std::unordered_map<std::string, RunRecord> found_;  // by folder: comparing paths is slow
+};
 
 }  // namespace bendlab

@@ -5,13 +5,10 @@
 #include <cerrno>
 #include <stdexcept>
 #include <system_error>
-#include <unordered_map>
 
-#include "bendlab/io/claim.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "experiments/campaign/plan_file.hpp"
-#include "experiments/campaign/run_index.hpp"
 #include "experiments/campaign/run_labels.hpp"
 #include "experiments/campaign/sweep_file.hpp"
 #include "experiments/campaign/work.hpp"
@@ -20,7 +17,6 @@
 #include "experiments/cli/look_before.hpp"
 #include "experiments/cli/report.hpp"
 #include "experiments/config/in_parallel.hpp"
-#include "experiments/run/checked_read.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/run/forecast.hpp"
 #include "experiments/run/run_id.hpp"
@@ -111,37 +107,24 @@ int run_and_report(const std::vector<Experiment>& experiments, CampaignOptions o
 
 namespace {
 
-/// What lies in the folders of an experiment's runs, by folder. (As text: comparing paths is slow.)
-using StatesByFolder = std::unordered_map<std::string, RunRecord>;
-
-StatesByFolder states_in(const fs::path& out, const Experiment& experiment) {
-  StatesByFolder states;
-  const fs::path folder = out / experiment.name;
-  if (!fs::is_directory(folder)) return states;
-  for (RunRecord& run : read_runs(
-           folder, [](const std::string&) {}, Part::state))
-    states.emplace(run.file.parent_path().string(), std::move(run));  // a folder's finished file comes first
-  return states;
-}
-
 /// "complete", "implausible", "diverged, 12 frames", "running", "unreadable" or "new".
-std::string state_on_disk(const StatesByFolder& states, const fs::path& folder, const std::string& id) {
-  const auto with_frames = [](RunStatus status, std::uint64_t frames) {
-    return fmt::format("{}, {}", to_string(status), counted(frames, "frame"));
+std::string text_of(const RunState& state) {
+  const auto with_frames = [&](RunStatus status) {
+    return fmt::format("{}, {}", to_string(status), counted(state.record.frames, "frame"));
   };
-  const auto found = states.find(folder.string());
-  if (found != states.end() && is_whole(found->second.status))
-    return found->second.id == id ? to_string(found->second.status) : "unreadable";
-  if (found == states.end() && !fs::exists(folder)) return "new";
-  if (!owner_of(folder).empty()) return "running";
-  if (found == states.end())
-    if (const auto record = ended_since(folder); record && record->id == id) return to_string(record->status);
-  if (found != states.end())
-    return with_frames(
-        found->second.status == RunStatus::running ? RunStatus::interrupted : found->second.status,
-        found->second.frames);
-  if (fs::exists(folder / "run.vtkhdf") || !unfinished_files(folder).empty()) return "unreadable";
-  return "new";
+  switch (state.kind) {
+    case RunState::Kind::over:
+      return is_whole(state.record.status) ? to_string(state.record.status)
+                                           : with_frames(state.record.status);
+    case RunState::Kind::running:
+      return "running";
+    case RunState::Kind::interrupted:
+      return with_frames(RunStatus::interrupted);
+    case RunState::Kind::unreadable:
+      return "unreadable";
+    default:
+      return "new";
+  }
 }
 
 /// What is known of a run without computing it.
@@ -150,25 +133,26 @@ struct KnownRun {
   fs::path folder;
   std::string state;
   std::optional<Forecast> needs;
+  double took_s = 0;  ///< of CPU time; 0: it is not whole
 };
 
 std::vector<KnownRun> look_at_runs(const Experiment& experiment, const fs::path& out) {
-  const StatesByFolder states = states_in(out, experiment);
+  const RunsOnDisk on_disk({out / experiment.name}, [](const std::string&) {});
   std::vector<KnownRun> known(experiment.runs.size());
   in_parallel(known.size(), 200, [&](std::size_t i) {
     const RunConfig& config = experiment.runs[i];
-    auto& [id, folder, state, needs] = known[i];
+    auto& [id, folder, state, needs, took_s] = known[i];
     id = run_id(config);
     folder = run_folder(out, experiment, config, id);
-    state = state_on_disk(states, folder, id);
+    const RunState found = on_disk.state_of(folder, id);
+    state = text_of(found);
+    if (found.kind == RunState::Kind::over && is_whole(found.record.status)) took_s = found.record.cpu_s;
     needs = forecast(config);
   });
   // Runs that were computed tell how much more or less time than forecast the others will take.
   double measured_s = 0, forecast_s = 0;
   for (const KnownRun& run : known)
-    if (const auto found = states.find(run.folder.string());
-        found != states.end() && is_whole(found->second.status) && run.needs)
-      measured_s += found->second.cpu_s, forecast_s += run.needs->cpu_s;
+    if (run.took_s > 0 && run.needs) measured_s += run.took_s, forecast_s += run.needs->cpu_s;
   for (KnownRun& run : known)
     if (measured_s > 0 && run.needs) run.needs->cpu_s *= measured_s / forecast_s;
   return known;
@@ -225,7 +209,7 @@ int plan_command(const ConfigArguments& configs, const fs::path& out, const fs::
     std::size_t complete = 0, over = 0;
     Needs left;
     for (std::size_t i = 0; i < known.size(); ++i) {
-      const auto& [id, folder, state, needs] = known[i];
+      const auto& [id, folder, state, needs, took_s] = known[i];
       if (state == "complete") ++complete;
       if (state == "complete" || state == "implausible")
         ++over;

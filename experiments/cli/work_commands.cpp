@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <system_error>
 
 #include "bendlab/io/disk.hpp"
@@ -134,42 +135,45 @@ int work_command(const WorkArguments& arguments, CampaignOptions options, bool j
 
 int status_command(const fs::path& file, bool json) {
   const PlanOverview plan = read_plan(file);
-  const std::vector<PlannedState> states = states_of(plan, say);
-  using Kind = PlannedState::Kind;
+  std::set<fs::path> parents;
+  for (const PlannedRun& run : plan.runs) parents.insert(run.folder.parent_path());
+  const RunsOnDisk on_disk(parents, say);
+  using Kind = RunState::Kind;
   std::map<std::string, std::size_t> count;
   double done_s = 0, expected_of_done = 0, expected_left = 0;
-  const auto name_of = [](const PlannedState& state) -> std::string {
-    constexpr std::array names = {"over", "running", "failed", "interrupted", "waiting"};
-    return state.kind == Kind::over ? to_string(state.status)
+  const auto name_of = [](const RunState& state) -> std::string {
+    constexpr std::array names = {"over", "running", "failed", "interrupted", "unreadable", "waiting"};
+    return state.kind == Kind::over ? to_string(state.record.status)
                                     : names.at(static_cast<std::size_t>(state.kind));
   };
   Table table({"state", "run", ""});
   bool any = false;
-  for (std::size_t i = 0; i < states.size(); ++i) {
-    const PlannedState& state = states[i];
+  for (const PlannedRun& run : plan.runs) {
+    const RunState state = on_disk.state_of(run.folder, run.id);
+    const bool over = state.kind == Kind::over;
     ++count[name_of(state)];
-    if (state.kind == Kind::over)
-      done_s += state.cpu_s, expected_of_done += plan.runs[i].expected_s;
+    if (over)
+      done_s += state.record.cpu_s, expected_of_done += run.expected_s;
     else
-      expected_left += plan.runs[i].expected_s;
+      expected_left += run.expected_s;
     if (json)
-      print_text("{}\n", json_text(Json{{"id", plan.runs[i].id},
-                                        {"run", plan.runs[i].text},
-                                        {"folder", plan.runs[i].folder.string()},
+      print_text("{}\n", json_text(Json{{"id", run.id},
+                                        {"run", run.text},
+                                        {"folder", run.folder.string()},
                                         {"state", name_of(state)},
                                         {"text", state.text},
-                                        {"expected_s", plan.runs[i].expected_s},
-                                        {"wall_s", state.wall_s},
-                                        {"cpu_s", state.cpu_s}}));
+                                        {"expected_s", run.expected_s},
+                                        {"wall_s", over ? state.record.wall_s : 0},
+                                        {"cpu_s", over ? state.record.cpu_s : 0}}));
     if (state.kind == Kind::running || state.kind == Kind::failed) {
-      table.add_row({name_of(state), plan.runs[i].text, state.text});
+      table.add_row({name_of(state), run.text, state.text});
       any = true;
     }
   }
   if (json) return exit_ok;
   std::vector<std::string> parts;
   for (const auto& [name, runs] : count) parts.push_back(fmt::format("{} {}", runs, name));
-  print_text("{}: {}\n", counted(states.size(), "run"), fmt::join(parts, ", "));
+  print_text("{}: {}\n", counted(plan.runs.size(), "run"), fmt::join(parts, ", "));
   if (expected_left > 0 && done_s > 0)
     print_text("took {} of CPU time so far; as much as {} may be left\n", duration_text(done_s),
                duration_text(expected_left * done_s / expected_of_done));

@@ -32,7 +32,7 @@ Json take(Json& document, const std::string& key, Json if_absent) {
   return value;
 }
 
-// Problems of the settings as they stand, but where an axis fills a gap: its values are checked with the sweep.
+// Problems of the settings as they stand, but where an axis fills a gap: the sweep checks its values.
 ConfigProblems problems_of(const Json& settings, const std::vector<Axis>& axes) {
   ConfigProblems found;
   read_run(with_first_values(settings, axes), found);

@@ -10,8 +10,8 @@ namespace bendlab {
 /// defaults. Appends every problem; if there are any, the settings are meaningless.
 RunSettings read_run(const Json& settings, ConfigProblems& problems);
 
-/// Appends the problems of `settings` with `value` at `pointer` that are problems of the value, which stands at
-/// `place` of the config. Returns the others.
+/// Appends the problems of `settings` with `value` at `pointer` that are problems of the value, which stands
+/// at `place` of the config. Returns the others.
 ConfigProblems check_value(const Json& settings, const std::string& pointer, const Json& value,
                            const std::string& place, ConfigProblems& problems);
 

@@ -54,6 +54,16 @@ std::vector<std::string> known_pointers(const Json& settings) {
   return known;
 }
 
+std::map<std::string, Json> flattened(const Json& object, const std::string& pointer) {
+  std::map<std::string, Json> flat;
+  for (const auto& [key, value] : object.items())
+    if (const std::string place = child_pointer(pointer, key); value.is_object())
+      flat.merge(flattened(value, place));
+    else
+      flat[place] = value;
+  return flat;
+}
+
 const Field* find_setting(const Json& settings, std::string_view pointer) {
   const std::string parent(pointer.substr(0, pointer.rfind('/')));
   const std::string_view name = last_part(pointer);

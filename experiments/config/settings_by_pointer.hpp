@@ -1,6 +1,7 @@
 // Which JSON pointers name a setting of a config.
 #pragma once
 
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,9 @@ namespace bendlab {
 
 /// Every pointer that a sweep may vary: settings, whole sections, `/effects`, its entries and their settings.
 std::vector<std::string> known_pointers(const Json& settings);
+
+/// Every value of an object, and of the objects in it, by its pointer. Lists stay whole.
+std::map<std::string, Json> flattened(const Json& object, const std::string& pointer = "");
 
 /// The row of the setting at `pointer`, or nullptr if it is no setting. `settings` says of which type an
 /// effect is.

@@ -176,11 +176,11 @@ std::vector<Surface> obstacle_surfaces(const std::vector<Effect>& effects,
     Surface surface{.name = pass_name(effects, index)};
     std::ranges::replace(surface.name, ' ', '_');
     try {
-      ObstacleSurface made = effect.kind().surface(
+      TriangleMesh mesh = effect.kind().surface(
           effect.settings(), {.file = file_of(effect, index, inputs), .centre = centre, .size = size});
-      surface.positions = std::move(made.mesh.positions);
-      surface.triangles = std::move(made.mesh.triangles);
-      surface.velocity = made.velocity;
+      surface.positions = std::move(mesh.positions);
+      surface.triangles = std::move(mesh.triangles);
+      surface.velocity = effect.kind().motion(effect.settings()).velocity;
     } catch (const std::exception& error) {
       notes.push_back(fmt::format("{} is left out: {}", surface.name, error.what()));
       continue;

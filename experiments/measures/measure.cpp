@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "bendlab/parameters/family.hpp"
+#include "bendlab/parameters/median.hpp"
 #include "experiments/config/config_tables.hpp"
 
 namespace bendlab {
@@ -44,13 +45,12 @@ Registry<Measure>& registry() {
 }
 
 // A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
-template <class Row>
-void check_names(const Measure& measure, std::vector<Row> (*Measure::*rows)()) {
+void check_names(const Measure& measure, std::vector<Column> (*Measure::*rows)()) {
   std::set<std::string, std::less<>> taken(facts.begin(), facts.end());
   taken.emplace("time");  // of a frame
   for (const Measure* other : registry().so_far())
-    for (const Row& row : (other->*rows)()) taken.insert(row.name);
-  for (const Row& row : (measure.*rows)())
+    for (const Column& row : (other->*rows)()) taken.insert(row.name);
+  for (const Column& row : (measure.*rows)())
     if (!taken.insert(row.name).second)
       throw std::invalid_argument(
           fmt::format("the measure '{}' cannot be registered: there is a number '{}' already; choose another "
@@ -98,9 +98,7 @@ double FrameHistory::median(std::string_view column, std::size_t first) const {
   for (std::size_t f = first; f < rows_.size(); ++f) values.push_back(rows_[f][index]);
   if (std::ranges::any_of(values, [](double v) { return std::isnan(v); }))
     return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return values.size() % 2 == 1 ? *middle : 0.5 * (*middle + *std::max_element(values.begin(), middle));
+  return bendlab::median(std::move(values));
 }
 
 std::span<const Measure* const> measures() {

@@ -131,12 +131,9 @@ std::unique_ptr<Measurement> begun(const RunConfig& config, const BuiltScene& sc
 }
 
 /// A number that a measure gives at the end of a run.
-struct Quantity {
-  std::string name, unit, meaning;
-};
+using Quantity = Column;
 
-template <class Row>
-std::vector<Row> no_rows() {
+inline std::vector<Column> no_columns() {
   return {};
 }
 
@@ -146,11 +143,11 @@ struct Measure {
   std::string_view cost;     ///< a line: what that takes
   /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
   bool (*applies)(const RunConfig&, const BuiltScene&) = nullptr;
-  std::string_view when = "where it applies";          ///< a few words, unless that is always or on request
-  std::vector<Column> (*columns)() = no_rows<Column>;  ///< of every frame: names, units, meanings
-  std::vector<Column> (*fields)() = no_rows<Column>;   ///< of every triangle of every frame
+  std::string_view when = "where it applies";     ///< a few words, unless that is always or on request
+  std::vector<Column> (*columns)() = no_columns;  ///< of every frame: names, units, meanings
+  std::vector<Column> (*fields)() = no_columns;   ///< of every triangle of every frame
   /// Of the run; a number without a meaning there is left out.
-  std::vector<Quantity> (*gives)() = no_rows<Quantity>;
+  std::vector<Quantity> (*gives)() = no_columns;
   /// It makes other runs, whose time is not this run's.
   bool makes_runs = false;
   /// Config and scene outlive the measurement. Throws ConfigError if the scene cannot be measured like this.

@@ -16,19 +16,17 @@ std::string_view when(const Measure& measure) {
   return measure.applies == always ? "always" : measure.when;
 }
 
-template <class Rows>
-std::string rows_text(const char* heading, const Rows& rows) {
+std::string rows_text(const char* heading, const std::vector<Column>& rows) {
   std::string text;
-  for (const auto& row : rows)
+  for (const Column& row : rows)
     text += fmt::format("{}    {} ({}): {}\n", text.empty() ? fmt::format("  {}\n", heading) : "", row.name,
                         row.unit, row.meaning);
   return text;
 }
 
-template <class Rows>
-Json rows_json(const Rows& rows) {
+Json rows_json(const std::vector<Column>& rows) {
   Json json = Json::array();
-  for (const auto& row : rows)
+  for (const Column& row : rows)
     json.push_back({{"name", row.name}, {"unit", row.unit}, {"meaning", row.meaning}});
   return json;
 }

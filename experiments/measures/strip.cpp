@@ -7,6 +7,7 @@
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/run_file.hpp"
 #include "bendlab/mesh/single_precision.hpp"
+#include "bendlab/parameters/median.hpp"
 #include "bendlab/scene/gravity.hpp"
 
 namespace bendlab {
@@ -33,10 +34,7 @@ class Reach {
 
   double median() {
     std::erase(of_vertex_, 0);
-    if (of_vertex_.empty()) return 0;
-    const auto middle = of_vertex_.begin() + static_cast<std::ptrdiff_t>(of_vertex_.size() / 2);
-    std::ranges::nth_element(of_vertex_, middle);
-    return *middle;
+    return of_vertex_.empty() ? 0 : upper_median(of_vertex_);
   }
 
  private:

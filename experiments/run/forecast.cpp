@@ -48,8 +48,9 @@ constexpr double of_run = 3e-3;
 constexpr double set_up_per_vertex = 6e-6, levels_per_vertex = 3.5e-5, scalars_per_vertex = 1e-5;
 constexpr double set_up_per_constraint = 2e-7, bent_sheet_per_vertex = 2e-5, fitted = 3e-6;
 constexpr double frame_per_triangle = 1.2e-7;
-constexpr double vertex = 8e-9;  // in a substep, whatever effects there are
-constexpr double number = 1e-9;  // a projection, per number of the constraint
+constexpr double vertex = 8e-9;              // in a substep, whatever effects there are
+constexpr double number = 1e-9;              // a projection, per number of the constraint
+constexpr double factor_of_blocks = 3.2e-7;  // per vertex, times √V
 }  // namespace seconds
 
 struct Parts {
@@ -60,6 +61,11 @@ bool has_levels(const Method& method) {
   return method.kind().carries_stretch != nullptr && method.kind().carries_stretch(method.settings());
 }
 
+// More of a matrix is filled where there are more constraints, or where they reach farther.
+double fill(const RunSize& size) {
+  return std::max(1.0, 0.35 * size.reach * std::cbrt(size.pairs / size.vertices));
+}
+
 Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double) {
   const Solver& solver = config.scene().solver;
   const MethodKind& method = solver.method.kind();
@@ -67,10 +73,8 @@ Parts memory_parts(const RunConfig& config, const RunSize& size, bool in_double)
                       (bytes::per_vertex + (has_levels(solver.method) ? bytes::levels_per_vertex : 0)),
               .bending = size.list_bytes + size.numbers * bytes::padding * (in_double ? 6 : 4)};
   const double factor = size.vertices * std::log2(size.vertices);
-  // More of the matrix is filled where constraints reach farther, and there are more of them.
-  const double fill = std::max(1.0, size.pairs / size.vertices / 9);
   if (method.factorised == Factorised::scalars) parts.factor = factor * bytes::factor_of_scalars;
-  if (method.factorised == Factorised::blocks) parts.factor = factor * bytes::factor_of_blocks * fill;
+  if (method.factorised == Factorised::blocks) parts.factor = factor * bytes::factor_of_blocks * fill(size);
   if (config.scene().bending.stiffness != Stiffness::physical || size.pairs == 0) return parts;
   // The fit is over before anything is factorised.
   const double fit =
@@ -146,11 +150,13 @@ double solver_seconds(const Scene& scene, const RunSize& size) {
   const double substeps = static_cast<double>(step_count(scene)) * substeps_of(scene.solver);
   const double iterations =
       method.has_motion ? substeps * iterations_of(scene.solver) : equilibrium_iterations;
-  const double cost = method.factorised == Factorised::blocks ? 7 * std::sqrt(size.vertices) : method.cost;
+  const double iteration =
+      method.factorised == Factorised::blocks
+          ? seconds::factor_of_blocks * size.vertices * std::sqrt(size.vertices) * fill(size)
+          : method.cost * seconds::number * (size.triangles * strain_numbers + size.numbers);
   double vertex = seconds::vertex;
   for (const Effect& effect : scene.effects) vertex += effect.kind().vertex_seconds;
-  return substeps * size.vertices * vertex +
-         iterations * cost * (size.triangles * strain_numbers + size.numbers) * seconds::number;
+  return substeps * size.vertices * vertex + iterations * iteration;
 }
 
 }  // namespace

@@ -72,11 +72,6 @@ double epsilon_of(const BuiltScene& scene) {
                                                         : double{std::numeric_limits<float>::epsilon()};
 }
 
-// Does work on the cloth besides gravity.
-bool drives(const Effect& effect) {
-  return effect.kind().drives != nullptr && effect.kind().drives(effect.settings());
-}
-
 // The largest force of effects on the whole cloth, of those that state one, N.
 double largest_force(const BuiltScene& scene) {
   const double area = std::accumulate(scene.rest.areas().begin(), scene.rest.areas().end(), 0.0);
@@ -110,7 +105,7 @@ Plausibility::Plausibility(const BuiltScene& scene)
 }
 
 void Plausibility::find_what_drives() {
-  driven_ = std::ranges::any_of(scene_.effects, drives);
+  driven_ = std::ranges::any_of(scene_.effects, does_work);
   free_ = scene_.pins.all.empty() && scene_.input.method.kind().keeps_momentum &&
           std::ranges::all_of(scene_.effects, [](const Effect& each) { return each.kind().keeps_momentum; });
 }

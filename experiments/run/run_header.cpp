@@ -73,7 +73,8 @@ std::vector<ObstacleRecord> obstacles_of(const BuiltScene& scene) {
   for (std::size_t index = 0; index < scene.effects.size(); ++index) {
     const Effect& effect = scene.effects[index];
     if (effect.kind().surface == nullptr) continue;
-    const auto [mesh, velocity] = effect.kind().surface(
+    const Vector3 velocity = effect.kind().motion(effect.settings()).velocity;
+    const TriangleMesh mesh = effect.kind().surface(
         effect.settings(), {.folder = scene.folder, .centre = (low + high) / 2, .size = (high - low).norm()});
     records.push_back({.effect = index,
                        .positions = {mesh.positions.data(), mesh.positions.data() + mesh.positions.size()},

@@ -11,8 +11,9 @@ namespace bendlab {
 /// 16 hex digits of XXH3.
 std::string hex_hash(const std::string& text);
 
-/// Of a run with a bending model, or possibly a measure, that this program added, whose code is not among our
-/// sources: hex_hash() of the program's file, so that a program that was changed makes other runs. Else empty.
+/// For a run with something that this program added, or possibly with a measure that it added, whose code is
+/// not among our sources: hex_hash() of the program's file, so that a program that was changed makes other
+/// runs. For any other run empty.
 std::string own_code_hash(const RunConfig& config);
 
 /// Hash (16 hex digits) of the resolved config, the bytes of the files that it names, the program's sources,

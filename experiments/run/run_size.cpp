@@ -43,20 +43,29 @@ Pins pins_of(const Pinning& pinning, const RestMesh& rest) {
 // If the whole mesh were like the patch. `whole`: how many times as long as the patch it is.
 RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   const RestMesh rest(rest_mesh_of(patch, scene.folder).mesh);
-  const int stride = rest.vertex_count() > counted_whole ? 17 : 1;  // a prime: no period of a grid's rows
+  const int stride =
+      rest.vertex_count() > counted_whole ? 17 : 1;  // a prime: rows of few grids are multiples
   const BendingConstraints built =
       constraints_of(scene.bending.model, {rest, pins_of(scene.pins, rest), whole * rest.size(), stride});
   RunSize size{.vertices = whole * whole * rest.vertex_count(),
                .triangles = whole * whole * rest.triangle_count(),
                .size = whole * rest.size(),
                .mean_edge = rest.mean_edge_length()};
-  const double weight = whole * whole * stride;
+  // Models of springs build those of every stride-th vertex; others build all.
+  bool is_sample = true;
+  const auto look_at = [&](const auto& list) {
+    for (const auto& vertices : list) is_sample = is_sample && vertices.front() % stride == 0;
+  };
+  look_at(built.distance.vertices);
+  for_each_kind(built.elements, [&](const auto& list) { look_at(list.vertices); });
+  const double weight = whole * whole * (is_sample ? stride : 1);
   const auto add = [&](std::span<const int> vertices, std::size_t bytes, std::size_t numbers) {
-    if (vertices.front() % stride != 0) return;
     size.constraints += weight;
     size.list_bytes += weight * static_cast<double>(bytes);
     size.numbers += weight * static_cast<double>(numbers);
-    if (vertices.size() == 2) size.pairs += weight;
+    if (vertices.size() != 2) return;
+    size.pairs += weight;
+    size.reach += weight * (rest.position(vertices[0]) - rest.position(vertices[1])).norm() / size.mean_edge;
   };
   for (const auto& pair : built.distance.vertices) add(pair, sizeof(int), 2);  // the first vertex is shared
   for_each_kind(built.elements, [&]<class Kind>(const ElementList<Kind>& list) {
@@ -64,6 +73,7 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
       add(vertices, sizeof(vertices) + sizeof(list.rest[0]) + sizeof(double),
           Kind::arity + Kind::rest_values + 2);  // softness, multiplier
   });
+  if (size.pairs > 0) size.reach /= size.pairs;
   return size;
 }
 
@@ -99,14 +109,12 @@ std::optional<RunSize> size_of(const RunConfig& config) {
   deciding[0].erase("seed");
   const std::string key = config.folder().string() + deciding.dump();
   const std::lock_guard lock(mutex);
-  const auto found = known.find(key);
-  if (found != known.end()) return found->second;
-  std::optional<RunSize>& size = known[key];
-  try {
-    size = size_of(config.scene(), config.scene().mesh);
-  } catch (const std::exception&) {
-  }
-  return size;
+  const auto [entry, is_new] = known.try_emplace(key);
+  if (is_new) try {
+      entry->second = size_of(config.scene(), config.scene().mesh);
+    } catch (const std::exception&) {
+    }
+  return entry->second;
 }
 
 }  // namespace bendlab

@@ -7,20 +7,22 @@
 
 namespace bendlab {
 
-/// Of the rest mesh and of the bending constraints on it. Numbers of a large mesh are near enough for forecasts.
+/// Of the rest mesh and of the bending constraints on it. Numbers of a large mesh are estimates, near enough
+/// for forecasts.
 struct RunSize {
   double vertices = 0, triangles = 0;
   double size = 0;         ///< m, diagonal of the rest box
   double mean_edge = 0;    ///< m
   double constraints = 0;  ///< of bending
   double pairs = 0;        ///< those of them that join two vertices
+  double reach = 0;        ///< mean length of these pairs, in mean edges
   double list_bytes = 0;   ///< of the constraints' lists
   double numbers = 0;      ///< that the solver keeps for the constraints: indices, rest values
 };
 
-/// Makes the mesh and the bending model's constraints if that is cheap. Of a larger mesh a patch is made, with
-/// edges as long, and of the constraints a sample. Remembers what it counted. Nothing for a mesh that cannot be
-/// made: the run itself says why.
+/// Makes the mesh and the bending model's constraints if that is cheap. Of a larger mesh it makes a patch,
+/// with edges as long, and a sample of the constraints. Remembers what it counted. Nothing for a mesh that
+/// cannot be made: the run itself says why.
 std::optional<RunSize> size_of(const RunConfig& config);
 
 }  // namespace bendlab

@@ -9,6 +9,7 @@
 
 #include "bendlab/effects/effect.hpp"
 #include "bendlab/mesh/connected_parts.hpp"
+#include "bendlab/parameters/median.hpp"
 #include "bendlab/scene/gravity.hpp"
 #include "bendlab/scene/inside.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
@@ -124,16 +125,15 @@ Message far_vertex(const WarningInput& input) {
         if (lengths.back() > longest) longest = lengths.back(), vertex = from, other = to;
       }
   if (lengths.empty()) return std::nullopt;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::ranges::nth_element(lengths, middle);
-  if (!(longest > far * *middle)) return std::nullopt;
+  const double median = upper_median(lengths);
+  if (!(longest > far * median)) return std::nullopt;
   // Of the two the one that is farther from all.
   const auto from_centre = [&](int v) { return (positions.row(v).transpose() - rest.centre()).norm(); };
   if (from_centre(other) > from_centre(vertex)) std::swap(vertex, other);
   return fmt::format(
       "vertex {} lies {:.3g} m from its neighbour {}, {:.2g} times as far as the median edge is long: is it "
       "where it should be? 'bendlab mesh FILE' tells about the mesh",
-      vertex, longest, other, longest / *middle);
+      vertex, longest, other, longest / median);
 }
 
 // ---- all_pinned

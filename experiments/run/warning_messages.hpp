@@ -53,7 +53,7 @@ Message uneven_stiffness(const WarningInput& input);
 Message pushed_membrane(const WarningInput& input);
 
 inline bool has_obstacle(const BuiltScene& scene) {
-  return std::ranges::any_of(scene.effects, [](const Effect& effect) { return effect.kind().is_obstacle; });
+  return std::ranges::any_of(scene.effects, [](const Effect& effect) { return effect.kind().is_obstacle(); });
 }
 
 }  // namespace bendlab

@@ -31,7 +31,8 @@ void check_problem(const std::string& expect, const std::string& pointer, const 
 }
 
 std::vector<ExpectationResult> results(const Experiment& experiment, std::size_t run, double drop) {
-  return check_expectations(experiment.expectations, experiment.runs.at(run), {{"drop", drop}, {"max_stretch", 1.5}});
+  return check_expectations(experiment.expectations, experiment.runs.at(run),
+                            {{"drop", drop}, {"max_stretch", 1.5}});
 }
 
 }  // namespace

@@ -174,7 +174,7 @@ TEST_CASE("Obstacles are closed surfaces with normals outward and the volume of 
 
 TEST_CASE("Every obstacle that there is is exported", "[export]") {
   for (const EffectKind* effect : effects()) {
-    if (!effect->is_obstacle) continue;
+    if (!effect->is_obstacle()) continue;
     INFO(effect->name);
     const bool reads_file = effect->settings.find("file") != nullptr;
     const Effect settings = test::effect_of(

@@ -45,7 +45,7 @@ TEST_CASE("forecast: a patch of a mesh tells the size of the whole") {
       R"("generator": "sphere", "cells": 96, "radius": 0.5)", R"("cells": 200, "scale": 3)",
       R"("cells": 50, "refine": 2)");
   CAPTURE(mesh);
-  const RunConfig config = config_of(mesh, R"("stiffness": "compliance")");
+  const RunConfig config = config_of(mesh, R"("stiffness": "compliance", "compliance": 0.1)");
   const auto size = size_of(config);
   REQUIRE(size);
   const RestMesh rest(rest_mesh_of(config.scene().mesh, config.folder()).mesh);

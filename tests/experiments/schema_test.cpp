@@ -112,15 +112,13 @@ TEST_CASE("schema: models and effects are listed with settings, defaults and sou
 }
 
 TEST_CASE("schema: figures are told what each model is made of") {
-  for (const auto& [name, traits] : model_traits_json().items()) {
+  const Json all = model_traits_json();
+  for (const auto& [name, traits] : all.items()) {
     INFO(name);
-    const BuiltScene scene =
-        build_scene(parse_experiment(
-                        R"({"name": "t", "defaults": "paper", "mesh": {"cells": 4}, "bending": {"model": ")" +
-                            name + "\"}}",
-                        "test")
-                        .runs.front()
-                        .scene());
+    const std::string config = R"({"name": "t", "mesh": {"cells": 4}, "pins": {"vertices": []},
+                                   "defaults": "paper", "bending": {"model": ")" +
+                               name + "\"}}";
+    const BuiltScene scene = build_scene(parse_experiment(config, "test").runs.front().scene());
     const std::size_t springs = scene.input.distance.size(), others = element_count(scene.input.elements);
     CHECK(traits["label"] == find_bending_model(name)->label);
     CHECK((traits["made_of"] == "nothing") == (springs + others == 0));

@@ -214,7 +214,8 @@ class Installed(unittest.TestCase):
 
     def test_the_readme_shows_the_example(self):
         readme = (ROOT / "lib/bendlab/README.md").read_text(encoding="utf-8")
-        for name in ("mine.hpp", *(f"{name}.cpp" for name in MINE), "main.cpp", "CMakeLists.txt", "sweep.json"):
+        sources = [f"{name}.cpp" for name in (*MINE, "main")]
+        for name in ("mine.hpp", *sources, "CMakeLists.txt", "sweep.json"):
             self.assertIn((EXAMPLE / name).read_text(encoding="utf-8"), readme, name)
 
     @staticmethod

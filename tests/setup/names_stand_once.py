@@ -12,7 +12,8 @@ LISTS = ("lib/bendlab/effects/effects.hpp", "lib/bendlab/bending/models.hpp",
          "lib/bendlab/solver/methods.hpp")
 DEFAULTS = ("lib/bendlab/scene/scene.hpp", "lib/bendlab/scene/defaults.cpp")
 BENCHMARKS = "experiments/bench/"
-OTHER_MEANINGS = ("none", "disc", "sphere")  # a choice of other settings, and two generators of meshes
+# A choice of other settings, two generators of meshes, and a trait of bending models.
+OTHER_MEANINGS = ("none", "disc", "sphere", "prestressed")
 
 
 def code_of(path):

@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "bendlab/mesh/bad_triangles.hpp"
+#include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
 namespace {
@@ -31,20 +32,14 @@ std::vector<int> hops(const RestMesh& rest, std::vector<int> from) {
 // area.
 std::vector<int> ends(const RestMesh& rest, const Pins& pins) {
   std::vector<char> end(pins.is_pinned);
-  std::vector<std::array<int, 2>> edges;
   const std::vector<char> degenerate = triangles_without_area(rest.mesh());
   for (int t = 0; t < rest.triangle_count(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const int a = rest.triangles()(t, c), b = rest.triangles()(t, (c + 1) % 3);
-      edges.push_back({std::min(a, b), std::max(a, b)});
-      if (degenerate[static_cast<std::size_t>(t)] != 0) end[static_cast<std::size_t>(a)] = 1;
-    }
-  std::ranges::sort(edges);
-  for (std::size_t first = 0, last = 0; first < edges.size(); first = last) {
-    while (last < edges.size() && edges[last] == edges[first]) ++last;
-    if (last - first != 2)
-      for (const int vertex : edges[first]) end[static_cast<std::size_t>(vertex)] = 1;
-  }
+    for (int c = 0; degenerate[static_cast<std::size_t>(t)] != 0 && c < 3; ++c)
+      end[static_cast<std::size_t>(rest.triangles()(t, c))] = 1;
+  for_each_edge(half_edges(rest.triangles()), [&](std::span<const HalfEdge<int>> sides) {
+    if (sides.size() != 2)
+      for (const int vertex : {sides[0].low, sides[0].high}) end[static_cast<std::size_t>(vertex)] = 1;
+  });
   std::vector<int> list;
   for (int v = 0; v < rest.vertex_count(); ++v)
     if (end[static_cast<std::size_t>(v)] != 0 || rest.one_ring()[v].empty()) list.push_back(v);

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bendlab/parameters/median.hpp"
+
 namespace bendlab {
 
 const std::array<Vector2, bending_directions>& all_bending_directions() {
@@ -129,9 +131,8 @@ std::vector<BendingFact> StiffnessFit::finish(const std::vector<double>& wanted,
   std::vector<double> found = {1 / usual};
   if (!softness_.empty()) found.clear();
   for (std::size_t c = 0; c < softness_.size(); ++c) found.push_back(*softness_[c] /= factor_[c]);
-  const auto middle = found.begin() + static_cast<std::ptrdiff_t>(found.size() / 2);
-  std::nth_element(found.begin(), middle, found.end());
-  for (double* const softness : idle_) *softness = *middle;
+  const double median = upper_median(found);
+  for (double* const softness : idle_) *softness = median;
   return facts(wanted, name);
 }
 

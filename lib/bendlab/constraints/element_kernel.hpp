@@ -97,11 +97,6 @@ BENDLAB_INLINE std::array<Pack<Real>, N> load(const std::array<LargeArray<Real>,
   return packs;
 }
 
-template <class Real>
-BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
-  return x > y ? x : y;
-}
-
 // The corners of a pack of constraints, at whole places.
 template <class Real, std::size_t N>
 struct WholeCorners {

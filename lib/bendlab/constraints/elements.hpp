@@ -8,7 +8,8 @@
 //   struct Kind {
 //     static constexpr std::string_view name;  // in run files
 //     static constexpr std::size_t arity, rest_values;
-//     enum class Law { … };          // variants of C
+//     enum class Law { … };                     // variants of C
+//     static constexpr std::array law_names;    // as many, in their order
 //     template <class Real>
 //     static ConstraintValue<Real, arity> value(points, rest, law);
 //     template <class Real>

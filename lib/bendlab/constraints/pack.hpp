@@ -121,6 +121,12 @@ BENDLAB_INLINE bool any(const Mask& mask) {
 #endif
 }
 
+/// In each lane x if it is larger, else y.
+template <class Real>
+BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
+  return x > y ? x : y;
+}
+
 template <class Real>
 struct PackVector {
   Pack<Real> x, y, z;

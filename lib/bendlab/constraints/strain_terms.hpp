@@ -9,11 +9,6 @@
 namespace bendlab {
 namespace {
 
-template <class Real>
-BENDLAB_INLINE Pack<Real> larger(const Pack<Real>& x, const Pack<Real>& y) {
-  return x > y ? x : y;
-}
-
 //        c                 e1 = p_b - p_a, e2 = p_c - p_a
 //       / \                f1 = q00 e1 + q10 e2 (warp),  f2 = q01 e1 + q11 e2 (weft)
 //      /   \               ∇_b = coefficient of e1, ∇_c = coefficient of e2, ∇_a = -∇_b - ∇_c

@@ -35,27 +35,29 @@ constexpr std::array own_fields = {
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Capsule>, obstacle::spin_fields<Capsule>);
 
+SteadyMotion motion(const Capsule& settings) {
+  return {.velocity = settings.velocity,
+          .pivot = settings.a,
+          .axis = (settings.b - settings.a).normalized(),
+          .spin = settings.spin};
+}
+
 template <class Real>
 std::vector<Pass<Real>> compile(const Capsule& settings, const EffectInput& input) {
   const Vector3 &a = settings.a, &b = settings.b;
   if (!((b - a).norm() > 0))
     throw std::invalid_argument("a and b are the same point; use a sphere for a capsule without length");
-  const obstacle::Motion motion{
-      .velocity = settings.velocity, .pivot = a, .axis = (b - a).normalized(), .spin = settings.spin};
-  return {{"capsule", Stage::project,
-           obstacle::RoundObstacle<Real, Segment>(settings, input, {a, b}, settings.radius, motion)}};
+  return {
+      {"capsule", Stage::project,
+       obstacle::RoundObstacle<Real, Segment>(settings, input, {a, b}, settings.radius, motion(settings))}};
 }
 
-ObstacleSurface surface(const Capsule& settings, const SurfaceInput&) {
+TriangleMesh surface(const Capsule& settings, const SurfaceInput&) {
   const Vector3 along = settings.b - settings.a;
   std::vector<ProfilePoint> profile = arc(settings.radius, -1, 0);
   for (const auto& [distance, height] : arc(settings.radius, 0, 1))
     profile.push_back({distance, height + along.norm()});
-  return {revolved(profile, settings.a, along.normalized()), settings.velocity};
-}
-
-bool drives(const Capsule& settings) {
-  return obstacle::moves_or_turns(settings);
+  return revolved(profile, settings.a, along.normalized());
 }
 
 }  // namespace
@@ -69,11 +71,10 @@ constinit const EffectKind Capsule::kind{
     .settings = table_of<Capsule>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .is_obstacle = true,
     .repeatable = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
-    .drives = erased<drives>,
+    .motion = erased<motion>,
     .surface = erased<surface>,
 };
 }  // namespace bendlab

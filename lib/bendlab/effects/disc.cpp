@@ -45,33 +45,33 @@ constexpr std::array own_fields = {
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Disc>, obstacle::spin_fields<Disc>);
 
+SteadyMotion motion(const Disc& settings) {
+  return {.velocity = settings.velocity,
+          .pivot = settings.centre,
+          .axis = obstacle::direction_of(settings.axis, "axis"),
+          .spin = settings.spin};
+}
+
 template <class Real>
 std::vector<Pass<Real>> compile(const Disc& settings, const EffectInput& input) {
-  const Vector3 axis = obstacle::direction_of(settings.axis, "axis");
+  const SteadyMotion steady = motion(settings);
   const double half_height = settings.height / 2;
   if (half_height > settings.radius)
     throw std::invalid_argument(
         "height is more than twice the radius; use a capsule for what is taller than wide");
-  const obstacle::Motion motion{
-      .velocity = settings.velocity, .pivot = settings.centre, .axis = axis, .spin = settings.spin};
-  return {
-      {"disc", Stage::project,
-       obstacle::RoundObstacle<Real, FlatDisc>(
-           settings, input, {settings.centre, axis, settings.radius - half_height}, half_height, motion)}};
+  return {{"disc", Stage::project,
+           obstacle::RoundObstacle<Real, FlatDisc>(
+               settings, input, {settings.centre, steady.axis, settings.radius - half_height}, half_height,
+               steady)}};
 }
 
 // A flat top and bottom, and half a circle as rim.
-ObstacleSurface surface(const Disc& settings, const SurfaceInput&) {
+TriangleMesh surface(const Disc& settings, const SurfaceInput&) {
   const double half_height = settings.height / 2, flat = settings.radius - half_height;
   std::vector<ProfilePoint> profile = {{0, -half_height}};
   for (const auto& [distance, height] : arc(half_height, -1, 1)) profile.push_back({flat + distance, height});
   profile.push_back({0, half_height});
-  return {revolved(profile, settings.centre, obstacle::direction_of(settings.axis, "axis")),
-          settings.velocity};
-}
-
-bool drives(const Disc& settings) {
-  return obstacle::moves_or_turns(settings);
+  return revolved(profile, settings.centre, obstacle::direction_of(settings.axis, "axis"));
 }
 
 }  // namespace
@@ -85,11 +85,10 @@ constinit const EffectKind Disc::kind{
     .settings = table_of<Disc>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .is_obstacle = true,
     .repeatable = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
-    .drives = erased<drives>,
+    .motion = erased<motion>,
     .surface = erased<surface>,
 };
 }  // namespace bendlab

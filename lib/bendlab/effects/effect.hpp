@@ -42,10 +42,14 @@ struct SurfaceInput {
   double size = 1;                    ///< of the cloth's rest box, m
 };
 
-/// An obstacle's surface at time 0, normals outward, and how it moves.
-struct ObstacleSurface {
-  TriangleMesh mesh;
+/// How an obstacle moves: with a velocity, and a spin about an axis through a point that moves along.
+struct SteadyMotion {
   Vector3 velocity = Vector3::Zero();  ///< m/s
+  Vector3 pivot = Vector3::Zero();     ///< m, in the world at time 0
+  Vector3 axis = Vector3::UnitZ();     ///< unit
+  double spin = 0;                     ///< rad/s
+
+  bool rests() const { return velocity.isZero(0) && spin == 0; }
 };
 
 /// What a doubt about settings is seen by.
@@ -81,7 +85,6 @@ struct EffectKind {
   bool helps_projection = false;    ///< needs it, and has no other purpose: in other methods it does nothing
   bool acts_in_iterations = false;  ///< implicit methods take it, as part of each iteration, nevertheless
   bool uses_contacts = false;       ///< reads State::contacts, at Stage::contact
-  bool is_obstacle = false;         ///< a body that cloth may lie on
   bool repeatable = false;          ///< a scene may list it more than once
   /// Its force depends on velocities: it acts first, on those that the last substep ended with, wherever the
   /// scene lists it. Behind gravity it would see a speed g h of cloth that rests.
@@ -101,16 +104,21 @@ struct EffectKind {
   /// Whether the effect provably changes nothing with these settings, for any motion of the cloth; null:
   /// never known.
   bool (*idle)(const void* settings) = nullptr;
-  /// Whether it does work on the cloth, besides a uniform acceleration; null: never.
+  /// Whether it does work on the cloth, besides a uniform acceleration; null: never, or only as an obstacle
+  /// that moves.
   bool (*drives)(const void* settings) = nullptr;
   /// The uniform acceleration that it adds, m/s²; null: none.
   Vector3 (*acceleration)(const void* settings) = nullptr;
   /// The largest force on a cloth of that area (m²), N; null: it has none, or a bound is not known.
   double (*largest_force)(const void* settings, double area) = nullptr;
-  /// The obstacle's surface at time 0; null: it has none.
-  ObstacleSurface (*surface)(const void* settings, const SurfaceInput&) = nullptr;
+  /// How it moves, of an obstacle: a body that cloth may lie on. Null: it is none.
+  SteadyMotion (*motion)(const void* settings) = nullptr;
+  /// The obstacle's surface at time 0, normals outward; null: it is none.
+  TriangleMesh (*surface)(const void* settings, const SurfaceInput&) = nullptr;
   /// What is doubtful about these settings in this scene; null: nothing ever is.
   std::optional<Doubt> (*doubt)(const void* settings, const DoubtInput&) = nullptr;
+
+  bool is_obstacle() const { return motion != nullptr; }
 
   template <class Real>
   auto compile() const {
@@ -126,6 +134,13 @@ struct EffectKind {
 template <class Real>
 std::vector<Pass<Real>> passes_of(const Effect& effect, const EffectInput& input) {
   return effect.kind().compile<Real>()(effect.settings(), input);
+}
+
+/// Whether an effect does work on the cloth, besides a uniform acceleration.
+inline bool does_work(const Effect& effect) {
+  const EffectKind& kind = effect.kind();
+  return (kind.drives != nullptr && kind.drives(effect.settings())) ||
+         (kind.is_obstacle() && !kind.motion(effect.settings()).rests());
 }
 
 /// Every registered effect: those of effects.hpp, then those that the program added.

@@ -17,6 +17,7 @@
 
 #include "bendlab/effects/obstacle.hpp"
 #include "bendlab/mesh/files.hpp"
+#include "bendlab/mesh/half_edges.hpp"
 #include "bendlab/mesh/mesh_surface.hpp"
 
 namespace bendlab {
@@ -50,14 +51,13 @@ TriangleMesh read_obstacle(const MeshObstacle& settings, const std::filesystem::
   return placed(read_mesh(folder / settings.file), settings);
 }
 
-ObstacleSurface surface(const MeshObstacle& settings, const SurfaceInput& input) {
-  if (input.file == nullptr) return {read_obstacle(settings, input.folder), settings.velocity};
-  return {placed(accept(parse_polygon_soup(settings.file, *input.file), BadTriangles::refuse).mesh, settings),
-          settings.velocity};
+SteadyMotion motion(const MeshObstacle& settings) {
+  return {.velocity = settings.velocity};
 }
 
-bool drives(const MeshObstacle& settings) {
-  return obstacle::moves(settings);
+TriangleMesh surface(const MeshObstacle& settings, const SurfaceInput& input) {
+  if (input.file == nullptr) return read_obstacle(settings, input.folder);
+  return placed(accept(parse_polygon_soup(settings.file, *input.file), BadTriangles::refuse).mesh, settings);
 }
 
 // Parameters in (0, 1) of the nearest points of two segments, if both lie between the ends.
@@ -79,7 +79,7 @@ class SurfaceContacts {
  public:
   SurfaceContacts(const MeshObstacle& settings, const EffectInput& input)
       : surface_(std::make_shared<const MeshSurface>(read_obstacle(settings, input.folder))),
-        motion_{.velocity = settings.velocity},
+        motion_(motion(settings)),
         thickness_(settings.thickness),
         longest_(obstacle::longest_edge(input.rest)),
         contacts_used_(input.contacts_used),
@@ -138,18 +138,10 @@ class SurfaceContacts {
 
   // Every edge belongs to the first of its triangles.
   void own_edges() {
-    // Permuted vertices, 3 · triangle + side.
-    std::vector<std::pair<std::array<std::size_t, 2>, std::size_t>> edges;
-    for (std::size_t t = 0; t < triangles_.size(); ++t)
-      for (std::size_t i = 0; i < 3; ++i) {
-        std::array ends = {triangles_[t][i], triangles_[t][(i + 1) % 3]};
-        std::ranges::sort(ends);
-        edges.emplace_back(ends, 3 * t + i);
-      }
-    std::ranges::sort(edges);
     owned_.assign(3 * triangles_.size(), 0);
-    for (std::size_t e = 0; e < edges.size(); ++e)
-      if (e == 0 || edges[e].first != edges[e - 1].first) owned_[edges[e].second] = 1;
+    const auto vertex = [&](std::size_t t, std::size_t corner) { return triangles_[t][corner]; };
+    for_each_edge(half_edges(triangles_.size(), vertex),
+                  [&](std::span<const HalfEdge<std::size_t>> sides) { owned_[sides[0].side] = 1; });
   }
 
   static Vector3 now(const State<Real>& state, const Step& step, std::size_t v) {
@@ -311,7 +303,7 @@ class SurfaceContacts {
   }
 
   std::shared_ptr<const MeshSurface> surface_;
-  obstacle::Motion motion_;
+  SteadyMotion motion_;
   double thickness_, longest_;  // m; the longest edge of the cloth
   bool contacts_used_;
   Eigen::AlignedBox3d box_;
@@ -340,11 +332,10 @@ constinit const EffectKind MeshObstacle::kind{
     .settings = table_of<MeshObstacle>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .is_obstacle = true,
     .repeatable = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
-    .drives = erased<drives>,
+    .motion = erased<motion>,
     .surface = erased<surface>,
 };
 }  // namespace bendlab

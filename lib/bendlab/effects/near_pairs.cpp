@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "bendlab/mesh/half_edges.hpp"
+
 namespace bendlab {
 namespace {
 
@@ -27,21 +29,13 @@ Positions centres_of(const RestMesh& rest) {
 // Gives each edge to the first triangle that has it.
 template <class Triangles>
 void give_edges(Triangles& triangles) {
-  struct Side {
-    int low, high;
-    std::size_t triangle, edge;
-    auto operator<=>(const Side&) const = default;
-  };
-  std::vector<Side> sides;
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t i = 0; i < 3; ++i) {
-      const auto [low, high] = std::minmax(triangles[t].vertices[i], triangles[t].vertices[(i + 1) % 3]);
-      sides.push_back({low, high, t, i});
-    }
-  std::ranges::sort(sides);
-  for (std::size_t s = 0; s < sides.size(); ++s)
-    triangles[sides[s].triangle].owns_edge[sides[s].edge] =
-        s == 0 || sides[s - 1].low != sides[s].low || sides[s - 1].high != sides[s].high;
+  const auto at = [](int index) { return static_cast<std::size_t>(index); };
+  const auto vertex = [&](int t, int corner) { return triangles[at(t)].vertices[at(corner)]; };
+  for_each_edge(half_edges(static_cast<int>(triangles.size()), vertex),
+                [&](std::span<const HalfEdge<int>> sides) {
+                  for (const HalfEdge<int>& side : sides)
+                    triangles[at(side.triangle())].owns_edge[at(side.corner())] = &side == &sides[0];
+                });
 }
 
 // The least and the largest component of vertices' vectors along each axis: the same in any order.

@@ -40,14 +40,6 @@ inline Vector3 direction_of(const Vector3& setting, const std::string& name) {
   return setting.normalized();
 }
 
-/// Whether the obstacle moves or turns, which does work on the cloth.
-inline bool moves(const Body& body) {
-  return !body.velocity.isZero(0);
-}
-inline bool moves_or_turns(const SpinningBody& body) {
-  return moves(body) || body.spin != 0;
-}
-
 /// The longest edge that obstacles expect, m. If cloth stretches beyond it, they may miss it between
 /// vertices.
 inline double longest_edge(const RestMesh& rest) {
@@ -58,21 +50,13 @@ inline double longest_edge(const RestMesh& rest) {
   return largest_stretch * longest;
 }
 
-/// A steady motion: a velocity, and a spin about an axis through a point that moves along.
-struct Motion {
-  Vector3 velocity = Vector3::Zero();  ///< m/s
-  Vector3 pivot = Vector3::Zero();     ///< m, in the world at time 0
-  Vector3 axis = Vector3::UnitZ();     ///< unit
-  double spin = 0;                     ///< rad/s
-};
-
 /// An obstacle's motion over one substep, in the state's coordinates.
 template <class Real>
 class Step {
  public:
   using Vector = Vector3Of<Real>;
 
-  Step(const Motion& motion, const PassContext<Real>& context) {
+  Step(const SteadyMotion& motion, const PassContext<Real>& context) {
     const double h = static_cast<double>(context.substep), turn = h * motion.spin;
     shift_ = (context.time + h) * motion.velocity - context.state.origin;
     advance_ = (h * motion.velocity).template cast<Real>();

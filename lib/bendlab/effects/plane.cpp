@@ -13,14 +13,18 @@ constexpr std::array own_fields = {
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Plane>, obstacle::spin_fields<Plane>);
 
+SteadyMotion motion(const Plane& settings) {
+  return {.velocity = settings.velocity,
+          .pivot = settings.point,
+          .axis = obstacle::direction_of(settings.normal, "normal"),
+          .spin = settings.spin};
+}
+
 template <class Real>
 std::vector<Pass<Real>> compile(const Plane& settings, const EffectInput& input) {
-  const obstacle::Motion motion{.velocity = settings.velocity,
-                                .pivot = settings.point,
-                                .axis = obstacle::direction_of(settings.normal, "normal"),
-                                .spin = settings.spin};
   return {{"plane", Stage::project,
-           [motion, thickness = settings.thickness, used = input.contacts_used](PassContext<Real>& context) {
+           [motion = motion(settings), thickness = settings.thickness,
+            used = input.contacts_used](PassContext<Real>& context) {
              const obstacle::Step<Real> step(motion, context);
              const Vector3Of<Real> normal = motion.axis.template cast<Real>();
              const auto level = static_cast<Real>(motion.axis.dot(motion.pivot + step.shift()) + thickness);
@@ -32,7 +36,7 @@ std::vector<Pass<Real>> compile(const Plane& settings, const EffectInput& input)
 }
 
 // A square, as it goes on without an end.
-ObstacleSurface surface(const Plane& settings, const SurfaceInput& input) {
+TriangleMesh surface(const Plane& settings, const SurfaceInput& input) {
   constexpr double side = 4;  // of the cloth's size
   const Vector3 normal = obstacle::direction_of(settings.normal, "normal");
   const Vector3 right = normal.unitOrthogonal(), forward = normal.cross(right),
@@ -43,11 +47,7 @@ ObstacleSurface surface(const Plane& settings, const SurfaceInput& input) {
       (middle + half * (right - forward)).transpose(), (middle + half * (right + forward)).transpose(),
       (middle + half * (forward - right)).transpose();
   mesh.triangles << 0, 1, 2, 0, 2, 3;
-  return {std::move(mesh), settings.velocity};
-}
-
-bool drives(const Plane& settings) {
-  return obstacle::moves_or_turns(settings);
+  return mesh;
 }
 
 }  // namespace
@@ -59,11 +59,10 @@ constinit const EffectKind Plane::kind{
     .settings = table_of<Plane>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .is_obstacle = true,
     .repeatable = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
-    .drives = erased<drives>,
+    .motion = erased<motion>,
     .surface = erased<surface>,
 };
 }  // namespace bendlab

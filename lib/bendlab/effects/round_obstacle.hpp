@@ -35,7 +35,8 @@ class RoundObstacle {
  public:
   using Vector = Vector3Of<Real>;
 
-  RoundObstacle(const Body& body, const EffectInput& input, Core<double> core, double radius, Motion motion)
+  RoundObstacle(const Body& body, const EffectInput& input, Core<double> core, double radius,
+                SteadyMotion motion)
       : core_(std::move(core)),
         motion_(std::move(motion)),
         radius_(static_cast<Real>(radius)),
@@ -186,7 +187,7 @@ class RoundObstacle {
   }
 
   Core<double> core_;  // in the world, at time 0
-  Motion motion_;
+  SteadyMotion motion_;
   Real radius_, reach_, slack_, near_ = 0;
   bool contacts_used_;
   std::vector<Real> clearance_;  // #V, m; empty if vertices are enough

@@ -27,23 +27,22 @@ constexpr std::array own_fields = {
 
 constexpr auto fields = joined(own_fields, obstacle::body_fields<Sphere>, obstacle::spin_fields<Sphere>);
 
+SteadyMotion motion(const Sphere& settings) {
+  return {.velocity = settings.velocity,
+          .pivot = settings.centre,
+          .axis = obstacle::direction_of(settings.axis, "axis"),
+          .spin = settings.spin};
+}
+
 template <class Real>
 std::vector<Pass<Real>> compile(const Sphere& settings, const EffectInput& input) {
-  const obstacle::Motion motion{.velocity = settings.velocity,
-                                .pivot = settings.centre,
-                                .axis = obstacle::direction_of(settings.axis, "axis"),
-                                .spin = settings.spin};
-  return {
-      {"sphere", Stage::project,
-       obstacle::RoundObstacle<Real, Centre>(settings, input, {settings.centre}, settings.radius, motion)}};
+  return {{"sphere", Stage::project,
+           obstacle::RoundObstacle<Real, Centre>(settings, input, {settings.centre}, settings.radius,
+                                                 motion(settings))}};
 }
 
-ObstacleSurface surface(const Sphere& settings, const SurfaceInput&) {
-  return {revolved(arc(settings.radius, -1, 1), settings.centre, Vector3::UnitZ()), settings.velocity};
-}
-
-bool drives(const Sphere& settings) {
-  return obstacle::moves_or_turns(settings);
+TriangleMesh surface(const Sphere& settings, const SurfaceInput&) {
+  return revolved(arc(settings.radius, -1, 1), settings.centre, Vector3::UnitZ());
 }
 
 }  // namespace
@@ -57,11 +56,10 @@ constinit const EffectKind Sphere::kind{
     .settings = table_of<Sphere>(fields),
     .needs_projection = true,
     .acts_in_iterations = true,
-    .is_obstacle = true,
     .repeatable = true,
     .compile_float = erased<compile<float>>,
     .compile_double = erased<compile<double>>,
-    .drives = erased<drives>,
+    .motion = erased<motion>,
     .surface = erased<surface>,
 };
 }  // namespace bendlab

@@ -16,7 +16,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
-#include <map>
+
+#include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
 namespace {
@@ -39,10 +40,6 @@ Point point_of(const Vector3& x) {
 
 // Radians: an edge bent by less counts as flat. What touches it touches a face.
 constexpr double flat = 0.01;
-
-constexpr int next(int corner) {
-  return (corner + 1) % 3;
-}
 
 // CGAL's predicates divide by zero where a coordinate, or a square of it, is not finite.
 bool can_be_compared(const Vector3& x) {
@@ -104,10 +101,8 @@ MeshSurface::MeshSurface(TriangleMesh mesh) : mesh_(std::move(mesh)) {
   double volume = 0;  // six times; negative if the normals of a closed mesh point inwards
   for (const auto& t : mesh_.triangles.rowwise())
     volume += (corner(t(0)) - corner(0)).dot((corner(t(1)) - corner(0)).cross(corner(t(2)) - corner(0)));
-  std::map<std::pair<int, int>, int> uses;
-  for (const auto& t : mesh_.triangles.rowwise())
-    for (int i = 0; i < 3; ++i) ++uses[std::minmax({t(i), t(next(i))})];
-  for (const auto& [edge, count] : uses) closed_ &= count == 2;
+  for_each_edge(half_edges(mesh_.triangles),
+                [&](std::span<const HalfEdge<int>> sides) { closed_ &= sides.size() == 2; });
   if (closed_ && volume < 0) mesh_.triangles.col(1).swap(mesh_.triangles.col(2));
   find_normals();
   find_ridges();
@@ -119,7 +114,6 @@ MeshSurface::~MeshSurface() = default;
 // Angle-weighted at corners: with these, the sign of (x - nearest) · normal is the side of x.
 void MeshSurface::find_normals() {
   corner_normals_.assign(static_cast<std::size_t>(mesh_.vertex_count()), Vector3::Zero());
-  std::map<std::pair<int, int>, Vector3> of_edge;
   for (const auto& t : mesh_.triangles.rowwise()) {
     const std::array<Vector3, 3> x = {corner(t(0)), corner(t(1)), corner(t(2))};
     const Vector3 normal = (x[1] - x[0]).cross(x[2] - x[0]).normalized();
@@ -128,45 +122,39 @@ void MeshSurface::find_normals() {
       const Vector3 one = x[(i + 1) % 3] - x[i], other = x[(i + 2) % 3] - x[i];
       corner_normals_[static_cast<std::size_t>(t(static_cast<Eigen::Index>(i)))] +=
           std::atan2(one.cross(other).norm(), one.dot(other)) * normal;
-      const int from = t(static_cast<Eigen::Index>(i)), to = t(next(static_cast<int>(i)));
-      of_edge.try_emplace(std::minmax({from, to}), Vector3::Zero()).first->second += normal;
     }
   }
   for (Vector3& normal : corner_normals_) normal.normalize();
-  for (const auto& t : mesh_.triangles.rowwise()) {
-    std::array<Vector3, 3>& normals = edge_normals_.emplace_back();
-    for (int i = 0; i < 3; ++i)
-      normals[static_cast<std::size_t>(i)] = of_edge.at(std::minmax({t(i), t(next(i))})).normalized();
-  }
+  edge_normals_.resize(face_normals_.size());
+  for_each_edge(half_edges(mesh_.triangles), [&](std::span<const HalfEdge<int>> sides) {
+    Vector3 sum = Vector3::Zero();
+    for (const HalfEdge<int>& side : sides) sum += face_normals_[static_cast<std::size_t>(side.triangle())];
+    for (const HalfEdge<int>& side : sides)
+      edge_normals_[static_cast<std::size_t>(side.triangle())][static_cast<std::size_t>(side.corner())] =
+          sum.normalized();
+  });
 }
 
 // Ridges are edges bent outwards. An open mesh has no outside: there all bent edges and the rim are ridges.
 void MeshSurface::find_ridges() {
-  struct Side {
-    int triangle, edge;
-  };
-  std::map<std::pair<int, int>, std::vector<Side>> sides;
-  for (int t = 0; t < mesh_.triangle_count(); ++t)
-    for (int i = 0; i < 3; ++i)
-      sides[std::minmax({mesh_.triangles(t, i), mesh_.triangles(t, next(i))})].push_back({t, i});
   ridges_of_.assign(static_cast<std::size_t>(mesh_.triangle_count()), {-1, -1, -1});
   pointed_.assign(static_cast<std::size_t>(mesh_.vertex_count()), 0);
-  for (const auto& [corners, two] : sides) {
+  for_each_edge(half_edges(mesh_.triangles), [&](std::span<const HalfEdge<int>> sides) {
     const auto index = [](int i) { return static_cast<std::size_t>(i); };
-    if (two.size() == 2) {
-      const Vector3 &one = face_normals_[index(two[0].triangle)],
-                    &other = face_normals_[index(two[1].triangle)];
-      const int opposite = mesh_.triangles(two[1].triangle, (two[1].edge + 2) % 3);
+    const int low = sides[0].low, high = sides[0].high;
+    if (sides.size() == 2) {
+      const Vector3 &one = face_normals_[index(sides[0].triangle())],
+                    &other = face_normals_[index(sides[1].triangle())];
+      const int opposite = mesh_.triangles(sides[1].triangle(), (sides[1].corner() + 2) % 3);
       const bool bent = one.cross(other).norm() > flat || one.dot(other) < 0;
-      const bool concave = one.dot(corner(opposite) - corner(corners.first)) > 0;
-      if (!bent || (closed_ && concave)) continue;
+      const bool concave = one.dot(corner(opposite) - corner(low)) > 0;
+      if (!bent || (closed_ && concave)) return;
     }
-    for (const Side& side : two)
-      ridges_of_[index(side.triangle)][index(side.edge)] = static_cast<int>(ridges_.size());
-    ridges_.push_back(
-        {{corners.first, corners.second}, edge_normals_[index(two[0].triangle)][index(two[0].edge)]});
-    pointed_[index(corners.first)] = pointed_[index(corners.second)] = 1;
-  }
+    for (const HalfEdge<int>& side : sides)
+      ridges_of_[index(side.triangle())][index(side.corner())] = static_cast<int>(ridges_.size());
+    ridges_.push_back({{low, high}, edge_normals_[index(sides[0].triangle())][index(sides[0].corner())]});
+    pointed_[index(low)] = pointed_[index(high)] = 1;
+  });
 }
 
 MeshSurface::Nearest MeshSurface::nearest(const Vector3& x) const {

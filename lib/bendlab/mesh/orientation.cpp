@@ -5,14 +5,10 @@
 #include <limits>
 #include <queue>
 
+#include "bendlab/mesh/half_edges.hpp"
+
 namespace bendlab {
 namespace {
-
-struct SideOfTriangle {
-  std::int64_t low, high;
-  std::size_t triangle;
-  bool ascending;  // the triangle runs along it from low to high
-};
 
 class Turner {
  public:
@@ -101,27 +97,20 @@ class Turner {
 }  // namespace
 
 std::vector<SharedEdge> shared_edges(const std::vector<std::array<std::int64_t, 3>>& triangles) {
-  std::vector<SideOfTriangle> half_edges;
-  half_edges.reserve(3 * triangles.size());
-  for (std::size_t t = 0; t < triangles.size(); ++t)
-    for (std::size_t c = 0; c < 3; ++c) {
-      const std::int64_t from = triangles[t][c], to = triangles[t][(c + 1) % 3];
-      half_edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
-    }
-  std::ranges::stable_sort(half_edges, [](const SideOfTriangle& l, const SideOfTriangle& r) {
-    return l.low != r.low ? l.low < r.low : l.high < r.high;
-  });
+  using Side = HalfEdge<std::int64_t>;
+  const auto vertex = [&](std::int64_t t, std::int64_t c) {
+    return triangles[static_cast<std::size_t>(t)][static_cast<std::size_t>(c)];
+  };
+  const auto triangle = [](const Side& side) { return static_cast<std::size_t>(side.triangle()); };
+  const auto start = [&](const Side& side) { return vertex(side.triangle(), side.corner()); };
   std::vector<SharedEdge> edges;
-  for (std::size_t first = 0, last = 0; first < half_edges.size(); first = last) {
-    const SideOfTriangle& edge = half_edges[first];
-    for (last = first + 1;
-         last < half_edges.size() && half_edges[last].low == edge.low && half_edges[last].high == edge.high;)
-      ++last;
-    if (last - first == 2)
-      edges.push_back({{edge.low, edge.high},
-                       {edge.triangle, half_edges[first + 1].triangle},
-                       edge.ascending != half_edges[first + 1].ascending});
-  }
+  for_each_edge(half_edges(static_cast<std::int64_t>(triangles.size()), vertex),
+                [&](std::span<const Side> sides) {
+                  if (sides.size() == 2)
+                    edges.push_back({{sides[0].low, sides[0].high},
+                                     {triangle(sides[0]), triangle(sides[1])},
+                                     start(sides[0]) != start(sides[1])});
+                });
   return edges;
 }
 

@@ -74,14 +74,16 @@ class Mender {
     for (const Triangle& t : triangles_)
       for (const Corner& corner : t) used[corner.vertex] = 1, box.extend(point(corner));
     const double tolerance = box.isEmpty() ? 0 : united_within * box.diagonal().norm();
-    same_as_ = near_points(points_, used, tolerance);
+    const std::vector<std::size_t> same_as = near_points(points_, used, tolerance);
+    united_ = DisjointSets(points_.size());
     std::size_t united = 0;
     double farthest = 0;
     for (std::size_t v = 0; v < points_.size(); ++v) {
-      if (same_as_[v] == v) continue;
+      if (same_as[v] == v) continue;
+      united_.join(v, same_as[v]);
       ++united;
       farthest = std::max(farthest, (Eigen::Map<const Vector3>(points_[v].data()) -
-                                     Eigen::Map<const Vector3>(points_[same_as_[v]].data()))
+                                     Eigen::Map<const Vector3>(points_[same_as[v]].data()))
                                         .norm());
     }
     unite();
@@ -93,16 +95,11 @@ class Mender {
                       tolerance, united_within));
   }
 
-  std::size_t representative(std::size_t vertex) const {
-    while (same_as_[vertex] != vertex) vertex = same_as_[vertex];
-    return vertex;
-  }
-
   // Gives united vertices one index. Removes triangles that lose a corner by it, and copies.
   void unite() {
     std::set<std::array<std::size_t, 3>> seen;
     std::erase_if(triangles_, [&](Triangle& t) {
-      for (Corner& corner : t) corner.vertex = representative(corner.vertex);
+      for (Corner& corner : t) corner.vertex = united_.find(corner.vertex);
       std::array<std::size_t, 3> key = {t[0].vertex, t[1].vertex, t[2].vertex};
       std::ranges::sort(key);
       return key[0] == key[1] || key[1] == key[2] || !seen.insert(key).second;
@@ -138,8 +135,7 @@ class Mender {
       std::ranges::sort(by_length, {}, [&](std::size_t c) { return length(triangle, c); });
       if (length(triangle, by_length[0]) <= 2 * thickness_) {
         const auto [low, high] = edge_of(triangle, by_length[0]);
-        const std::size_t a = representative(low), b = representative(high);
-        same_as_[std::max(a, b)] = std::min(a, b);
+        united_.join(low, high);
         continue;
       }
       const Edge longest = edge_of(triangle, by_length[2]);
@@ -238,10 +234,10 @@ class Mender {
   std::vector<std::array<double, 3>> points_;
   std::vector<Triangle> triangles_;
   bool textured_;
-  std::vector<std::size_t> same_as_;  // for each point itself, or one that it was united with
-  double thickness_ = 0;              // m
-  std::size_t seams_ = 0;             // edges of a surface with one side that were cut
-  double seam_length_ = 0;            // m
+  DisjointSets united_{0};  // points
+  double thickness_ = 0;    // m
+  std::size_t seams_ = 0;   // edges of a surface with one side that were cut
+  double seam_length_ = 0;  // m
   std::vector<std::string> notes_;
 };
 

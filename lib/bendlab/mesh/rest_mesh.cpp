@@ -2,28 +2,12 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+
+#include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
 namespace {
-
-struct DirectedEdge {
-  int low, high;  // the edge's vertices, low < high
-  int opposite;   // the triangle's third vertex
-};
-
-std::vector<DirectedEdge> sorted_half_edges(const Triangles& triangles) {
-  std::vector<DirectedEdge> half_edges;
-  half_edges.reserve(static_cast<std::size_t>(3 * triangles.rows()));
-  for (Eigen::Index t = 0; t < triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const int a = triangles(t, c), b = triangles(t, (c + 1) % 3);
-      half_edges.push_back({std::min(a, b), std::max(a, b), triangles(t, (c + 2) % 3)});
-    }
-  std::stable_sort(half_edges.begin(), half_edges.end(), [](const DirectedEdge& l, const DirectedEdge& r) {
-    return l.low != r.low ? l.low < r.low : l.high < r.high;
-  });
-  return half_edges;
-}
 
 Adjacency adjacency_of(const Edges& edges, int vertex_count) {
   Adjacency rings;
@@ -45,17 +29,16 @@ Adjacency adjacency_of(const Edges& edges, int vertex_count) {
 }  // namespace
 
 RestMesh::RestMesh(TriangleMesh mesh) : mesh_(std::move(mesh)) {
-  const std::vector<DirectedEdge> half_edges = sorted_half_edges(mesh_.triangles);
   std::vector<std::array<int, 2>> edges;
-  for (std::size_t first = 0, last; first < half_edges.size(); first = last) {
-    last = first + 1;
-    const DirectedEdge& h = half_edges[first];
-    while (last < half_edges.size() && half_edges[last].low == h.low && half_edges[last].high == h.high)
-      ++last;
-    edges.push_back({h.low, h.high});
-    if (last - first == 2 && h.opposite != half_edges[first + 1].opposite)
-      hinges_.push_back({{h.low, h.high}, {h.opposite, half_edges[first + 1].opposite}});
-  }
+  const auto opposite = [&](const HalfEdge<int>& side) {
+    return triangles()(side.triangle(), (side.corner() + 2) % 3);
+  };
+  for_each_edge(half_edges(mesh_.triangles), [&](std::span<const HalfEdge<int>> sides) {
+    const std::array edge = {sides[0].low, sides[0].high};
+    edges.push_back(edge);
+    if (sides.size() == 2 && opposite(sides[0]) != opposite(sides[1]))
+      hinges_.push_back({edge, {opposite(sides[0]), opposite(sides[1])}});
+  });
   edges_.resize(static_cast<Eigen::Index>(edges.size()), 2);
   double length = 0;
   for (std::size_t e = 0; e < edges.size(); ++e) {

@@ -9,6 +9,7 @@
 
 #include "bendlab/mesh/collinear.hpp"
 #include "bendlab/mesh/disjoint_sets.hpp"
+#include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
 namespace {
@@ -53,13 +54,6 @@ KindText text_of(MeshProblemKind kind) {
   }
   return {};
 }
-
-// A triangle's edge; `ascending` if the triangle runs along it from `low` to `high`.
-struct HalfEdge {
-  std::int64_t low, high;
-  std::size_t triangle;
-  bool ascending;
-};
 
 class Diagnosis {
  public:
@@ -158,30 +152,28 @@ class Diagnosis {
   // Edges, and the fans of triangles around vertices: two corners at a vertex are in one fan if an edge
   // connects their triangles.
   void check_edges() {
-    std::vector<HalfEdge> half_edges;
-    for (const std::size_t t : sound_)
-      for (std::size_t c = 0; c < 3; ++c) {
-        const std::int64_t from = soup_.triangles[t][c], to = soup_.triangles[t][(c + 1) % 3];
-        half_edges.push_back({std::min(from, to), std::max(from, to), t, from < to});
-      }
-    std::stable_sort(half_edges.begin(), half_edges.end(), [](const HalfEdge& l, const HalfEdge& r) {
-      return l.low != r.low ? l.low < r.low : l.high < r.high;
-    });
-    for (std::size_t first = 0, last; first < half_edges.size(); first = last) {
-      const HalfEdge& edge = half_edges[first];
-      for (last = first + 1;
-           last < half_edges.size() && half_edges[last].low == edge.low && half_edges[last].high == edge.high;
-           ++last)
-        for (const std::int64_t end : {edge.low, edge.high})
-          fans_.join(corner_at(edge.triangle, end), corner_at(half_edges[last].triangle, end));
-      if (last - first > 2)
+    using Side = HalfEdge<std::int64_t>;
+    const auto triangle = [&](const Side& side) { return sound_[static_cast<std::size_t>(side.triangle())]; };
+    const auto start = [&](const Side& side) {
+      return soup_.triangles[triangle(side)][static_cast<std::size_t>(side.corner())];
+    };
+    const std::vector<Side> all =
+        half_edges(static_cast<std::int64_t>(sound_.size()), [&](std::int64_t t, std::int64_t c) {
+          return soup_.triangles[sound_[static_cast<std::size_t>(t)]][static_cast<std::size_t>(c)];
+        });
+    for_each_edge(all, [&](std::span<const Side> sides) {
+      const std::int64_t low = sides[0].low, high = sides[0].high;
+      for (const Side& side : sides.subspan(1))
+        for (const std::int64_t end : {low, high})
+          fans_.join(corner_at(triangle(sides[0]), end), corner_at(triangle(side), end));
+      if (sides.size() > 2)
         report(MeshProblemKind::non_manifold_edge,
-               fmt::format("edge {}-{} ({} triangles)", edge.low, edge.high, last - first));
-      if (last - first == 2 && edge.ascending == half_edges[first + 1].ascending)
+               fmt::format("edge {}-{} ({} triangles)", low, high, sides.size()));
+      if (sides.size() == 2 && start(sides[0]) == start(sides[1]))
         report(MeshProblemKind::inconsistent_orientation,
-               fmt::format("edge {}-{} (triangles {} and {})", edge.low, edge.high, edge.triangle,
-                           half_edges[first + 1].triangle));
-    }
+               fmt::format("edge {}-{} (triangles {} and {})", low, high, triangle(sides[0]),
+                           triangle(sides[1])));
+    });
   }
 
   std::size_t corner_at(std::size_t triangle, std::int64_t vertex) const {

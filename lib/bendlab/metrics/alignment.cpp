@@ -2,35 +2,24 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
-#include <numeric>
+
+#include "bendlab/mesh/disjoint_sets.hpp"
+#include "bendlab/mesh/half_edges.hpp"
 
 namespace bendlab {
 namespace {
 
-// For each triangle the lowest one that edges connect it with: its part.
-std::vector<int> parts_of(const Triangles& triangles) {
-  std::vector<int> parent(static_cast<std::size_t>(triangles.rows()));
-  std::iota(parent.begin(), parent.end(), 0);
-  const auto find = [&](int t) {
-    while (parent[static_cast<std::size_t>(t)] != t)
-      t = parent[static_cast<std::size_t>(t)] =
-          parent[static_cast<std::size_t>(parent[static_cast<std::size_t>(t)])];
-    return t;
-  };
-  std::map<std::array<int, 2>, int> first_at;
-  for (int t = 0; t < triangles.rows(); ++t)
-    for (int c = 0; c < 3; ++c) {
-      const int a = triangles(t, c), b = triangles(t, (c + 1) % 3);
-      const auto [entry, is_new] = first_at.try_emplace({std::min(a, b), std::max(a, b)}, t);
-      const int one = find(entry->second), other = find(t);
-      parent[static_cast<std::size_t>(std::max(one, other))] = std::min(one, other);
-    }
-  for (int t = 0; t < triangles.rows(); ++t) parent[static_cast<std::size_t>(t)] = find(t);
-  return parent;
+// The triangles that edges connect.
+DisjointSets parts_of(const Triangles& triangles) {
+  DisjointSets parts(static_cast<std::size_t>(triangles.rows()));
+  for_each_edge(half_edges(triangles), [&](std::span<const HalfEdge<int>> sides) {
+    for (const HalfEdge<int>& side : sides)
+      parts.join(static_cast<std::size_t>(sides[0].triangle()), static_cast<std::size_t>(side.triangle()));
+  });
+  return parts;
 }
 
 Positions rows_of(const Positions& positions, const std::vector<int>& vertices) {
@@ -78,10 +67,11 @@ RigidMotion nearest_turn(const Positions& from, const Positions& to, std::span<c
 }
 
 Alignment::Alignment(const RestMesh& rest) : rest_(rest.positions()) {
-  std::map<int, std::vector<int>> found;
-  const std::vector<int> part = parts_of(rest.triangles());
+  std::map<std::size_t, std::vector<int>> found;
+  DisjointSets parts = parts_of(rest.triangles());
   for (int t = 0; t < rest.triangle_count(); ++t)
-    for (int c = 0; c < 3; ++c) found[part[static_cast<std::size_t>(t)]].push_back(rest.triangles()(t, c));
+    for (int c = 0; c < 3; ++c)
+      found[parts.find(static_cast<std::size_t>(t))].push_back(rest.triangles()(t, c));
   for (auto& [lowest, vertices] : found) {
     std::sort(vertices.begin(), vertices.end());
     vertices.erase(std::unique(vertices.begin(), vertices.end()), vertices.end());

@@ -27,7 +27,7 @@ State<double> state_of(const BuiltScene& scene) {
 
 std::optional<Inside> inside_at_start(const BuiltScene& scene, std::size_t index) {
   const Effect& effect = scene.effects[index];
-  if (!effect.kind().is_obstacle) return std::nullopt;
+  if (!effect.kind().is_obstacle()) return std::nullopt;
   State<double> state = state_of(scene);
   const Points<double> start = state.position;
   const Constraints<double> none;

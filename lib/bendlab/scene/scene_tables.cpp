@@ -19,8 +19,8 @@ constexpr std::array<std::string_view, 3> chosen_precision_names = {"auto", "sin
 
 constexpr double seed_limit = 4294967295;  // 2³² - 1: fits every generator
 
-// ---- when a setting is read. Canonical settings also keep numbers of other choices (kept_when), so that runs
-// that differ in a choice differ in nothing else.
+// ---- when a setting is read. Canonical settings also keep numbers of other choices (kept_when): runs that
+// differ in a choice differ in nothing else.
 
 template <Generator... any>
 constexpr auto generated_by = read_when<Scene>([](const Scene& s) {

@@ -23,7 +23,7 @@ Real largest_gained_gradient(const Point<Real>* velocities, const Point<Real>* b
     const PackVector<Real> f2 =
         scaled<Real>(load(&batch.q01[lane]), e1) + scaled<Real>(load(&batch.q11[lane]), e2);
     const Pack<Real> squared = dot(f1, f1) + dot(f2, f2);
-    largest = squared > largest ? squared : largest;
+    largest = larger<Real>(squared, largest);
   }
   Real most = 0;
   for (std::size_t i = 0; i < width; ++i) most = std::max(most, largest[i]);

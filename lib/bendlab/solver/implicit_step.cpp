@@ -41,7 +41,7 @@ ImplicitStep<Real>::ImplicitStep(const SimulationInput& input, Integrator integr
       size_(input.size),
       constraint_count_(count_constraints(input)) {
   require_energy(input);
-  base_ = target_ = velocity_ = earlier_velocity_ = state_.position;
+  data_.base = data_.target = data_.velocity = data_.earlier_velocity = state_.position;
   for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
     has_unknowns_ |= state_.position[v].w > 0;
 }
@@ -51,26 +51,23 @@ void ImplicitStep<Real>::compile_plan(std::vector<Pass<Real>> effect_passes, dou
   double mass = 0, free = 0;
   for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
     if (state_.position[v].w > 0) mass += state_.mass[v], ++free;
-  contacts_ = ContactForces<Real>(per_weight, mass > 0 ? mean * free / mass : 0);
-  const auto add = [&](Passes& passes, const char* name, auto action) {
-    passes.push_back({[this, action](PassContext<Real>& c) { action(c); }, this->add_statistics(name)});
-  };
+  data_.contacts = ContactForces<Real>(per_weight, mass > 0 ? mean * free / mass : 0);
   for (Pass<Real>& pass : effect_passes) take_drag_over(pass);
-  add(before_, "start", [this](auto&) { remember_velocities(); });
+  this->add_pass(before_, "start", [this](auto&) { remember_velocities(); });
   this->append_effects(before_, effect_passes, Stage::force);
   this->append_effects(before_, effect_passes, Stage::damp);
-  add(before_, "target", [this](auto& c) { aim(c.substep); });
+  this->add_pass(before_, "target", [this](auto& c) { aim(c.substep); });
   this->append_effects(before_, effect_passes, Stage::predicted);
-  if (preparation_.action)
-    add(before_, preparation_.name, [this](auto&) {
-      if (has_unknowns_) preparation_.action();
+  if (preparation() != nullptr)
+    this->add_pass(before_, preparation(), [this](auto&) {
+      if (has_unknowns_) prepare();
     });
   add_contact_passes(effect_passes);
-  add(iteration_, "iterate", [this](auto&) {
-    last_move_ = has_unknowns_ ? iterate() : Real(0);
+  this->add_pass(iteration_, "iterate", [this](auto&) {
+    data_.last_move = has_unknowns_ ? iterate() : Real(0);
     ++iterations_done_;
   });
-  add(after_, "update", [this](auto&) { update(); });
+  this->add_pass(after_, "update", [this](auto&) { update(); });
   this->append_effects(after_, effect_passes, Stage::velocity);
 }
 
@@ -82,35 +79,30 @@ void ImplicitStep<Real>::add_contact_passes(std::vector<Pass<Real>>& effect_pass
     if (!pass.friction) return false;
     const FrictionCoefficients friction = *pass.friction;
     pass.run = [this, friction](PassContext<Real>& c) {
-      c.acted += contacts_.grip(state_, friction, is_late_);
+      c.acted += data_.contacts.grip(state_, friction, data_.is_late);
     };
     gripping.push_back(std::move(pass));
     return true;
   });
   this->append_effects(contact_, effect_passes, Stage::project);
   this->append_effects(contact_, effect_passes, Stage::contact);
-  iteration_ = contact_;
+  if (!contact_.empty()) {
+    data_.contacts.resize(state_.position.size());
+    contact_.insert(contact_.begin(),
+                    this->part_of(contact_.front(), [this](auto&) { data_.contacts.remember(state_); }));
+    iteration_.push_back(this->part_of(contact_.back(), [this](auto&) {
+      data_.contacts.push(state_, data_.weight, data_.is_first_iteration);
+    }));
+  }
   this->append_effects(iteration_, gripping, Stage::contact);
-  if (contact_.empty()) return;
-  contacts_.resize(state_.position.size());
-  contact_.front().run = [this, run = std::move(contact_.front().run)](PassContext<Real>& c) {
-    contacts_.remember(state_);
-    run(c);
-  };
-  iteration_.front().run = contact_.front().run;
-  auto& last = iteration_[contact_.size() - 1].run;
-  last = [this, run = std::move(last)](PassContext<Real>& c) {
-    run(c);
-    contacts_.push(state_, weight_, is_first_);
-  };
 }
 
 // Drag that is linear in the velocity becomes part of the equations, so that no step is too long for it.
 template <class Real>
 void ImplicitStep<Real>::take_drag_over(Pass<Real>& pass) {
   if (pass.drag.empty()) return;
-  drag_.resize(pass.drag.size());
-  for (std::size_t v = 0; v < drag_.size(); ++v) drag_[v] += pass.drag[v];
+  data_.drag.resize(pass.drag.size());
+  for (std::size_t v = 0; v < data_.drag.size(); ++v) data_.drag[v] += pass.drag[v];
   pass.run = [count = pass.drag.size()](PassContext<Real>& context) { context.acted += count; };
 }
 
@@ -119,25 +111,27 @@ void ImplicitStep<Real>::substep(PassContext<Real>& context) {
   this->run(before_, context);
   has_stepped_ = true;
   for (int i = 0; i < settings_.iterations || (must_go_on() && i < most_iterations()); ++i) {
-    is_first_ = i == 0, is_late_ = 2 * i >= settings_.iterations;
+    data_.is_first_iteration = i == 0, data_.is_late = 2 * i >= settings_.iterations;
+    this->run(contact_, context);
     this->run(iteration_, context);
-    if (static_cast<double>(last_move_) <= tolerance_ && contacts_.decided()) break;
+    if (static_cast<double>(data_.last_move) <= tolerance_ && data_.contacts.decided()) break;
   }
   this->run(contact_, context);
-  if (has_contacts()) contacts_.hold(state_);
+  if (data_.contacts.in_use()) data_.contacts.hold(state_);
   this->run(after_, context);
 }
 
 template <class Real>
 void ImplicitStep<Real>::remember_velocities() {
-  std::swap(velocity_, earlier_velocity_);
-  std::copy(state_.velocity.begin(), state_.velocity.end(), velocity_.begin());
+  std::swap(data_.velocity, data_.earlier_velocity);
+  std::copy(state_.velocity.begin(), state_.velocity.end(), data_.velocity.begin());
 }
 
 template <class Real>
 Real ImplicitStep<Real>::weight_for(std::size_t v, double gamma) const {
   if (!(state_.position[v].w > 0)) return 0;
-  return static_cast<Real>((state_.mass[v] + (drag_.empty() ? 0 : drag_[v] * gamma)) / (gamma * gamma));
+  return static_cast<Real>((state_.mass[v] + (data_.drag.empty() ? 0 : data_.drag[v] * gamma)) /
+                           (gamma * gamma));
 }
 
 template <class Real>
@@ -152,30 +146,34 @@ std::vector<Real> ImplicitStep<Real>::lasting_weights() const {
 template <class Real>
 void ImplicitStep<Real>::aim(Real h) {
   const auto count = static_cast<std::size_t>(state_.vertex_count);
-  gamma_.resize(count, 0), weight_.resize(count, 0);
-  weights_changed_ = false;
-  total_force_ = 0;
+  data_.gamma.resize(count, 0), data_.weight.resize(count, 0);
+  data_.weights_changed = false;
+  data_.total_force = 0;
   for (std::size_t v = 0; v < count; ++v) {
-    const bool second_order =
-        has_history_ && integrator_ == Integrator::bdf2 && !(has_contacts() && contacts_.touched(v));
+    const bool second_order = data_.has_history && integrator_ == Integrator::bdf2 &&
+                              !(data_.contacts.in_use() && data_.contacts.touched(v));
     const Real gamma = second_order ? 2 * h / 3 : h;
-    if (gamma != gamma_[v])
-      gamma_[v] = gamma, weight_[v] = weight_for(v, static_cast<double>(gamma)), weights_changed_ = true;
+    if (gamma != data_.gamma[v]) {
+      data_.gamma[v] = gamma, data_.weight[v] = weight_for(v, static_cast<double>(gamma));
+      data_.weights_changed = true;
+    }
     if (state_.position[v].w > 0)
-      total_force_ += state_.mass[v] / static_cast<double>(h) *
-                      static_cast<double>((state_.velocity[v].vector() - velocity_[v].vector()).norm());
+      data_.total_force +=
+          state_.mass[v] / static_cast<double>(h) *
+          static_cast<double>((state_.velocity[v].vector() - data_.velocity[v].vector()).norm());
   }
   this->for_vertices([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      const Real g = gamma_[v], share = g < h ? Real(1) / 3 : Real(0);
-      const Vector3Of<Real> x = state_.position[v].vector(), start = velocity_[v].vector(),
+      const Real g = data_.gamma[v], share = g < h ? Real(1) / 3 : Real(0);
+      const Vector3Of<Real> x = state_.position[v].vector(), start = data_.velocity[v].vector(),
                             acceleration = (state_.velocity[v].vector() - start) / h,
                             base = x + share * (x - state_.previous[v].vector()),
-                            velocity = start + share * (start - earlier_velocity_[v].vector());
-      const Real drag = drag_.empty() ? Real(0) : static_cast<Real>(drag_[v]) * state_.position[v].w;
+                            velocity = start + share * (start - data_.earlier_velocity[v].vector());
+      const Real drag =
+          data_.drag.empty() ? Real(0) : static_cast<Real>(data_.drag[v]) * state_.position[v].w;
       state_.previous[v] = state_.position[v];
-      base_[v].set(base);
-      target_[v].set(base + g / (1 + drag * g) * (velocity + g * acceleration));
+      data_.base[v].set(base);
+      data_.target[v].set(base + g / (1 + drag * g) * (velocity + g * acceleration));
       if (state_.position[v].w > 0) state_.position[v].set(x + h * start);
     }
   });
@@ -198,32 +196,34 @@ void ImplicitStep<Real>::update() {
   const auto h = static_cast<Real>(settings_.dt / settings_.substeps);
   this->for_vertices([&](std::size_t first, std::size_t last) {
     for (std::size_t v = first; v < last; ++v) {
-      state_.velocity[v].set((state_.position[v].vector() - base_[v].vector()) / gamma_[v]);
-      const bool touched = has_contacts() && contacts_.touched(v),
-                 second_order = gamma_[v] < Real(0.8) * h;  // 2/3 or 1
+      state_.velocity[v].set((state_.position[v].vector() - data_.base[v].vector()) / data_.gamma[v]);
+      const bool touched = data_.contacts.in_use() && data_.contacts.touched(v),
+                 second_order = data_.gamma[v] < Real(0.8) * h;  // 2/3 or 1
       if (touched && second_order) {
         const Vector3Of<Real> own = (state_.position[v].vector() - state_.previous[v].vector()) / h,
-                              q = Real(1.5) * state_.velocity[v].vector() - Real(0.5) * velocity_[v].vector();
-        state_.velocity[v].set(contacts_.velocity(v, own, q));
+                              q = Real(1.5) * state_.velocity[v].vector() -
+                                  Real(0.5) * data_.velocity[v].vector();
+        state_.velocity[v].set(data_.contacts.velocity(v, own, q));
       }
-      if (touched || (has_contacts() && has_history_ && !second_order)) velocity_[v] = state_.velocity[v];
+      if (touched || (data_.contacts.in_use() && data_.has_history && !second_order))
+        data_.velocity[v] = state_.velocity[v];
     }
   });
-  has_history_ = true;
+  data_.has_history = true;
   this->find_divergence();
 }
 
 template <class Real>
 std::size_t ImplicitStep<Real>::memory_bytes() const {
-  return TimeStep<Real>::memory_bytes() + bytes_of(drag_) + bytes_of(weight_) + bytes_of(target_) +
-         bytes_of(base_) + bytes_of(velocity_) + bytes_of(earlier_velocity_) + bytes_of(gamma_) +
-         contacts_.memory_bytes();
+  return TimeStep<Real>::memory_bytes() + bytes_of(data_.drag) + bytes_of(data_.weight) +
+         bytes_of(data_.target) + bytes_of(data_.base) + bytes_of(data_.velocity) +
+         bytes_of(data_.earlier_velocity) + bytes_of(data_.gamma) + data_.contacts.memory_bytes();
 }
 
 template <class Real>
 Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
-  Positions positions(static_cast<Eigen::Index>(weight_.size()), 3);
-  for (std::size_t v = 0; v < weight_.size(); ++v)
+  Positions positions(static_cast<Eigen::Index>(data_.weight.size()), 3);
+  for (std::size_t v = 0; v < data_.weight.size(); ++v)
     positions.row(static_cast<Eigen::Index>(v)) =
         (points[v].vector().template cast<double>() + state_.origin).transpose();
   return positions;
@@ -231,16 +231,16 @@ Positions ImplicitStep<Real>::in_world(const Points<Real>& points) const {
 
 template <class Real>
 void ImplicitStep<Real>::keep_momentum() {
-  if (std::ranges::any_of(weight_, [](Real w) { return !(w > 0); })) return;
+  if (std::ranges::any_of(data_.weight, [](Real w) { return !(w > 0); })) return;
   Vector3 unbalanced = Vector3::Zero();
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();
-  for (std::size_t v = 0; v < weight_.size(); ++v) {
-    const auto weight = static_cast<double>(weight_[v]);
+  for (std::size_t v = 0; v < data_.weight.size(); ++v) {
+    const auto weight = static_cast<double>(data_.weight[v]);
     stiffness.diagonal().array() += weight;
-    unbalanced += weight * (state_.position[v].vector() - target_[v].vector()).template cast<double>();
-    if (!has_contacts() || !contacts_.pushes(v)) continue;
-    unbalanced -= contacts_.obstacle_force_at(v, state_.position[v].vector()).template cast<double>();
-    stiffness += contacts_.obstacle_stiffness(v).template cast<double>();
+    unbalanced += weight * (state_.position[v].vector() - data_.target[v].vector()).template cast<double>();
+    if (!data_.contacts.in_use() || !data_.contacts.pushes(v)) continue;
+    unbalanced -= data_.contacts.obstacle_force_at(v, state_.position[v].vector()).template cast<double>();
+    stiffness += data_.contacts.obstacle_stiffness(v).template cast<double>();
   }
   const Vector3Of<Real> move = stiffness.llt().solve(unbalanced).template cast<Real>();
   for (auto& p : state_.position) p.set(p.vector() - move);
@@ -249,13 +249,14 @@ void ImplicitStep<Real>::keep_momentum() {
 template <class Real>
 void ImplicitStep<Real>::start_lower(const ElasticSystem& system) {
   double inertia = 0;  // there, minus at the guess
-  for (std::size_t v = 0; v < weight_.size(); ++v)
-    inertia += 0.5 * static_cast<double>(weight_[v] *
-                                         ((state_.previous[v].vector() - target_[v].vector()).squaredNorm() -
-                                          (state_.position[v].vector() - target_[v].vector()).squaredNorm()));
+  for (std::size_t v = 0; v < data_.weight.size(); ++v)
+    inertia +=
+        0.5 * static_cast<double>(data_.weight[v] *
+                                  ((state_.previous[v].vector() - data_.target[v].vector()).squaredNorm() -
+                                   (state_.position[v].vector() - data_.target[v].vector()).squaredNorm()));
   Points<Real> last = state_.position;
-  for (std::size_t v = 0; v < weight_.size(); ++v)
-    if (weight_[v] > 0) last[v].set(state_.previous[v].vector());
+  for (std::size_t v = 0; v < data_.weight.size(); ++v)
+    if (data_.weight[v] > 0) last[v].set(state_.previous[v].vector());
   if (inertia + system.energy(in_world(last)) < system.energy(in_world(state_.position)))
     state_.position = std::move(last);
 }
@@ -266,19 +267,19 @@ std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
   // What moves vertices by less than the tolerance, or than rounding, is no force to measure by.
   const double least = std::max(tolerance_,
                                 100 * size_ * static_cast<double>(std::numeric_limits<Real>::epsilon())),
-               rounded = std::accumulate(weight_.begin(), weight_.end(), 0.0) * least;  // N
-  const Points<Real>& reached = has_contacts() ? contacts_.before() : state_.position;
+               rounded = std::accumulate(data_.weight.begin(), data_.weight.end(), 0.0) * least;  // N
+  const Points<Real>& reached = data_.contacts.in_use() ? data_.contacts.before() : state_.position;
   const Points<Real> elastic = elastic_forces(reached);
   double left = 0, inertia = 0;
-  for (std::size_t v = 0; v < weight_.size(); ++v) {
-    if (!(weight_[v] > 0)) continue;
-    Vector3Of<Real> force = weight_[v] * (target_[v].vector() - reached[v].vector());
+  for (std::size_t v = 0; v < data_.weight.size(); ++v) {
+    if (!(data_.weight[v] > 0)) continue;
+    Vector3Of<Real> force = data_.weight[v] * (data_.target[v].vector() - reached[v].vector());
     inertia += static_cast<double>(force.norm());
     force += elastic[v].vector();
-    if (has_contacts()) force = contacts_.along(v, force, reached[v].vector());
+    if (data_.contacts.in_use()) force = data_.contacts.along(v, force, reached[v].vector());
     left += static_cast<double>(force.norm());
   }
-  const double scale = total_force_ > rounded ? total_force_ : inertia;
+  const double scale = data_.total_force > rounded ? data_.total_force : inertia;
   if (!(scale > rounded)) return std::nullopt;
   return StepResidual{left, scale};
 }
@@ -286,11 +287,12 @@ std::optional<StepResidual> ImplicitStep<Real>::step_residual() const {
 template <class Real>
 void ImplicitStep<Real>::archive(Archive& state) {
   TimeStep<Real>::archive(state);
-  state(velocity_, has_history_, iterations_done_, gamma_);
-  contacts_.archive(state);
+  state(data_.velocity, data_.has_history, iterations_done_, data_.gamma);
+  data_.contacts.archive(state);
   if (!state.reads()) return;
-  weight_.resize(gamma_.size());
-  for (std::size_t v = 0; v < gamma_.size(); ++v) weight_[v] = weight_for(v, static_cast<double>(gamma_[v]));
+  data_.weight.resize(data_.gamma.size());
+  for (std::size_t v = 0; v < data_.gamma.size(); ++v)
+    data_.weight[v] = weight_for(v, static_cast<double>(data_.gamma[v]));
 }
 
 template class ImplicitStep<float>;

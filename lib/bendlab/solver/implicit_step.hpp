@@ -61,6 +61,23 @@ constexpr std::array<MethodPass, 4> implicit_passes(const char (&iteration)[N]) 
 
 class ElasticSystem;
 
+/// What a substep works on, beside State. Arrays have the slots of State::position.
+template <class Real>
+struct ImplicitData {
+  std::vector<double> drag;                 ///< c, kg/s; empty: no drag
+  std::vector<Real> gamma;                  ///< γ, s
+  std::vector<Real> weight;                 ///< w, kg/s²; 0: pinned
+  Points<Real> base, target;                ///< X and y, m
+  Points<Real> velocity, earlier_velocity;  ///< v_n and v_n-1, m/s
+  ContactForces<Real> contacts;             ///< of this iteration; not in use without effects that push
+  double total_force = 0;                   ///< Σ |m a| over free vertices by the forces of this substep, N
+  Real last_move = 0;                       ///< what the last iteration returned, m
+  bool has_history = false;                 ///< whether there is a v_n-1
+  bool weights_changed = false;             ///< whether any weight differs from that of the last substep
+  bool is_first_iteration = true;           ///< of a substep
+  bool is_late = false;                     ///< in the later half of a substep's iterations
+};
+
 template <class Real>
 class ImplicitStep : public TimeStep<Real> {
  public:
@@ -81,13 +98,9 @@ class ImplicitStep : public TimeStep<Real> {
   /// `mean` N/m in the mean over free vertices, in proportion to their masses.
   void compile_plan(std::vector<Pass<Real>> effect_passes, double per_weight, double mean);
 
-  /// A pass before the iterations of a substep.
-  struct Preparation {
-    const char* name = "";
-    std::function<void()> action;
-  };
-  /// Call it before compile_plan().
-  void prepare_by(Preparation preparation) { preparation_ = std::move(preparation); }
+  /// The name of a pass before the iterations of a substep, which calls prepare(); null: there is none.
+  virtual const char* preparation() const { return nullptr; }
+  virtual void prepare() {}
 
   /// One iteration towards the minimum, from state_.position. Returns how far vertices may still be from it,
   /// m: the longest move of one, where the next iteration moves them by far less.
@@ -99,19 +112,8 @@ class ImplicitStep : public TimeStep<Real> {
   /// -∇E, N, by slot.
   virtual Points<Real> elastic_forces(const Points<Real>& positions) const = 0;
 
-  /// Minimiser's data of this substep, by slot of state_.position.
-  const std::vector<Real>& weights() const { return weight_; }  ///< kg/s², 0: pinned
-  const Points<Real>& target() const { return target_; }        ///< y, m
-  /// Of this iteration; without effects that push it is not in use.
-  const ContactForces<Real>& contacts() const { return contacts_; }
-  bool has_contacts() const { return contacts_.in_use(); }
-  /// Of how many vertices they are others than in the last substep.
-  bool weights_changed() const { return weights_changed_; }
   /// The weights of every later substep of length h: with the γ of settled motion.
   std::vector<Real> lasting_weights() const;
-  /// Σ |m a| over free vertices by the forces of this substep, N.
-  double total_force() const { return total_force_; }
-  bool is_first_iteration() const { return is_first_; }  ///< of a substep
   /// #V by 3, m. This and the next are for methods that do not permute vertices.
   Positions in_world(const Points<Real>& points) const;
   /// A long step's first guess flies far from the cloth: starts where the last substep ended, if what is
@@ -125,6 +127,7 @@ class ImplicitStep : public TimeStep<Real> {
   bool pins_moved() const;
 
   using TimeStep<Real>::settings_, TimeStep<Real>::state_, TimeStep<Real>::constraints_;
+  ImplicitData<Real> data_;
 
  private:
   using typename TimeStep<Real>::Passes;
@@ -141,18 +144,9 @@ class ImplicitStep : public TimeStep<Real> {
   Integrator integrator_;
   double tolerance_, size_;  // m
   std::uint64_t constraint_count_ = 0, iterations_done_ = 0;
-  bool has_unknowns_ = false, has_history_ = false, is_first_ = true, is_late_ = false;
-  bool weights_changed_ = false, has_stepped_ = false;  // here, not before a checkpoint
-  double total_force_ = 0;
-  Real last_move_ = 0;
-  std::vector<double> drag_;  // by slot, kg/s; empty: no drag
-  std::vector<Real> gamma_;   // s, by slot
-  std::vector<Real> weight_;
-  Points<Real> target_, base_;                // y and X
-  Points<Real> velocity_, earlier_velocity_;  // v_n and v_n-1
-  ContactForces<Real> contacts_;
+  bool has_unknowns_ = false;
+  bool has_stepped_ = false;  // since it was made, not before a checkpoint
   Passes before_, iteration_, contact_, after_;
-  Preparation preparation_;
 };
 
 }  // namespace bendlab

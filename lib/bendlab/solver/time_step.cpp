@@ -113,7 +113,7 @@ void TimeStep<Real>::run(const Passes& passes, PassContext<Real>& context) {
     pass.run(context);
     PassStatistics& statistics = statistics_[pass.statistics];
     statistics.seconds += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    ++statistics.calls;
+    if (pass.counts) ++statistics.calls;
     statistics.acted += context.acted;
   }
 }

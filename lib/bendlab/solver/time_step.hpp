@@ -12,6 +12,7 @@ template <class Real>
 struct PlannedPass {
   std::function<void(PassContext<Real>&)> run;
   std::size_t statistics;  ///< its row in passes()
+  bool counts = true;      ///< as a call of that pass; else it is only a part of it
 };
 
 template <class Real>
@@ -58,10 +59,16 @@ class TimeStep : public Simulation {
     return permutation_.empty() ? vertex : static_cast<std::size_t>(permutation_[vertex]);
   }
 
-  /// Adds a row to passes() and returns its index.
-  std::size_t add_statistics(const std::string& name);
+  /// Adds a pass of the method's own to the end of `passes`.
+  void add_pass(Passes& passes, const std::string& name, std::function<void(PassContext<Real>&)> run) {
+    passes.push_back({std::move(run), add_statistics(name)});
+  }
   /// Moves the effects' passes of one stage to the end of `passes`.
   void append_effects(Passes& passes, std::vector<Pass<Real>>& effect_passes, Stage stage);
+  /// What the method does before or after that pass of an effect, whose time it shares.
+  static PlannedPass<Real> part_of(const PlannedPass<Real>& pass, auto action) {
+    return {std::move(action), pass.statistics, false};
+  }
   void run(const Passes& passes, PassContext<Real>& context);
 
   /// Tests once whether all positions are finite and within bounds. A method calls it when positions are
@@ -89,6 +96,7 @@ class TimeStep : public Simulation {
 
  private:
   void fill_state(const SimulationInput& input);
+  std::size_t add_statistics(const std::string& name);  // its row in passes()
   bool within_bound(const Point<Real>& p) const;
   Positions to_rows(const Points<Real>& points, const Points<Real>& remainders, const Vector3& origin) const;
 

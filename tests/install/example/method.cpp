@@ -10,7 +10,7 @@ class ExplicitStep final : public TimeStep<double> {
       : TimeStep(input, {}), system_(input) {
     append_effects(plan_, effects, Stage::force);
     append_effects(plan_, effects, Stage::damp);
-    plan_.push_back({[this](PassContext<double>& now) { move(now.substep); }, add_statistics("move")});
+    add_pass(plan_, "move", [this](PassContext<double>& now) { move(now.substep); });
     append_effects(plan_, effects, Stage::velocity);
   }
 

@@ -53,10 +53,27 @@ constexpr std::array own_passes = {
 };
 
 constexpr double equilibrium_tolerance = 1e-7;  // 1, |f - ∇E| / |f| over all free vertices
-constexpr double stretch_per_step = 0.05;       // 1
-constexpr double longest_move = 0.2;            // of the cloth's size, per step
-constexpr double crept = 1e-4;  // of the cloth's size: steps this short do not lead away from a saddle
 constexpr double still = 1e-6;  // of the cloth's size: the last step of a settled cloth is at most this long
+
+// The following numbers decide how many steps the search takes, and which equilibrium it finds if there are
+// several. They do not decide what is balanced: the last steps are whole ones, with the membrane as stated.
+// The mass term is pseudo-transient continuation (Kelley and Keyes 1998): a step that succeeds lengthens τ.
+constexpr double stretch_per_step = 0.05;  // 1, of a triangle beyond the step's aim
+constexpr double longest_move = 0.2;       // of the cloth's size, per step
+constexpr double first_move = 0.05;        // of the cloth's size: by the first step of a cloth that falls
+constexpr double lengthening = 10;         // of τ², after a step that was not shortened
+constexpr double shortening = 4;           // of τ², after a step that was shortened much
+constexpr double shortened_much = 0.3;     // of a step: what is left of it, at most
+constexpr double halving = 0.5;            // of a step that stretches too much
+constexpr double crept = 1e-4;             // of the cloth's size: shorter steps do not leave a saddle
+constexpr double far_move = 5e-3;          // of the cloth's size: after a longer step the Hessian is convex()
+constexpr double lost = 1e-14;          // 1 / τ² below this share of the stiffness is rounded away: 100 ε
+constexpr double first_stretch = 1e-4;  // 1, of the softened membrane under the loads
+constexpr double softest = 1000;        // times the stated compliance, of a cloth far from its equilibrium
+constexpr double softest_near = 10;     // and of one from another mesh, which has a shape already
+constexpr double stiffening = 10;       // of the membrane, once the cloth has found its shape:
+constexpr double found_unbalanced = 1e-3;  // 1, relative to the loads
+constexpr double found_move = 1e-3;        // of the cloth's size, in the last step
 
 class EquilibriumSearch final : public TimeStep<double> {
  public:
@@ -107,14 +124,10 @@ class EquilibriumSearch final : public TimeStep<double> {
         throw std::invalid_argument(fmt::format(
             "equilibrium: the pass {} needs a time step; only loads have an equilibrium", pass.name));
     append_effects(plan_, effect_passes, Stage::force);
-    const auto add = [&](const char* name, auto action) {
-      plan_.push_back(
-          {[this, action](PassContext<double>& c) { (this->*action)(c.substep); }, add_statistics(name)});
-    };
-    add("gradient", &EquilibriumSearch::find_gradient);
-    add("Hessian", &EquilibriumSearch::assemble);
-    add("factorise", &EquilibriumSearch::factorise);
-    add("move", &EquilibriumSearch::move);
+    add_pass(plan_, "gradient", [this](auto& c) { find_gradient(c.substep); });
+    add_pass(plan_, "Hessian", [this](auto&) { assemble(); });
+    add_pass(plan_, "factorise", [this](auto&) { factorise(); });
+    add_pass(plan_, "move", [this](auto&) { move(); });
   }
 
   void find_gradient(double h) {
@@ -126,19 +139,18 @@ class EquilibriumSearch final : public TimeStep<double> {
     residual_ = loads_ - system_.gradient(positions_);
     unbalanced_ = relative(residual_);
     if (inverse_tau_squared_ < 0) start();
-    while (softness_ > 1 && unbalanced_ < 1e-3 && last_move_ <= 1e-3 * size_)
-      soften(std::max(softness_ / 10, 1.0));
+    while (softness_ > 1 && unbalanced_ < found_unbalanced && last_move_ <= found_move * size_)
+      soften(std::max(softness_ / stiffening, 1.0));
   }
 
-  // Starts so soft that the loads stretch the membrane by about 1e-4, but not too soft for a cloth that
-  // starts near its equilibrium: it would move away, and a softer cloth may not have that equilibrium.
+  // Starts so soft that the loads stretch the membrane by about first_stretch, but not too soft for a cloth
+  // that starts near its equilibrium: it would move away, and a softer cloth may not have that equilibrium.
   void start() {
     inverse_tau_squared_ = 0;
     if (system_.unknowns() == 0) return;
     const double load = loads_.cwiseAbs().sum() / size_;  // N/m
-    const double softest = softest_start();
     if (strain_compliance_ > 0 && load > 0)
-      soften(std::clamp(1e-4 / (strain_compliance_ * load), 1.0, softest));
+      soften(std::clamp(first_stretch / (strain_compliance_ * load), 1.0, softest_start()));
     multipliers_ = system_.multipliers(positions_);
     start_creeping();
   }
@@ -146,9 +158,9 @@ class EquilibriumSearch final : public TimeStep<double> {
   double softest_start() const {
     switch (starting_from_) {
       case StartingFrom::scene:
-        return 1000;
+        return softest;
       case StartingFrom::other_mesh:
-        return 10;
+        return softest_near;
       case StartingFrom::same_mesh:
         return 1;
     }
@@ -175,14 +187,14 @@ class EquilibriumSearch final : public TimeStep<double> {
     return scale_ > 0 ? norm / scale_ : 0;
   }
 
-  // Chooses τ so that the first step moves the cloth by a twentieth of its size under its loads.
+  // Chooses τ so that the first step moves the cloth by first_move under its loads.
   void start_creeping() {
     const VectorXd& forces = starting_from_ != StartingFrom::scene && loads_.norm() > 0 ? loads_ : residual_;
     const double acceleration = forces.cwiseQuotient(masses_).cwiseAbs().maxCoeff();
-    inverse_tau_squared_ = acceleration / (0.05 * size_);
+    inverse_tau_squared_ = acceleration / (first_move * size_);
   }
 
-  void assemble(double) {
+  void assemble() {
     if (settled()) return;
     convex_ = far_ && !balanced();
     hessian_ = &system_.hessian(positions_, convex_ ? system_.convex(multipliers_) : multipliers_);
@@ -191,13 +203,13 @@ class EquilibriumSearch final : public TimeStep<double> {
 
   // If the matrix is not positive definite, first removes what makes it so, then shortens τ. At a saddle it
   // takes the longest τ that makes the matrix definite at once: that leads away fastest.
-  void factorise(double) {
+  void factorise() {
     if (settled()) return;
     constexpr int attempts = 100;  // no τ helps if entries are not finite
     for (int attempt = 0; !factorised(); ++attempt) {
       if (attempt == attempts) throw std::runtime_error("equilibrium: the stiffness matrix is not finite");
       if (convex_ || balanced() || last_move_ <= crept * size_)
-        inverse_tau_squared_ = std::max(4 * inverse_tau_squared_, smallest());
+        inverse_tau_squared_ = std::max(shortening * inverse_tau_squared_, smallest());
       else
         hessian_ = &system_.hessian(positions_, system_.convex(multipliers_)), convex_ = true;
     }
@@ -208,26 +220,25 @@ class EquilibriumSearch final : public TimeStep<double> {
   bool factorised() { return solver_.factorise(*hessian_, inverse_tau_squared_ * masses_); }
 
   // A smaller 1 / τ² is lost in the rounding of the Hessian's diagonal.
-  double smallest() const {
-    return 1e-14 * hessian_->diagonal().cwiseQuotient(masses_).cwiseAbs().maxCoeff();
-  }
+  double smallest() const { return lost * hessian_->diagonal().cwiseQuotient(masses_).cwiseAbs().maxCoeff(); }
 
-  void move(double) {
+  void move() {
     if (settled()) return;
     const double farthest = direction_.cwiseAbs().maxCoeff();
     double share = farthest > 0 ? std::min(1.0, longest_move * size_ / farthest) : 1;
-    while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step) share *= 0.5;
+    while (system_.strain_beyond_first_order(positions_, share * direction_) > stretch_per_step)
+      share *= halving;
     const VectorXd step = share * direction_;
     // A shortened step takes its share of what the whole one aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction_);
     positions_ = system_.moved(positions_, step);
     if (share == 1)
-      inverse_tau_squared_ /= 10;
-    else if (share < 0.3)
-      inverse_tau_squared_ *= 4;
+      inverse_tau_squared_ /= lengthening;
+    else if (share < shortened_much)
+      inverse_tau_squared_ *= shortening;
     if (inverse_tau_squared_ < smallest()) inverse_tau_squared_ = 0;
     last_move_ = step.cwiseAbs().maxCoeff();
-    far_ = convex_ && last_move_ > 5e-3 * size_;
+    far_ = convex_ && last_move_ > far_move * size_;
     for (std::size_t v = 0; v < state_.mass.size(); ++v)
       state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
     find_divergence();

@@ -77,8 +77,8 @@ AcrossTangent<Real> across_tangent(Tangent tangent) {
 template <class Real>
 class KangChoStep final : public TimeStep<Real> {
   using Base = TimeStep<Real>;
-  using Base::add_statistics, Base::append_effects, Base::constraints_, Base::find_divergence,
-      Base::for_vertices, Base::permuted, Base::run, Base::state_, Base::workers_;
+  using Base::add_pass, Base::append_effects, Base::constraints_, Base::find_divergence, Base::for_vertices,
+      Base::permuted, Base::run, Base::state_, Base::workers_;
 
  public:
   KangChoStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
@@ -132,31 +132,25 @@ class KangChoStep final : public TimeStep<Real> {
   }
 
   void compile_plan(std::vector<Pass<Real>> effect_passes) {
-    const auto add = [&](const char* name, auto action) {
-      plan_.push_back(
-          {[this, action](PassContext<Real>& c) { (this->*action)(c.substep); }, add_statistics(name)});
-    };
     if (std::ranges::any_of(effect_passes, [](const auto& pass) { return pass.stage == Stage::force; })) {
       external_.resize(state_.velocity.size());
-      add("start", &KangChoStep::remember_velocities);
+      add_pass(plan_, "start", [this](auto&) { remember_velocities(); });
       append_effects(plan_, effect_passes, Stage::force);
-      add("external", &KangChoStep::take_forces_back);
+      add_pass(plan_, "external", [this](auto&) { take_forces_back(); });
     }
     append_effects(plan_, effect_passes, Stage::damp);
-    add("springs", &KangChoStep::assemble_system);
-    add("implicit solve", &KangChoStep::solve_system);
-    add("update", &KangChoStep::update);
+    add_pass(plan_, "springs", [this](auto& c) { assemble_system(c.substep); });
+    add_pass(plan_, "implicit solve", [this](auto& c) { solve_system(c.substep); });
+    add_pass(plan_, "update", [this](auto& c) { update(c.substep); });
     append_effects(plan_, effect_passes, Stage::velocity);
   }
 
   void substep(PassContext<Real>& context) override { run(plan_, context); }
   std::uint64_t projections_per_substep() const override { return spring_count_; }
 
-  void remember_velocities(Real) {
-    std::copy(state_.velocity.begin(), state_.velocity.end(), external_.begin());
-  }
+  void remember_velocities() { std::copy(state_.velocity.begin(), state_.velocity.end(), external_.begin()); }
 
-  void take_forces_back(Real) {
+  void take_forces_back() {
     for_vertices([&](std::size_t first, std::size_t last) {
       for (std::size_t v = first; v < last; ++v) {
         const Point<Real> start = external_[v], with_forces = state_.velocity[v];

@@ -59,19 +59,20 @@ class NewtonStep final : public ImplicitStep<double> {
     return system_.forces(in_world(positions));
   }
   double iterate() override {
-    if (is_first_iteration() && !has_contacts()) start_lower(system_);
+    if (data_.is_first_iteration && !data_.contacts.in_use()) start_lower(system_);
     positions_ = in_world(state_.position);
     if (multipliers_.size() == 0) multipliers_ = system_.multipliers(positions_);
     const VectorXd elastic = -system_.gradient(positions_);
     VectorXd residual = elastic, diagonal(system_.unknowns());
     blocks_.clear();
-    for (std::size_t v = 0; v < weights().size(); ++v)
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0) {
-        residual.segment<3>(3 * at) -= weights()[v] * (state_.position[v].vector() - target()[v].vector());
-        diagonal.segment<3>(3 * at).setConstant(weights()[v]);
-        if (!has_contacts() || !contacts().pushes(v)) continue;
-        residual.segment<3>(3 * at) += contacts().force(v);
-        blocks_.push_back({3 * at, contacts().stiffness(v)});
+        residual.segment<3>(3 * at) -=
+            data_.weight[v] * (state_.position[v].vector() - data_.target[v].vector());
+        diagonal.segment<3>(3 * at).setConstant(data_.weight[v]);
+        if (!data_.contacts.in_use() || !data_.contacts.pushes(v)) continue;
+        residual.segment<3>(3 * at) += data_.contacts.force(v);
+        blocks_.push_back({3 * at, data_.contacts.stiffness(v)});
       }
     factorise(diagonal);
     const VectorXd direction = solver_.solve(residual);
@@ -133,7 +134,7 @@ class NewtonStep final : public ImplicitStep<double> {
   void move(const VectorXd& direction, double share) {
     // A shortened step takes its share of what the whole one aimed at.
     multipliers_ = (1 - share) * multipliers_ + share * system_.predicted_multipliers(positions_, direction);
-    for (std::size_t v = 0; v < weights().size(); ++v)
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (const int at = system_.free_index()[v]; at >= 0)
         state_.position[v].set(state_.position[v].vector() + share * direction.segment<3>(3 * at));
   }

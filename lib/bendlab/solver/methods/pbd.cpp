@@ -148,6 +148,19 @@ void update_numbers(const Real* __restrict base, const Real* __restrict moved,
   }
 }
 
+// What a substep works on, beside State and Constraints. In single precision projections change positions or,
+// if these hold too few digits, moves that are kept apart from them (see Places).
+template <class Real>
+struct PbdData {
+  Points<Real> before_forces;  // velocities, m/s; with flight_limit only
+  Points<Real> predicted;      // single precision: the predicted positions or moves, whichever change, m
+  Points<Real> moved;          // single precision: moves since the start of the substep, if they change, m
+  std::vector<std::size_t> pinned;  // single precision: pinned vertices, permuted
+  Points<Real> put;                 // single precision: where effects put these in this substep, m
+  bool are_put = false;             // whether they did
+  double last_substep = 0;          // s, of a part if flight_limit cut the substep; 0: there was none yet
+};
+
 // Position-based dynamics (Müller et al. 2007): predict, project, update.
 template <class Real>
 class PbdStep final : public TimeStep<Real> {
@@ -155,8 +168,8 @@ class PbdStep final : public TimeStep<Real> {
   // Double precision has enough digits: at 4096 substeps a second it rounds velocities by 10⁻¹¹ m/s.
   static constexpr bool keeps_remainders = std::is_same_v<Real, float>;
 
-  using Base::add_statistics, Base::append_effects, Base::constraints_, Base::cut_substeps_,
-      Base::find_divergence, Base::for_vertices, Base::run, Base::settings_, Base::state_, Base::workers_;
+  using Base::add_pass, Base::append_effects, Base::constraints_, Base::cut_substeps_, Base::find_divergence,
+      Base::for_vertices, Base::run, Base::settings_, Base::state_, Base::workers_;
 
  public:
   PbdStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
@@ -164,12 +177,12 @@ class PbdStep final : public TimeStep<Real> {
         pbd_(settings_of<Pbd>(input)),
         on_moves_(keeps_remainders && input.moves_apart) {
     if constexpr (keeps_remainders) {
-      predicted_.resize(state_.position.size());
-      if (on_moves_) moved_ = predicted_;
-      state_.position_remainder = state_.velocity_remainder = predicted_;
+      data_.predicted.resize(state_.position.size());
+      if (on_moves_) data_.moved = data_.predicted;
+      state_.position_remainder = state_.velocity_remainder = data_.predicted;
       for (std::size_t v = 0; v < static_cast<std::size_t>(state_.vertex_count); ++v)
-        if (state_.position[v].w == 0) pinned_.push_back(v);
-      put_.resize(pinned_.size());
+        if (state_.position[v].w == 0) data_.pinned.push_back(v);
+      data_.put.resize(data_.pinned.size());
     }
     this->order_constraints(
         input,
@@ -179,12 +192,12 @@ class PbdStep final : public TimeStep<Real> {
   }
 
   std::size_t memory_bytes() const override {
-    return Base::memory_bytes() + bytes_of(before_forces_) + bytes_of(moved_) + bytes_of(predicted_) +
-           (levels_ ? levels_->memory_bytes() : 0);
+    return Base::memory_bytes() + bytes_of(data_.before_forces) + bytes_of(data_.moved) +
+           bytes_of(data_.predicted) + (levels_ ? levels_->memory_bytes() : 0);
   }
   void archive(Archive& state) override {
     Base::archive(state);
-    state(last_substep_);
+    state(data_.last_substep);
   }
   std::optional<EffectiveStiffness> effective_stiffness() const override {
     const auto count = static_cast<std::size_t>(state_.vertex_count);
@@ -207,8 +220,8 @@ class PbdStep final : public TimeStep<Real> {
       largest = std::max(largest, positions[v].cwiseAbs().maxCoeff());
     }
     const double rounding = largest * static_cast<double>(std::numeric_limits<Real>::epsilon());
-    EffectiveStiffness stiffness =
-        bendlab::effective_stiffness(constraints_, {positions, rest, is_pinned, last_substep_, rounding});
+    EffectiveStiffness stiffness = bendlab::effective_stiffness(
+        constraints_, {positions, rest, is_pinned, data_.last_substep, rounding});
     if (levels_) stiffness.membrane = {};  // levels carry a part of it that multipliers do not know of
     return stiffness;
   }
@@ -218,14 +231,17 @@ class PbdStep final : public TimeStep<Real> {
     const Real whole = context.substep;
     const int steps = pbd_.flight_limit > 0 ? needed_force_steps(context) : 1;
     context.substep = whole / static_cast<Real>(steps);
-    last_substep_ = static_cast<double>(context.substep);
+    data_.last_substep = static_cast<double>(context.substep);
     for (int step = 0; step < steps; ++step) {
       run(forces_, context);
       run(before_, context);
       for (int iteration = 0; iteration < settings_.iterations; ++iteration) {
         run(before_sweep_, context);
         run(forward_, context);
-        if (pbd_.sweep == Sweep::symmetric) run(backward_, context);
+        run(after_sweep_, context);
+        if (pbd_.sweep != Sweep::symmetric) continue;
+        run(backward_, context);
+        run(after_sweep_, context);
       }
       run(after_, context);
       context.time += static_cast<double>(context.substep);
@@ -237,12 +253,12 @@ class PbdStep final : public TimeStep<Real> {
   // The steps that a whole substep is cut into. They depend on forces, not on velocities: those of a cloth
   // that is still strained would cut it ever finer, and each cut turns more of that strain into speed.
   int needed_force_steps(PassContext<Real>& context) {
-    before_forces_ = state_.velocity;
+    data_.before_forces = state_.velocity;
     const Points<Real> remainder = state_.velocity_remainder;
     run(forces_, context);
     const Real gained =
-        largest_gained_gradient(state_.velocity.data(), before_forces_.data(), constraints_.strain);
-    std::swap(state_.velocity, before_forces_);
+        largest_gained_gradient(state_.velocity.data(), data_.before_forces.data(), constraints_.strain);
+    std::swap(state_.velocity, data_.before_forces);
     state_.velocity_remainder = remainder;
     return force_steps(gained * context.substep, pbd_.flight_limit);
   }
@@ -265,27 +281,19 @@ class PbdStep final : public TimeStep<Real> {
     };
     // Effects that move vertices need whole positions.
     const auto add_on_positions = [&](typename Base::Passes& passes, std::initializer_list<Stage> stages) {
-      const std::size_t first = passes.size();
+      const auto first = static_cast<std::ptrdiff_t>(passes.size());
       for (const Stage stage : stages) add_effects(passes, stage);
-      if (on_moves_ && passes.size() > first) {
-        passes[first].run = [this, run = std::move(passes[first].run)](PassContext<Real>& c) {
-          sum_up_positions();
-          run(c);
-        };
-        passes.back().run = [this, run = std::move(passes.back().run)](PassContext<Real>& c) {
-          run(c);
-          take_moves_over();
-        };
-      }
+      const auto begin = passes.begin() + first;
+      if (!on_moves_ || begin == passes.end()) return;
+      passes.insert(begin, Base::part_of(*begin, [this](auto&) { sum_up_positions(); }));
+      passes.push_back(Base::part_of(passes.back(), [this](auto&) { take_moves_over(); }));
     };
     add_effects(forces_, Stage::force);
     add_effects(before_, Stage::damp);
-    before_.push_back({[this](PassContext<Real>& c) { predict(c.substep); }, add_statistics("predict")});
+    add_pass(before_, "predict", [this](auto& c) { predict(c.substep); });
     add_on_positions(before_, {Stage::predicted});
     if (levels_ && levels_->count() > 0)
-      before_sweep_.push_back(
-          {[this](PassContext<Real>& c) { levels_->correct(places(), c.substep, workers_); },
-           add_statistics("levels")});
+      add_pass(before_sweep_, "levels", [this](auto& c) { levels_->correct(places(), c.substep, workers_); });
     const bool strain_first = pbd_.first == FirstConstraint::strain;
     if (strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     add_projection(constraints_.distance, tiles_.distance, "bending");
@@ -294,9 +302,8 @@ class PbdStep final : public TimeStep<Real> {
     });
     if (!strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     std::reverse(backward_.begin(), backward_.end());
-    add_on_positions(forward_, {Stage::project, Stage::contact});
-    for (std::size_t p = backward_.size(); p < forward_.size(); ++p) backward_.push_back(forward_[p]);
-    after_.push_back({[this](PassContext<Real>& c) { update(c.substep); }, add_statistics("update")});
+    add_on_positions(after_sweep_, {Stage::project, Stage::contact});
+    add_pass(after_, "update", [this](auto& c) { update(c.substep); });
     add_effects(after_, Stage::velocity);
   }
 
@@ -304,11 +311,9 @@ class PbdStep final : public TimeStep<Real> {
   template <class Batch>
   void add_projection(Batch& batch, const std::vector<StackRange>& tiles, const char* name) {
     if (batch.count == 0) return;
-    const std::size_t row = add_statistics(name);
-    forward_.push_back(
-        {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, false); }, row});
-    backward_.push_back(
-        {[this, &batch, &tiles](PassContext<Real>& c) { sweep(batch, tiles, c.substep, true); }, row});
+    add_pass(forward_, name, [this, &batch, &tiles](auto& c) { sweep(batch, tiles, c.substep, false); });
+    backward_.push_back({[this, &batch, &tiles](auto& c) { sweep(batch, tiles, c.substep, true); },
+                         forward_.back().statistics});
   }
 
   // Calls action(first, last) on parts of all vertices' numbers (x, y, z, w in a row) and waits for all
@@ -322,7 +327,7 @@ class PbdStep final : public TimeStep<Real> {
 
   // position = previous + moved, for effects.
   void sum_up_positions() {
-    const Real *const base = numbers(state_.previous), *const moved = numbers(moved_);
+    const Real *const base = numbers(state_.previous), *const moved = numbers(data_.moved);
     Real* const position = numbers(state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i) position[i] = base[i] + moved[i];
@@ -332,13 +337,13 @@ class PbdStep final : public TimeStep<Real> {
   // moved = position - previous where effects changed position.
   void take_moves_over() {
     const Real *const base = numbers(state_.previous), *const position = numbers(state_.position);
-    Real* const moved = numbers(moved_);
+    Real* const moved = numbers(data_.moved);
     for_numbers([&](std::size_t first, std::size_t last) {
       for (std::size_t i = first; i < last; ++i)
         moved[i] = position[i] == base[i] + moved[i] ? moved[i] : position[i] - base[i];
     });
-    for (std::size_t i = 0; i < pinned_.size(); ++i) put_[i] = state_.position[pinned_[i]];
-    are_put_ = true;
+    for (std::size_t i = 0; i < data_.pinned.size(); ++i) data_.put[i] = state_.position[data_.pinned[i]];
+    data_.are_put = true;
   }
 
   // Keeps what the substep adds to a vertex apart from its position (see Places). The inverse mass, a
@@ -347,7 +352,7 @@ class PbdStep final : public TimeStep<Real> {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
       predict_moves_of_numbers(numbers(state_.position_remainder), numbers(state_.velocity), h,
-                               numbers(moved_), numbers(predicted_), first, last);
+                               numbers(data_.moved), numbers(data_.predicted), first, last);
     });
   }
 
@@ -356,16 +361,16 @@ class PbdStep final : public TimeStep<Real> {
     std::swap(state_.previous, state_.position);
     for_numbers([&](std::size_t first, std::size_t last) {
       predict_numbers(numbers(state_.previous), numbers(state_.velocity), h, numbers(state_.position),
-                      numbers(predicted_), numbers(state_.position_remainder), first, last);
+                      numbers(data_.predicted), numbers(state_.position_remainder), first, last);
     });
   }
 
   void update_from_positions(Real h) {
     for_numbers([&](std::size_t first, std::size_t last) {
-      update_velocities(numbers(state_.position), numbers(predicted_), 1 / h, numbers(state_.velocity),
+      update_velocities(numbers(state_.position), numbers(data_.predicted), 1 / h, numbers(state_.velocity),
                         numbers(state_.velocity_remainder), first, last);
     });
-    for (const std::size_t v : pinned_) put_pin(v, state_.position[v], h);
+    for (const std::size_t v : data_.pinned) put_pin(v, state_.position[v], h);
   }
 
   // Sets a pinned vertex exactly: a sum could round its last digit differently.
@@ -377,17 +382,17 @@ class PbdStep final : public TimeStep<Real> {
 
   void update_from_moves(Real h) {
     for_numbers([&](std::size_t first, std::size_t last) {
-      update_numbers(numbers(state_.previous), numbers(moved_), numbers(predicted_), 1 / h,
+      update_numbers(numbers(state_.previous), numbers(data_.moved), numbers(data_.predicted), 1 / h,
                      numbers(state_.position), numbers(state_.position_remainder), numbers(state_.velocity),
                      numbers(state_.velocity_remainder), first, last);
     });
-    if (!std::exchange(are_put_, false)) return;
-    for (std::size_t i = 0; i < pinned_.size(); ++i) put_pin(pinned_[i], put_[i], h);
+    if (!std::exchange(data_.are_put, false)) return;
+    for (std::size_t i = 0; i < data_.pinned.size(); ++i) put_pin(data_.pinned[i], data_.put[i], h);
   }
 
   Places<Real> places() {
     Point<Real>* const positions = state_.position.data();
-    return on_moves_ ? Places<Real>(state_.previous.data(), moved_.data()) : Places<Real>(positions);
+    return on_moves_ ? Places<Real>(state_.previous.data(), data_.moved.data()) : Places<Real>(positions);
   }
 
   void predict(Real h) {
@@ -449,15 +454,8 @@ class PbdStep final : public TimeStep<Real> {
   bool on_moves_;
   ConstraintTiles tiles_;
   std::optional<CoarseLevels<Real>> levels_;
-  typename Base::Passes forces_, before_, before_sweep_, forward_, backward_, after_;
-  Points<Real> before_forces_;       // velocities; with flight_limit only
-  std::vector<std::size_t> pinned_;  // permuted vertices; single precision
-  Points<Real> put_;                 // positions that effects gave them in this substep
-  bool are_put_ = false;
-  // Single precision: the predicted positions or moves, whichever projections change; and the moves in m
-  // since the start of the substep, if they are changed.
-  Points<Real> predicted_, moved_;
-  double last_substep_ = 0;  // s, of a part if flight_limit cut the substep; 0: there was none yet
+  typename Base::Passes forces_, before_, before_sweep_, forward_, backward_, after_sweep_, after_;
+  PbdData<Real> data_;
 };
 
 bool carries_stretch(const Pbd& settings) {

@@ -83,7 +83,7 @@ double mean_edge(const StrainConstraints& strain) {
 template <class Real>
 class QuasiNewtonStep final : public ImplicitStep<Real> {
   using Base = ImplicitStep<Real>;
-  using Base::settings_, Base::state_, Base::constraints_, Base::weights, Base::target;
+  using Base::settings_, Base::state_, Base::constraints_, Base::data_;
 
  public:
   QuasiNewtonStep(const SimulationInput& input, std::vector<Pass<Real>> effect_passes)
@@ -106,9 +106,6 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
       else
         pinned_.push_back(v);
     pin_move_.resize(pinned_.size());
-    this->prepare_by({"factorise", [this] {
-                        if (!factor_) load_ = this->total_force(), prepare();
-                      }});
     this->compile_plan(std::move(effect_passes), contact_per_weight, 0);
   }
 
@@ -123,17 +120,22 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     Base::archive(state);
     pairs_.archive(state);
     state(softness_, load_, last_target_, pin_move_);
-    if (state.reads() && softness_) prepare();
+    if (state.reads() && softness_) factorise();
   }
 
  private:
+  const char* preparation() const override { return "factorise"; }
+  void prepare() override {
+    if (!factor_) load_ = data_.total_force, factorise();
+  }
+
   Real iterate() override {
-    const bool first = this->is_first_iteration();
+    const bool first = data_.is_first_iteration;
     if (first) prepare_for_pins();
     // The Hessian has another W from BDF2's second substep on, and where contacts begin or end; gradients
     // change with pins, too.
-    if (first && this->weights_changed()) pairs_.clear();
-    if (first && (this->weights_changed() || this->pins_moved())) pairs_.forget_last();
+    if (first && data_.weights_changed) pairs_.clear();
+    if (first && (data_.weights_changed || this->pins_moved())) pairs_.forget_last();
     find_gradient();
     factor_->solve(gradient_.data(), applied_.data());
     typename PairHistory<Real>::Place place{state_.position, gradient_, applied_};
@@ -141,7 +143,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
       find_target_change();
       place.gradient_before = &target_change_, place.applied_before = &applied_change_;
     }
-    const auto along = pairs_.add(place, weights());
+    const auto along = pairs_.add(place, data_.weight);
     if (!first && along && along->after > most_overshoot * std::abs(along->before)) return step_back(*along);
     pairs_.direct(applied_, direction_);
     return move(1);
@@ -154,16 +156,16 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
 
   // g = ∇E + W (x - y) has another y in every substep: -W times the change of y, and A⁻¹ of that.
   void find_target_change() {
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      target_change_[v].set(weights()[v] * (last_target_[v].vector() - target()[v].vector()));
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
+      target_change_[v].set(data_.weight[v] * (last_target_[v].vector() - data_.target[v].vector()));
     factor_->solve(target_change_.data(), applied_change_.data());
-    last_target_ = target();
+    last_target_ = data_.target;
   }
 
   // The last move went so far that the energy rises there: back to where a line through both slopes has none.
   Real step_back(const typename PairHistory<Real>::Along& along) {
     const auto share = static_cast<Real>(along.after / (along.after - std::min(along.before, 0.0)));
-    for (std::size_t v = 0; v < weights().size(); ++v)
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
       direction_[v].set(share * last_share_ * -direction_[v].vector());
     const Real longest = move(1);
     stepped_back_ = true;
@@ -185,11 +187,11 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     const double load = mass_ * fastest / (h * h);
     if (load <= larger_load * load_) return;
     load_ = load;
-    prepare();
+    factorise();
     pairs_.clear(), pairs_.forget_last();
   }
 
-  void prepare() {
+  void factorise() {
     std::vector<double> softness(metric_.triangle_count(), 1);
     if (soft_membrane_) softness = soft_membrane_->softness(membrane_error_, load_);
     softness_ = softness.empty() ? 1 : *std::ranges::max_element(softness);
@@ -207,7 +209,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     const std::vector<Real> lasting = this->lasting_weights();
     for (Eigen::Index i = 0; i < matrix.rows(); ++i)
       matrix.coeffRef(i, i) +=
-          (this->has_contacts() ? 1 + contact_per_weight : 1) *
+          (data_.contacts.in_use() ? 1 + contact_per_weight : 1) *
           static_cast<double>(lasting[static_cast<std::size_t>(free_[static_cast<std::size_t>(i)])]);
     factor_.emplace(matrix);
     factor_->renumber(free_);
@@ -240,11 +242,11 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                                  });
       }
     });
-    for (std::size_t v = 0; this->has_contacts() && v < weights().size(); ++v)
-      if (this->contacts().pushes(v)) force_[v].set(force_[v].vector() + this->contacts().force(v));
-    for (std::size_t v = 0; v < weights().size(); ++v)
-      gradient_[v].set(weights()[v] > 0
-                           ? weights()[v] * (state_.position[v].vector() - target()[v].vector()) -
+    for (std::size_t v = 0; data_.contacts.in_use() && v < data_.weight.size(); ++v)
+      if (data_.contacts.pushes(v)) force_[v].set(force_[v].vector() + data_.contacts.force(v));
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
+      gradient_[v].set(data_.weight[v] > 0
+                           ? data_.weight[v] * (state_.position[v].vector() - data_.target[v].vector()) -
                                  force_[v].vector()
                            : Vector3Of<Real>::Zero().eval());
   }

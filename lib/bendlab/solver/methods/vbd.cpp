@@ -52,18 +52,18 @@ class VbdStep final : public ImplicitStep<double> {
     return system_.forces(in_world(positions));
   }
   double iterate() override {
-    if (is_first_iteration() && !has_contacts()) start_lower(system_);
+    if (data_.is_first_iteration && !data_.contacts.in_use()) start_lower(system_);
     positions_ = in_world(state_.position);
     const Positions start = positions_;
     double longest = 0;
-    for (std::size_t v = 0; v < weights().size(); ++v)
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (system_.free_index()[v] >= 0) longest = std::max(longest, descend(v));
     if (rho_ > 0) accelerate(start);
-    for (std::size_t v = 0; v < weights().size(); ++v)
+    for (std::size_t v = 0; v < data_.weight.size(); ++v)
       if (system_.free_index()[v] >= 0)
         state_.position[v].set(positions_.row(static_cast<Eigen::Index>(v)).transpose() - state_.origin);
     keep_momentum();
-    return is_first_iteration() ? first_left(longest) : left_after(longest);
+    return data_.is_first_iteration ? first_left(longest) : left_after(longest);
   }
 
   // How far vertices still are from the minimum, m, if the moves go on to shrink as they did: in stiff cloth
@@ -83,11 +83,11 @@ class VbdStep final : public ImplicitStep<double> {
     auto row = positions_.row(static_cast<Eigen::Index>(v));
     ElasticSystem::AtVertex local = system_.at_vertex(positions_, static_cast<int>(v));
     const Vector3 start = row.transpose();
-    Vector3 outside = weights()[v] * (target()[v].vector() + state_.origin - start);
-    Eigen::Matrix3d stiffness = weights()[v] * Eigen::Matrix3d::Identity();  // of inertia and contact
-    if (has_contacts() && contacts().pushes(v)) {
-      outside += contacts().force_at(v, start - state_.origin);
-      stiffness += contacts().stiffness(v);
+    Vector3 outside = data_.weight[v] * (data_.target[v].vector() + state_.origin - start);
+    Eigen::Matrix3d stiffness = data_.weight[v] * Eigen::Matrix3d::Identity();  // of inertia and contact
+    if (data_.contacts.in_use() && data_.contacts.pushes(v)) {
+      outside += data_.contacts.force_at(v, start - state_.origin);
+      stiffness += data_.contacts.stiffness(v);
     }
     local.stiffness += stiffness;
     const Vector3 step = local.stiffness.llt().solve(local.force + outside);
@@ -103,7 +103,7 @@ class VbdStep final : public ImplicitStep<double> {
 
   void accelerate(const Positions& start) {
     constexpr int plain = 2;  // iterations before the first that is accelerated
-    if (is_first_iteration()) iteration_ = 0;
+    if (data_.is_first_iteration) iteration_ = 0;
     ++iteration_;
     if (iteration_ > plain) {
       omega_ = iteration_ == plain + 1 ? 2 / (2 - rho_ * rho_) : 4 / (4 - rho_ * rho_ * omega_);
