@@ -8,15 +8,17 @@ and time, and that are better by a fifth than the next faster one.
 
 import argparse
 import json
+import textwrap
 from collections import defaultdict
+from itertools import groupby
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parent.parent
-LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/fitness.hpp
+LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/trial.hpp
 BETTER = 0.8
 # Settings of a solver that are part of its kind, and what they are if they are not written.
 OF_KIND = {"levels": 0, "membrane": None, "integrator": None, "sweep": "forward"}
-HEAD = """// Settings that were the best of a measured scene: model, method, its further settings, substeps,
+HEAD = """// Settings that were the best of a measured scene: model, method, its further settings, then substeps and
 // iterations.
 // Made by analysis/advise_fronts.py from results/accuracy/summary.json.
 """
@@ -61,9 +63,14 @@ def best_settings(runs):
     return sorted(best)
 
 
-def line(setting):
-    method, kind, model, substeps, iterations = setting
-    return f'BENDLAB_FRONT("{model}", "{method}", R"({kind})", {substeps}, {iterations})\n'
+def table(settings):
+    """A line for each kind: settings that differ in substeps and iterations only."""
+    text = HEAD
+    for (method, kind, model), alike in groupby(settings, key=lambda setting: setting[:3]):
+        works = ", ".join(f"{{{substeps},{iterations}}}" for *_, substeps, iterations in alike)
+        line = f'{{{{"{model}", "{method}", R"({kind})"}}, {{{works}}}}},'
+        text += textwrap.fill(line, 110, subsequent_indent=" ") + "\n"
+    return text
 
 
 def main():
@@ -72,7 +79,7 @@ def main():
     parser.add_argument("--out", type=Path, default=ROOT / "experiments/advise/fronts.def")
     arguments = parser.parse_args()
     best = best_settings(json.loads(arguments.summary.read_text()))
-    arguments.out.write_text(HEAD + "".join(line(setting) for setting in best))
+    arguments.out.write_text(table(best))
     print(f"{arguments.out}: {len(best)} settings")
 
 

@@ -4,14 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
+#include <iterator>
+#include <map>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/scene/counted.hpp"
 #include "bendlab/solver/method.hpp"
-#include "experiments/advise/reasons.hpp"
-#include "experiments/advise/runs.hpp"
 #include "experiments/advise/search.hpp"
 
 namespace bendlab {
@@ -25,6 +23,15 @@ std::string reason(const ConfigError& error, const std::string& model) {
   if (const std::size_t at = why.find(" of " + model); at != std::string::npos)
     why.erase(at, 4 + model.size());
   return why;
+}
+
+// Adds it, together with what has the same reason.
+void leave_out(std::vector<LeftOut>& left_out, const std::string& what, const std::string& why) {
+  const auto same = std::ranges::find(left_out, why, &LeftOut::why);
+  if (same == left_out.end())
+    left_out.push_back({what, why});
+  else if (same->what.find(what) == std::string::npos)
+    same->what += ", " + what;
 }
 
 bool asked_for(const std::vector<std::string>& names, std::string_view name) {
@@ -41,20 +48,24 @@ class Advisor {
         runs_(question, options.campaign, options.time_limit_s) {}
 
   Advice advise() {
-    const std::vector<Setting> starts = possible(settings_to_begin_with());
-    if (starts.empty() && refused_) throw *refused_;
-    advice_.reference = choose_reference(question_, runs_, options_.error_of, tell_);
+    std::vector<SettingKind> kinds = possible(kinds_to_begin_with());
+    if (kinds.empty() && refused_) throw *refused_;
+    KnownReference& reference = advice_.reference;
+    reference = choose_reference(question_, runs_, options_.error_of);
     if ((advice_.exit_code = runs_.exit_code()) != 0) return advice_;
-    Search search(options_.demand, most_substeps(),
-                  [this](const Setting& setting) { return runs_.forecast_per_frame(setting); });
-    if (const Setting& probe = advice_.reference.probe;
-        asked_for(options_.models, probe.model) && asked_for(options_.methods, probe.method))
-      search.consider({probe}), take(probe, advice_.reference.probed, search);
-    search.consider(starts);
-    while (reference_tells(advice_.reference) &&
-           (run_round(search) || widen(search) || confirm_rest(search))) {
-    }
-    choose(search);
+    const std::vector<SettingKind> probe = possible({kind_of(reference.probe)});
+    kinds.insert(kinds.begin(), probe.begin(), probe.end());
+    if (!reference.tells()) choose(run({reference.probe}));
+    // The reference of a motion is exact to its own time step only.
+    constexpr int most = 512;
+    Search search(
+        options_.demand, reference.of == ErrorOf::motion ? std::min(most, reference.substeps / 4) : most,
+        [this](const Setting& setting) { return runs_.expected_per_frame(setting); },
+        [this](const std::vector<Setting>& settings) { return run(settings); });
+    bool goes_on = reference.tells() && search.run(kinds);
+    while (goes_on && choose(search.trials()))
+      goes_on = !runs_.over() &&
+                (search.run(possible(neighbours(advice_.choice->setting))) || reject_creeping(search));
     say_what_is_behind();
     advice_.exit_code = runs_.exit_code(), advice_.computed = runs_.computed();
     return advice_;
@@ -63,194 +74,146 @@ class Advisor {
  private:
   // ---- what is tried
 
-  // The config's own; what was the best of measured scenes, on the config's mesh and on half as many cells.
+  static SettingKind kind_of(const Setting& setting) {
+    return {setting, {{setting.substeps, setting.iterations}}};
+  }
+
+  // What was the best of measured scenes, on the config's mesh and on half as many cells; the config's own.
   // Models that are asked for are tried with every solver.
-  std::vector<Setting> settings_to_begin_with() const {
-    std::vector<Setting> settings = {question_.own_setting()};
+  std::vector<SettingKind> kinds_to_begin_with() const {
+    std::vector<SettingKind> kinds;
     const int cells = question_.cells_that_may_vary();
-    for (const Setting& front : measured_fronts())
-      for (const std::string& model : options_.models.empty() ? std::vector{front.model} : options_.models) {
-        settings.push_back(front), settings.back().model = model;
-        if (cells >= 2 * fewest_cells) settings.push_back(settings.back()), settings.back().cells = cells / 2;
+    for (SettingKind kind : measured_fronts())
+      for (const std::string& model :
+           options_.models.empty() ? std::vector{kind.setting.model} : options_.models) {
+        kind.setting.model = model;
+        kinds.push_back(kind);
+        if (cells >= 2 * fewest_cells) kinds.push_back(kind), kinds.back().setting.cells = cells / 2;
       }
-    return settings;
+    kinds.push_back(kind_of(question_.own_setting()));
+    return kinds;
   }
 
   // From the best so far: other models with its solver, and other meshes.
-  std::vector<Setting> neighbours(const Setting& setting) const {
-    std::vector<Setting> found;
+  std::vector<SettingKind> neighbours(const Setting& setting) const {
+    std::vector<SettingKind> found;
     for (const BendingKind* model : bending_models())
-      found.push_back(setting), found.back().model = model->name;
+      found.push_back(kind_of(setting)), found.back().setting.model = model->name;
     const int all = question_.cells_that_may_vary(), now = setting.cells > 0 ? setting.cells : all;
     for (const double factor : {0.5, 0.75, 4.0 / 3, 2.0})
       if (const int cells = static_cast<int>(std::lround(now * factor));
           cells >= fewest_cells && cells <= all)
-        found.push_back(setting), found.back().cells = cells == all ? 0 : cells;
+        found.push_back(kind_of(setting)), found.back().setting.cells = cells == all ? 0 : cells;
     return found;
   }
 
   // Those that are asked for and that the scene allows; says why it does not.
-  std::vector<Setting> possible(const std::vector<Setting>& settings) {
-    std::vector<Setting> allowed;
-    for (const Setting& setting : settings) {
-      if (!asked_for(options_.models, setting.model) || !asked_for(options_.methods, setting.method))
+  std::vector<SettingKind> possible(const std::vector<SettingKind>& kinds) {
+    std::vector<SettingKind> allowed;
+    for (const SettingKind& kind : kinds) {
+      if (!asked_for(options_.models, kind.setting.model) ||
+          !asked_for(options_.methods, kind.setting.method))
         continue;
       try {
-        question_.run_with(setting, Json::object());
-        allowed.push_back(setting);
+        question_.experiment_with(kind.setting, Json::object());
+        allowed.push_back(kind);
       } catch (const ConfigError& error) {
         if (!refused_) refused_ = error;
-        leave_out(advice_.left_out, fmt::format("{} with {}", setting.model, setting.method),
-                  reason(error, setting.model));
+        leave_out(advice_.left_out, fmt::format("{} with {}", kind.setting.model, kind.setting.method),
+                  reason(error, kind.setting.model));
       }
     }
     return allowed;
   }
 
-  // False when there is nothing new.
-  bool widen(Search& search) {
-    if (runs_.over()) return false;
-    choose(search);
-    const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
-    return choice && search.consider(possible(neighbours(choice->setting)));
-  }
-
-  // The reference of a motion is exact to its own time step only.
-  int most_substeps() const {
-    constexpr int most = 512;
-    return advice_.reference.of == ErrorOf::motion ? std::min(most, advice_.reference.substeps / 4) : most;
-  }
-
-  // Compared with the reference, unless that is torn apart itself.
-  Strained strained(const Measured& found) const {
-    if (!reference_tells(advice_.reference))
-      return {found.strain.value_or(0), found.stretch, found.implausible};
-    return {std::max(0.0, found.strain.value_or(0) - advice_.reference.strain),
-            std::max(1.0, found.stretch / advice_.reference.stretch), found.implausible};
-  }
-
   // ---- runs
 
-  // Runs the settings of a round, as many as go side by side at a time, the cheapest first, until the time is
-  // over. False when there is none.
-  bool run_round(Search& search) {
-    if (runs_.over()) return false;
-    std::vector<Setting> settings = search.next();
-    std::ranges::stable_sort(settings, {},
-                             [this](const Setting& s) { return runs_.forecast_per_frame(s).value_or(0); });
-    for (std::size_t begin = 0; begin < settings.size();
-         begin += static_cast<std::size_t>(runs_.side_by_side())) {
-      const std::size_t end =
-          std::min(settings.size(), begin + static_cast<std::size_t>(runs_.side_by_side()));
-      run_some({settings.begin() + static_cast<std::ptrdiff_t>(begin),
-                settings.begin() + static_cast<std::ptrdiff_t>(end)},
-               search);
-      if (runs_.exit_code() != 0) return false;
-    }
-    return !settings.empty();
-  }
-
-  void run_some(const std::vector<Setting>& settings, Search& search) {
+  // What came of those that are expected to end in time, and did.
+  std::vector<Trial> run(const std::vector<Setting>& settings) {
+    std::vector<Trial> found;
+    if (runs_.over()) return found;
     std::vector<Setting> begun;
-    std::vector<RunConfig> configs;
-    for (const Setting& setting : settings) {
-      RunConfig config = question_.run_with(setting, advice_.reference.accuracy);
-      if (runs_.over() || !runs_.in_time(config)) {
-        advice_.not_tried.push_back(setting);
-        search.drop(setting);
-        continue;
-      }
-      begun.push_back(setting), configs.push_back(std::move(config));
-    }
-    if (begun.empty()) return;
-    const std::vector<Measured> found = runs_.execute(std::move(configs));
-    for (std::size_t i = 0; i < found.size(); ++i) take(begun[i], found[i], search);
+    for (const Setting& setting : settings)
+      (runs_.in_time(setting, advice_.reference.accuracy) ? begun : advice_.not_tried).push_back(setting);
+    for (Trial& trial : runs_.execute(begun, advice_.reference.accuracy, runs_.left_s()))
+      if (is_measured(trial)) found.push_back(std::move(trial));
+    return found;
   }
 
-  void take(const Setting& setting, const Measured& found, Search& search) {
-    if (found.unfinished) {
-      advice_.not_tried.push_back(setting);
-      return search.drop(setting);
+  // Compares its strain and stretch with the reference's. False if it was stopped, or failed.
+  bool is_measured(Trial& trial) {
+    const std::string text = setting_text(trial.setting);
+    if (trial.unfinished) advice_.not_tried.push_back(trial.setting);
+    if (trial.failed) leave_out(advice_.left_out, text, trial.why);
+    if (trial.unfinished || trial.failed) return false;
+    if (const KnownReference& reference = advice_.reference; reference.tells()) {
+      trial.more_strain = std::max(0.0, trial.strain - reference.strain);
+      trial.stretch = std::max(1.0, trial.stretch / reference.stretch);
     }
-    if (found.failed) {
-      leave_out(advice_.left_out, setting_text(setting), found.why);
-      return search.drop(setting);
+    std::string came = "error " + percent_text(trial.error);
+    if (!std::isfinite(trial.error)) {
+      came = fmt::format("unfit ({})", unfit(trial));
+      if (unfit(trial) == "error") leave_out(advice_.left_out, text, came = "no error: " + trial.why);
     }
-    const Strained stretched = strained(found);
-    const bool fits = unfit(0, stretched) == Unfit::no;
-    search.add(
-        {setting, found.error.value_or(std::numeric_limits<double>::infinity()), found.cpu_s, stretched});
-    if (found.strain) advice_.strain[setting] = *found.strain;
-    if (!found.warnings.empty()) advice_.warnings[setting] = found.warnings;
-    if (!found.error && fits) leave_out(advice_.left_out, setting_text(setting), "no error: " + found.why);
-    tell_(fmt::format("{}: {}, {:.3g} ms per frame", setting_text(setting),
-                      found.error ? "error " + percent_text(*found.error)
-                      : fits      ? found.why
-                                  : fmt::format("unfit ({})", name_of(unfit(0, stretched))),
-                      1e3 * found.cpu_s));
+    tell_(fmt::format("{}: {}, {:.3g} ms per frame", text, came, 1e3 * trial.cpu_s));
+    return true;
   }
 
   // Iterations that have not converged lag behind the motion: a pose may be right by accident, on its way to
   // another. So the choice is run for longer, and its error has to stay. False when it does, or the time is
   // over.
-  bool confirm_rest(Search& search) {
-    if (runs_.over() || advice_.reference.of != ErrorOf::rest) return false;
-    choose(search);
-    const std::optional<Rated> choice = advice_.best ? advice_.best : advice_.nearest;
-    if (!choice || unfit(*choice) != Unfit::no || find_method(choice->setting.method)->projects ||
-        !stays_.insert(choice->setting).second)
-      return false;
+  bool reject_creeping(Search& search) {
+    const Trial& choice = *advice_.choice;
+    const Json& accuracy = advice_.reference.accuracy;
     constexpr double longer = 4, much_the_same = 1.1, small = 1e-3;  // sizes
-    RunConfig config = question_.run_with(choice->setting, advice_.reference.accuracy, longer);
-    if (!runs_.in_time(config)) return false;
-    const std::optional<double> later = runs_.execute_one(std::move(config)).error;
-    if (runs_.over()) return false;
-    if (later && *later <= much_the_same * choice->error + small) return true;
-    search.reject(choice->setting);
+    if (advice_.reference.of != ErrorOf::rest || !unfit(choice).empty() ||
+        find_method(choice.setting.method)->projects || !runs_.in_time(choice.setting, accuracy, longer))
+      return false;
+    const Trial later = runs_.execute({choice.setting}, accuracy, runs_.left_s(), longer).front();
+    if (runs_.over() || later.error <= much_the_same * choice.error + small) return false;
     ++creeping_;
-    creeps_ = fmt::format("{}: error {}, and {} after {:.0f} times as long", setting_text(choice->setting),
-                          percent_text(choice->error), later ? percent_text(*later) : "unknown", longer);
+    creeps_ = fmt::format("{}: error {}, and {} after {:.0f} times as long", setting_text(choice.setting),
+                          percent_text(choice.error),
+                          std::isfinite(later.error) ? percent_text(later.error) : "unknown", longer);
+    search.reject(choice.setting);
     return true;
   }
 
   // ---- the answer
 
-  void choose(const Search& search) {
-    advice_.reference.gap = runs_.reference_gap();
-    advice_.points = search.measured();
-    advice_.front = front_of(advice_.points);
+  // The best so far. False if there is none.
+  bool choose(const std::vector<Trial>& trials) {
+    KnownReference& reference = advice_.reference;
+    const Demand& demand = options_.demand;
+    reference.gap = runs_.reference_gap();
+    advice_.trials = trials;
+    advice_.front = front_of(trials);
+    advice_.choice = choice_of(trials, demand);
     // Errors smaller than the reference's own are not known.
-    const bool knowable =
-        reference_tells(advice_.reference) &&
-        (!options_.demand.error || advice_.reference.gap.value_or(0) < *options_.demand.error);
-    advice_.best = knowable ? chosen(advice_.points, options_.demand) : std::nullopt;
-    advice_.nearest = advice_.best ? std::nullopt : bendlab::nearest(advice_.points, options_.demand);
+    advice_.is_met = advice_.choice && meets(*advice_.choice, demand) && reference.tells() &&
+                     !(demand.error && reference.gap.value_or(0) >= *demand.error);
+    return advice_.choice.has_value();
   }
 
   // Lists the best setting of each model and of each method that has none on the front as it is shown.
   void say_what_is_behind() {
-    const std::vector<Rated> shown = thinned(advice_.front);
-    const auto say = [&](std::string Setting::*group) {
-      std::map<std::string, std::vector<Rated>> points_of;
-      for (const Rated& point : advice_.points) points_of[point.setting.*group].push_back(point);
-      for (const auto& points : points_of)
-        if (std::ranges::none_of(shown, [&](const Rated& p) { return p.setting.*group == points.first; }))
-          advice_.left_out.push_back({points.first, best_text(points.second)});
-    };
-    say(&Setting::method);
-    say(&Setting::model);
+    for (const auto group : {&Setting::method, &Setting::model}) {
+      std::map<std::string, std::vector<Trial>> behind;
+      for (const Trial& trial : advice_.trials) behind[trial.setting.*group].push_back(trial);
+      for (const Trial& row : thinned(advice_.front)) behind.erase(row.setting.*group);
+      for (const auto& [name, trials] : behind) advice_.left_out.push_back({name, best_text(trials)});
+    }
     if (creeping_ > 0)
       advice_.left_out.push_back(
           {counted(creeping_, "setting") + ", whose pose does not stay", "the last is " + creeps_});
   }
 
-  std::string best_text(const std::vector<Rated>& points) const {
-    const Rated best =
-        *std::ranges::min_element(points, {}, [&](const Rated& p) { return score(p, options_.demand); });
-    const Unfit why = unfit(best);
-    return fmt::format("best of {} measured: {} in {:.3g} ms{} ({})", points.size(),
+  std::string best_text(const std::vector<Trial>& trials) const {
+    const auto order = [&](const Trial& trial) { return score(trial, options_.demand); };
+    const Trial best = *std::ranges::min_element(trials, {}, order);
+    return fmt::format("best of {} measured: {} in {:.3g} ms{}{} ({})", trials.size(),
                        std::isfinite(best.error) ? "error " + percent_text(best.error) : "no error",
-                       1e3 * best.cpu_s, why == Unfit::no ? "" : fmt::format(", unfit: {}", name_of(why)),
+                       1e3 * best.cpu_s, unfit(best).empty() ? "" : ", unfit: ", unfit(best),
                        setting_text(best.setting));
   }
 
@@ -259,21 +222,12 @@ class Advisor {
   const std::function<void(const std::string&)>& tell_;
   Runs runs_;
   std::optional<ConfigError> refused_;  // the first reason why a setting cannot be
-  std::set<Setting> stays_;             // whose pose was looked at later
   std::size_t creeping_ = 0;            // settings whose pose did not stay
   std::string creeps_;                  // the last of them
   Advice advice_;
 };
 
 }  // namespace
-
-void leave_out(std::vector<LeftOut>& left_out, const std::string& what, const std::string& why) {
-  const auto same = std::ranges::find(left_out, why, &LeftOut::why);
-  if (same == left_out.end())
-    left_out.push_back({what, why});
-  else if (same->what.find(what) == std::string::npos)
-    same->what += ", " + what;
-}
 
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& tell) {

@@ -4,49 +4,38 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 
 #include "bendlab/bending/model.hpp"
-#include "bendlab/scene/built_scene.hpp"
+#include "bendlab/scene/pointers.hpp"
 #include "bendlab/solver/method.hpp"
 #include "experiments/config/overrides.hpp"
-#include "experiments/config/settings_by_pointer.hpp"
+#include "experiments/config/references.hpp"
+#include "experiments/config/run_json.hpp"
 
 namespace bendlab {
 namespace {
+
+namespace fs = std::filesystem;
 
 std::string set(std::string_view pointer, const Json& value) {
   return fmt::format("{}={}", pointer, value.dump());
 }
 
-// Hinges for a flexural rigidity; only springs make a quartic cloth.
-std::string reference_model_of(const RunConfig& scene) {
-  const Bending& bending = scene.scene().bending;
-  if (!bending.flexural_rigidity) return std::string(bending.model.name());
-  const auto kinds = bending_models();
-  return std::string((*std::ranges::find_if(kinds, &BendingKind::is_reference))->name);
-}
-
-std::string method_without_motion() {
-  const auto kinds = methods();
-  return std::string((*std::ranges::find_if_not(kinds, &MethodKind::has_motion))->name);
-}
-
-// The options that would choose a value of each swept setting.
-std::string open_axes(const Experiment& experiment) {
-  std::string text;
-  for (const auto& [pointer, values] : experiment.axes)
-    if (values.size() > 1) text += fmt::format("{}--set {}=VALUE", text.empty() ? "" : " ", pointer);
-  return text;
+template <class Kinds, class Trait>
+const auto& first_with(const Kinds& kinds, Trait trait) {
+  return **std::ranges::find_if(kinds, trait);
 }
 
 void check_is_one_scene(const Experiment& experiment, const std::string& source) {
+  std::string choice;
+  for (const auto& [pointer, values] : experiment.axes)
+    if (values.size() > 1) choice += fmt::format(" --set {}=VALUE", pointer);
   if (experiment.runs.size() != 1)
     throw ConfigError(source,
-                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with {}",
-                                              experiment.runs.size(), open_axes(experiment))}});
+                      {{"/sweep", fmt::format("has {} runs, but advice is for one scene: choose it with{}",
+                                              experiment.runs.size(), choice)}});
   for (const auto& [pointer, values] : experiment.axes)
     if (lies_within(pointer, "/solver") && pointer != "/solver")
       throw ConfigError(source, {{child_pointer("/sweep", pointer),
@@ -70,245 +59,177 @@ void check_states_a_cloth(const RunConfig& scene, const std::string& source) {
         source, {{"/bending/model",
                   "is none, which has no bending stiffness: give flexural_rigidity (in N m), or choose the "
                   "spring model that quartic_coefficient is for"}});
+  const Accuracy& accuracy = scene.settings().accuracy;
+  if (accuracy.solver && !accuracy.physical)
+    throw ConfigError(source, {{"/accuracy/physical",
+                                "is missing: models are compared with one stated cloth, but /accuracy/solver "
+                                "compares each with itself. Name the reference here, or remove /accuracy"}});
 }
-
-bool is_held(const RunConfig& scene) {
-  const Pinning& pins = scene.scene().pins;
-  return !pins.vertices.empty() || !pins.indices.empty();
-}
-
-Json without(const Json& list, auto left_out) {
-  Json kept = Json::array();
-  for (const Json& entry : list)
-    if (!left_out(entry)) kept.push_back(entry);
-  return kept;
-}
-
-// Makes file names relative to another folder: those of settings called `file`, also in sweeps and in changes
-// ("/mesh/file=sheet.obj").
-class MovedFiles {
- public:
-  MovedFiles(const std::filesystem::path& from, const std::filesystem::path& to)
-      : from_(from), to_(std::filesystem::absolute(to.empty() ? "." : to).lexically_normal()) {}
-
-  void move(Json& node) const {
-    if (node.is_object())
-      for (auto& [key, value] : node.items())
-        key == "file" || key.ends_with("/file") ? rename(value) : move(value);
-    if (node.is_array())
-      for (Json& entry : node) entry.is_string() ? move_change(entry) : move(entry);
-  }
-
- private:
-  void rename(Json& file) const {
-    if (file.is_array())
-      for (Json& each : file) rename(each);
-    if (!file.is_string()) return;
-    const auto there = std::filesystem::absolute(from_ / file.get<std::string>());
-    file = there.lexically_normal().lexically_proximate(to_).string();
-  }
-
-  void move_change(Json& entry) const {
-    const std::string text = entry.get<std::string>();
-    const std::size_t at = text.find('=');
-    if (!text.starts_with('/') || at == std::string::npos) return;
-    const std::string pointer = text.substr(0, at), value = text.substr(at + 1);
-    const Json parsed = Json::parse(value, nullptr, false);
-    const Json before = {{pointer, parsed.is_discarded() ? Json(value) : parsed}};
-    Json after = before;
-    move(after);
-    if (after != before) entry = pointer + "=" + after[pointer].dump();
-  }
-
-  std::filesystem::path from_, to_;
-};
 
 }  // namespace
 
-Question::Question(std::filesystem::path file, std::vector<std::string> overrides)
+Method method_that_projects() {
+  return Method(first_with(methods(), &MethodKind::projects));
+}
+
+Question::Question(fs::path file, std::vector<std::string> overrides)
     : file_(std::move(file)), overrides_(std::move(overrides)) {
   const Experiment experiment = load_experiment(file_, overrides_);
   check_is_one_scene(experiment, file_.string());
   scene_ = experiment.runs.front();
+  check_states_a_cloth(scene_, file_.string());
   name_ = experiment.name;
   own_solver_ = experiment.settings.value("solver", Json::object());
-  const Json& bending = experiment.settings.value("bending", Json::object());
-  rigidity_is_default_ = !bending.contains("flexural_rigidity") && !bending.contains("quartic_coefficient");
-  check_states_a_cloth(scene_, file_.string());
-  reference_model_ = reference_model_of(scene_);
-  const Accuracy& accuracy = scene_.settings().accuracy;
-  if (accuracy.solver && !accuracy.physical)
-    throw ConfigError(file_.string(),
-                      {{"/accuracy/physical",
-                        "is missing: models are compared with one stated cloth, but /accuracy/solver "
-                        "compares each with itself. Name the reference here, or remove /accuracy"}});
+  const Json& stated = experiment.settings.value("bending", Json::object());
+  rigidity_is_default_ = !stated.contains("flexural_rigidity") && !stated.contains("quartic_coefficient");
+  // Hinges for a flexural rigidity; only springs make a quartic cloth.
+  const Bending& bending = scene_.scene().bending;
+  reference_model_ = bending.flexural_rigidity ? first_with(bending_models(), &BendingKind::is_reference).name
+                                               : bending.model.name();
 }
 
 Setting Question::own_setting() const {
   const Solver& solver = scene_.scene().solver;
-  const Setting usual;
-  Setting own{.model = std::string(scene_.scene().bending.model.name()),
-              .method = std::string(solver.method.name()),
-              .substeps = solver.substeps.value_or(usual.substeps),
-              .iterations = solver.iterations.value_or(usual.iterations)};
   Json further = own_solver_;
   for (const char* apart : {"method", "substeps", "iterations", "dt", "threads", "precision"})
     further.erase(apart);
-  own.solver = further.dump();
-  return own;
+  return {.model = std::string(scene_.scene().bending.model.name()),
+          .method = std::string(solver.method.name()),
+          .solver = further.dump(),
+          .substeps = solver.substeps.value_or(1),
+          .iterations = solver.iterations.value_or(1)};
 }
 
 int Question::cells_that_may_vary() const {
-  const Json& settings = scene_.resolved();
-  const Json& mesh = settings["mesh"];
-  constexpr std::array flat = {"grid", "equilateral", "delaunay", "disc"};
-  const bool is_flat = mesh.contains("generator") && mesh.value("flaw", "none") == "none" &&
-                       std::ranges::find(flat, mesh["generator"].get<std::string>()) != flat.end();
-  const auto names_indices = [](const Json& each) { return !each.value("indices", Json::array()).empty(); };
-  if (!is_flat || names_indices(settings["pins"]) ||
-      std::ranges::any_of(settings["effects"], names_indices) || settings["initial"].contains("after"))
-    return 0;
-  return mesh["cells"].get<int>();
+  const Scene& scene = scene_.scene();
+  constexpr std::array flat = {Generator::grid, Generator::equilateral, Generator::delaunay, Generator::disc};
+  const bool is_flat = !scene.mesh.file && scene.mesh.flaw == "none" &&
+                       std::ranges::find(flat, scene.mesh.generator) != flat.end();
+  const auto names_indices = [](const Json& effect) { return !effect.value("indices", Json()).empty(); };
+  const bool may_vary = is_flat && scene.pins.indices.empty() && !scene.initial.after &&
+                        std::ranges::none_of(scene_.resolved()["effects"], names_indices);
+  return may_vary ? scene.mesh.cells : 0;
 }
 
 ErrorOf Question::natural_error() const {
   if (scene_.settings().accuracy.physical) return ErrorOf::own;
+  const Scene& scene = scene_.scene();
   bool damped = false;
-  for (const Effect& effect : scene_.scene().effects) {
+  for (const Effect& effect : scene.effects) {
     const EffectKind& kind = effect.kind();
     damped |= kind.damps;
     if (kind.acceleration == nullptr && !kind.damps && !kind.bounds_strain) return ErrorOf::motion;
   }
-  const Initial& initial = scene_.scene().initial;
-  const bool still = initial.velocity.isZero(0) && initial.spin.isZero(0);
-  return is_held(scene_) && damped && still ? ErrorOf::rest : ErrorOf::motion;
+  const bool held = !scene.pins.vertices.empty() || !scene.pins.indices.empty();
+  const bool still = scene.initial.velocity.isZero(0) && scene.initial.spin.isZero(0);
+  return held && damped && still ? ErrorOf::rest : ErrorOf::motion;
 }
 
 Json Question::accuracy(const Reference& reference) const {
-  Json accuracy = reference.of == ErrorOf::own ? scene_.resolved()["accuracy"] : Json::object();
-  std::vector<std::string> changes = own_changes();
-  if (reference.of == ErrorOf::own)
-    for (const Json& change : accuracy["physical"]) changes.push_back(change);
+  RunSettings settings = scene_.settings();
+  Scene& scene = settings.scene;
+  Json accuracy = Json::object();
+  if (reference.of == ErrorOf::own) {
+    accuracy = scene_.resolved()["accuracy"];
+  } else {
+    settings.settled_speed = 0;
+    if (scene.bending.model.name() != reference_model_)
+      scene.bending.model = BendingModel(*find_bending_model(reference_model_));
+    if (reference.cells > 0) scene.mesh.cells = reference.cells;
+  }
   if (reference.of == ErrorOf::motion) {
-    changes = motion_changes(reference.substeps);
+    scene.solver = {.method = method_that_projects(),
+                    .dt = scene.solver.dt,
+                    .substeps = reference.substeps,
+                    .iterations = 1,
+                    .precision = ChosenPrecision::double_precision};
     accuracy["physical_coarser"] = {fmt::format("/solver/substeps={}", reference.substeps / 2)};
     accuracy["over_time"] = true;
   }
   if (reference.of == ErrorOf::rest) {
-    changes = rest_changes();
+    scene.solver = {.method =
+                        Method(first_with(methods(), [](const auto* kind) { return !kind->has_motion; }))};
+    scene.duration = 20, settings.output.frames_per_second = 1;
+    Strain& strain = scene.material.strain;
+    if (strain.stiffness != Stiffness::physical &&
+        (strain.stiffness != Stiffness::compliance || strain.compliance == 0))
+      strain.stiffness = Stiffness::compliance, strain.compliance = stiff_membrane;
+    std::erase_if(scene.effects, [](const Effect& e) { return e.kind().damps || e.kind().bounds_strain; });
     accuracy["align"] = "vertical";
     accuracy["start_from_end"] = reference.start_from_end;
   }
-  if (reference.cells > 0) changes.push_back(set("/mesh/cells", reference.cells));
+  Json sections = to_json(settings);
+  if (reference.of == ErrorOf::motion) sections["solver"]["sweep"] = "symmetric";
+  Json changes = Json::array();
+  for (const std::string section :
+       {"mesh", "material", "bending", "effects", "solver", "duration", "settled_speed", "output"})
+    changes.push_back(set("/" + section, sections[section]));
+  for (const Json& change : accuracy.value("physical", Json::array())) changes.push_back(change);
   accuracy["physical"] = changes;
   return accuracy;
-}
-
-double Question::speed(double kinetic_energy) const {
-  const AcceptedMesh accepted = rest_mesh_of(scene_.scene().mesh, scene_.folder());
-  const RestMesh rest(accepted.mesh);
-  double area = 0;
-  for (const double each : rest.areas()) area += each;
-  const double mass = scene_.scene().material.density * area;
-  return mass > 0 ? std::sqrt(2 * kinetic_energy / mass) / rest.size() : 0;
-}
-
-// A reference is the same whatever the setting of the run.
-std::string Question::method_that_projects() {
-  const auto kinds = methods();
-  return std::string((*std::ranges::find_if(kinds, &MethodKind::projects))->name);
-}
-
-std::vector<std::string> Question::own_changes() const {
-  const Json& settings = scene_.resolved();
-  std::vector<std::string> changes = {set("/mesh", settings["mesh"]), set("/solver", settings["solver"])};
-  if (const auto own = settings["bending"].find(std::string(scene_.scene().bending.model.name()));
-      own != settings["bending"].end())
-    changes.push_back(set(fmt::format("/bending/{}", scene_.scene().bending.model.name()), *own));
-  return changes;
-}
-
-std::vector<std::string> Question::rest_changes() const {
-  const Json& settings = scene_.resolved();
-  const Json& strain = settings["material"]["strain"];
-  Json bending = settings["bending"];
-  bending["model"] = reference_model_;
-  std::vector<std::string> changes = {set("/mesh", settings["mesh"]),
-                                      set("/solver", {{"method", method_without_motion()}}),
-                                      "/duration=20",
-                                      "/settled_speed=0",
-                                      "/output/frames_per_second=1",
-                                      set("/bending", bending)};
-  if (strain["stiffness"] == "k" || strain["stiffness"] == "k_per_step" ||
-      (strain["stiffness"] == "compliance" && strain["compliance"].get<double>() == 0)) {
-    changes.emplace_back("/material/strain/stiffness=compliance");
-    changes.push_back(set("/material/strain/compliance", stiff_membrane));
-  }
-  changes.push_back(set("/effects", without(settings["effects"], [](const Json& effect) {
-                          const EffectKind& kind = *find_effect(effect["type"].get<std::string>());
-                          return kind.damps || kind.bounds_strain;
-                        })));
-  return changes;
-}
-
-std::vector<std::string> Question::motion_changes(int substeps) const {
-  const Json& settings = scene_.resolved();
-  Json bending = settings["bending"], solver = {{"method", method_that_projects()},
-                                                {"dt", settings["solver"]["dt"]},
-                                                {"substeps", substeps},
-                                                {"iterations", 1},
-                                                {"sweep", "symmetric"},
-                                                {"precision", "double"}};
-  bending["model"] = reference_model_;
-  return {set("/mesh", settings["mesh"]), "/settled_speed=0", set("/solver", solver),
-          set("/bending", bending)};
 }
 
 std::vector<std::string> Question::changes(const Setting& setting) const {
   Json solver = Json::parse(setting.solver);
   solver.update(
       {{"method", setting.method}, {"substeps", setting.substeps}, {"iterations", setting.iterations}});
-  for (const char* own : {"dt", "threads", "precision"})
-    if (own_solver_.contains(own) &&
-        (own != std::string_view("precision") || find_method(setting.method)->make_float))
+  for (const std::string own : {"dt", "threads", "precision"})
+    if (own_solver_.contains(own) && (own != "precision" || find_method(setting.method)->make_float))
       solver[own] = own_solver_[own];
   std::vector<std::string> changes = {"/bending/model=" + setting.model, set("/solver", solver)};
   if (setting.cells > 0) changes.push_back(set("/mesh/cells", setting.cells));
   return changes;
 }
 
-RunConfig Question::run_with(const Setting& setting, const Json& accuracy, double times) const {
+std::vector<std::string> Question::overrides_with(const Setting& setting) const {
   std::vector<std::string> overrides = overrides_;
   std::ranges::copy(changes(setting), std::back_inserter(overrides));
+  return overrides;
+}
+
+Experiment Question::experiment_with(const Setting& setting, const Json& accuracy, double times) const {
+  std::vector<std::string> overrides = overrides_with(setting);
   overrides.push_back(set("/accuracy", accuracy));
   const bool of_the_end = !accuracy.value("over_time", false);
   if (of_the_end) overrides.emplace_back("/output/frames_per_second=1");
   if (!of_the_end || times != 1) overrides.emplace_back("/settled_speed=0");
   if (times != 1) overrides.push_back(fmt::format("/duration={}", times * scene_.scene().duration));
-  RunConfig run = load_experiment(file_, overrides).runs.front();
-  run.point = {{"/bending/model", setting.model},
-               {"/solver/method", setting.method},
-               {"/solver/substeps", setting.substeps},
-               {"/solver/iterations", setting.iterations}};
-  const Json further = Json::parse(setting.solver);
-  for (const auto& [name, value] : further.items()) run.point.emplace_back("/solver/" + name, value);
-  if (setting.cells > 0) run.point.emplace_back("/mesh/cells", setting.cells);
-  return run;
+  Experiment experiment = load_experiment(file_, overrides);
+  experiment.allow = {"implausible"};  // the answer says which settings are
+  experiment.axes.clear(), experiment.runs.front().point.clear();
+  for (const std::string pointer : {"/bending/model", "/solver", "/mesh/cells"})
+    if (const Json* value = value_at(experiment.settings, pointer)) {
+      experiment.axes.push_back({pointer, {*value}});
+      experiment.runs.front().point.emplace_back(pointer, *value);
+    }
+  return experiment;
 }
 
-Json Question::written(const Setting& setting, const std::filesystem::path& folder) const {
+Json Question::written(const Setting& setting, const fs::path& folder) const {
   std::ifstream stream(file_, std::ios::binary);
   Json document = parse_strict_json(std::string(std::istreambuf_iterator<char>(stream), {}), file_.string());
-  std::vector<std::string> overrides = overrides_;
-  std::ranges::copy(changes(setting), std::back_inserter(overrides));
   ConfigProblems problems;
-  apply_overrides(document, overrides, problems);
+  apply_overrides(document, overrides_with(setting), problems);
   if (!problems.empty()) throw ConfigError(file_.string(), std::move(problems));
   document.erase("accuracy");
-  if (document.contains("expect"))
-    document["expect"] =
-        without(document["expect"], [](const Json& entry) { return entry.contains("where"); });
-  MovedFiles(file_.parent_path(), folder).move(document);
+  const Json sweep = document.value("sweep", Json::object());  // of one value each
+  document.erase("sweep");
+  for (const auto& [pointer, values] : sweep.items()) set_at(document, pointer, values.front());
+  Json expect = Json::array();
+  for (const Json& entry : document.value("expect", Json::array()))
+    if (!entry.contains("where")) expect.push_back(entry);
+  document.erase("expect");
+  if (!expect.empty()) document["expect"] = expect;
+  const fs::path there = fs::absolute(folder.empty() ? "." : folder).lexically_normal();
+  const auto moved = [&](const fs::path& file) {
+    return Json(fs::absolute(file).lexically_normal().lexically_proximate(there).string());
+  };
+  for (const NamedFile& file : input_files(scene_)) set_at(document, file.pointer, moved(file.path));
+  if (const std::optional<RunConfig> before = run_before(scene_))
+    for (const NamedFile& file : input_files(*before))
+      for (Json& change : document["initial"]["after"])
+        if (change.get<std::string>().starts_with(file.pointer + "="))
+          change = set(file.pointer, moved(file.path));
   return document;
 }
 

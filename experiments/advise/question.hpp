@@ -12,18 +12,22 @@
 #include <string>
 #include <vector>
 
-#include "experiments/advise/setting.hpp"
+#include "experiments/advise/trial.hpp"
+#include "experiments/config/experiment.hpp"
 
 namespace bendlab {
 
 /// Compliance of a membrane that hardly stretches, m/N: that of the stated cloth where its membrane has none.
 inline constexpr double stiff_membrane = 1e-5;
 
+/// Fewer cells than that are no mesh of a scene.
+inline constexpr int fewest_cells = 4;
+
 /// What an error is: of the settled pose, of the motion, or against the reference of the config's own
 /// /accuracy.
 enum class ErrorOf { rest, motion, own };
 
-/// The reference that errors are measured against.
+/// The reference that errors are measured against. It is the same for every setting.
 struct Reference {
   ErrorOf of = ErrorOf::rest;
   bool start_from_end = false;  ///< for scenes with many equilibria: beside each run's end
@@ -39,9 +43,6 @@ class Question {
   const RunConfig& scene() const { return scene_; }
   const std::string& name() const { return name_; }
   const std::string& reference_model() const { return reference_model_; }
-  /// The method of references in motion.
-  static std::string method_that_projects();
-
   /// Whether the config states none, so that the cloth is a light cotton.
   bool rigidity_is_default() const { return rigidity_is_default_; }
 
@@ -59,13 +60,9 @@ class Question {
   /// The /accuracy section of its runs.
   Json accuracy(const Reference& reference) const;
 
-  /// Root mean square of the speed of the cloth that has this kinetic energy (J), in sizes of the mesh per
-  /// second.
-  double speed(double kinetic_energy) const;
-
-  /// The scene's run with that setting, `times` as long. Throws ConfigError if the model cannot be this
+  /// One run of the scene with that setting, `times` as long. Throws ConfigError if the model cannot be this
   /// cloth.
-  RunConfig run_with(const Setting& setting, const Json& accuracy, double times = 1) const;
+  Experiment experiment_with(const Setting& setting, const Json& accuracy, double times = 1) const;
 
   /// The changes that give the config that setting: "/json/pointer=value" each.
   std::vector<std::string> changes(const Setting& setting) const;
@@ -75,9 +72,7 @@ class Question {
   Json written(const Setting& setting, const std::filesystem::path& folder) const;
 
  private:
-  std::vector<std::string> rest_changes() const;
-  std::vector<std::string> motion_changes(int substeps) const;
-  std::vector<std::string> own_changes() const;
+  std::vector<std::string> overrides_with(const Setting& setting) const;
 
   std::filesystem::path file_;
   std::vector<std::string> overrides_;
@@ -86,5 +81,8 @@ class Question {
   bool rigidity_is_default_ = false;
   std::string name_, reference_model_;
 };
+
+/// The first method that projects constraints: of references in motion.
+Method method_that_projects();
 
 }  // namespace bendlab

@@ -1,76 +1,159 @@
 #include "experiments/advise/runs.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
 #include <thread>
 
+#include "bendlab/metrics/shape_error.hpp"
 #include "experiments/config/references.hpp"
+#include "experiments/measures/trajectory.hpp"
 #include "experiments/run/errors.hpp"
-#include "experiments/run/forecast.hpp"
+#include "experiments/run/machine.hpp"
 #include "experiments/run/run_id.hpp"
+#include "experiments/terminal/signals.hpp"
 
 namespace bendlab {
+namespace {
+
+constexpr double frames_per_second = 60;  // costs are per frame of 1/60 s
+
+std::chrono::nanoseconds duration_of(double seconds) {
+  return std::chrono::duration_cast<std::chrono::nanoseconds>(std::chrono::duration<double>(seconds));
+}
+
+// CPU seconds of the steps, per frame. A run that is too short to be timed is simulated again, without
+// recording, until that took long enough, or the time is over.
+double cpu_per_frame(const RunConfig& config, const RunOutcome& outcome, const std::atomic<bool>& stop) {
+  constexpr double least = 1e-9, rounding = 1e-9, long_enough = 0.05;  // s
+  constexpr int most_repeats = 20;
+  const double simulated = read_metric(outcome.file, "time").back();
+  if (!(simulated > 0)) return least;
+  double seconds = 0;
+  int repeats = 0;
+  while (outcome.step_cpu_s < long_enough && is_whole(outcome.status) && seconds < long_enough &&
+         repeats < most_repeats && !stop) {
+    const BuiltScene scene = build_scene(config.scene());
+    const std::unique_ptr<Simulation> simulation = simulation_of(scene);
+    const double before = thread_cpu_s();
+    while (simulation->time() < simulated - rounding && simulation->step()) {
+    }
+    seconds += thread_cpu_s() - before + simulation->helper_seconds();
+    ++repeats;
+  }
+  return std::max(least,
+                  (repeats > 0 ? seconds / repeats : outcome.step_cpu_s) / simulated / frames_per_second);
+}
+
+// What is not finite counts as stretched without bound.
+double or_endless(double value) {
+  return std::isfinite(value) ? value : std::numeric_limits<double>::infinity();
+}
+
+// Strain, stretch and speed at the end of a run; over time the mean strain and the largest stretch.
+void read_state(const std::filesystem::path& file, const RunConfig& config, bool over_time, Trial& trial) {
+  const Trajectory run = over_time ? read_motion(file) : read_last_pose(file);
+  double strain = 0, mass = 0;
+  for (const Positions& pose : run.poses) strain += strain_error(run.rest, pose);
+  for (const double area : run.rest.areas()) mass += config.scene().material.density * area;
+  const std::vector<double> stretches = read_metric(file, "max_stretch");
+  trial.strain = trial.more_strain = or_endless(strain / static_cast<double>(run.poses.size()));
+  trial.stretch = std::max(1.0, or_endless(over_time ? std::ranges::max(stretches) : stretches.back()));
+  trial.speed = std::sqrt(2 * read_metric(file, "kinetic_energy").back() / mass) / run.rest.size();
+}
+
+Trial trial_of(const Setting& setting, const CampaignRun& run, const std::atomic<bool>& stop) {
+  Trial trial{.setting = setting};
+  trial.unfinished = !run.started() || (run.outcome && run.outcome->status == RunStatus::interrupted);
+  trial.failed = !trial.unfinished && !run.outcome;
+  trial.why = run.outcome ? run.outcome->message : run.error;
+  std::ranges::replace(trial.why, '\n', ' ');
+  if (trial.unfinished || trial.failed) return trial;
+  const RunOutcome& outcome = *run.outcome;
+  trial.cpu_s = cpu_per_frame(*run.config, outcome, stop);
+  trial.implausible = outcome.status == RunStatus::implausible;
+  trial.warnings = outcome.warnings;
+  trial.diverged = outcome.status == RunStatus::diverged;
+  if (trial.diverged) {
+    trial.why = "diverged";
+    return trial;
+  }
+  read_state(outcome.file, *run.config, run.config->settings().accuracy.over_time, trial);
+  const auto error = outcome.summary.find("error_physical_rms");
+  if (error != outcome.summary.end() && !outcome.summary.contains("error_physical_unbalanced"))
+    trial.error = or_endless(error->second);
+  return trial;
+}
+
+}  // namespace
 
 Runs::Runs(const Question& question, CampaignOptions campaign, double time_limit_s)
-    : question_(question), campaign_(std::move(campaign)), limit_(time_limit_s) {
-  campaign_.out /= "advise";
-  campaign_.stop = &limit_.over();
-  const auto threads = static_cast<unsigned>(question.scene().scene().solver.threads);
-  jobs_ = campaign_.jobs > 0 ? campaign_.jobs
-                             : std::max(1, static_cast<int>(std::thread::hardware_concurrency() / threads));
+    : question_(question), campaign_(std::move(campaign)), end_(Clock::now() + duration_of(time_limit_s)) {
+  campaign_.out /= "advise", campaign_.short_first = true;
 }
 
-std::vector<Measured> Runs::execute(std::vector<RunConfig> configs) {
-  Experiment experiment;
-  experiment.name = question_.name();
-  experiment.allow = {"implausible"};  // the answer says which settings are
-  experiment.runs = std::move(configs);
-  for (const RunConfig& config : experiment.runs)
-    for (const auto& [pointer, value] : config.point)
-      if (std::ranges::find(experiment.axes, pointer, &Axis::first) == experiment.axes.end())
-        experiment.axes.push_back({pointer, {}});
-  std::vector<CampaignRun> runs;
-  for (const RunConfig& config : experiment.runs)
-    runs.push_back({.experiment = &experiment, .config = &config});
-  run_campaign(runs, campaign_, [](std::size_t) {});
-  exit_code_ = stop_exit_code();
-  for (const CampaignRun& run : runs)
-    if (run.exit_code == exit_io || run.exit_code == exit_mesh) exit_code_ = run.exit_code;
-  std::vector<Measured> measured;
-  if (exit_code_ != 0) return measured;
-  for (const CampaignRun& run : runs) {
-    measured.push_back(measured_by(run));
-    if (run.outcome && !run.outcome->reused && !measured.back().unfinished) ++computed_;
-    if (measured.back().gap) gap_ = measured.back().gap;
-  }
-  return measured;
+double Runs::left_s() const {
+  return std::chrono::duration<double>(end_ - Clock::now()).count();
 }
 
-Measured Runs::execute_one(RunConfig config) {
-  const std::vector<Measured> found = execute({std::move(config)});
-  return found.empty() ? Measured{.unfinished = true} : found.front();
+std::vector<Trial> Runs::execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
+                                 double times) {
+  std::vector<Experiment> experiments;
+  for (const Setting& setting : settings)
+    experiments.push_back(question_.experiment_with(setting, accuracy, times));
+  std::vector<CampaignRun> runs = plan_campaign(experiments);
+  std::vector<Trial> trials(runs.size());
+  std::atomic<bool> stop{false};
+  const Clock::time_point end = std::min(end_, Clock::now() + duration_of(seconds));
+  const std::jthread watch([&](const std::stop_token& done) {
+    while (!done.stop_requested() && !stop) {
+      stop = stop_flag() || Clock::now() >= end;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+  });
+  campaign_.stop = &stop;
+  run_campaign(runs, campaign_, [&](std::size_t i) {
+    trials[i] = trial_of(settings[i], runs[i], stop);
+    if (runs[i].exit_code == exit_io || runs[i].exit_code == exit_mesh) exit_code_ = runs[i].exit_code;
+    if (trials[i].unfinished || trials[i].failed) return;
+    computed_ += !runs[i].outcome->reused;
+    const auto& summary = runs[i].outcome->summary;
+    if (const auto gap = summary.find("error_physical_reference_gap"); gap != summary.end())
+      gap_ = gap->second;
+  });
+  if (stop_exit_code() != 0) exit_code_ = stop_exit_code();
+  if (exit_code_ != 0)
+    for (Trial& trial : trials) trial.unfinished = true;
+  return trials;
 }
 
-std::optional<double> Runs::forecast_per_frame(const Setting& setting) const {
-  const RunConfig config = question_.run_with(setting, Json::object());
-  const std::optional<Forecast> expected = forecast(config);
-  if (!expected) return std::nullopt;
-  return (expected->cpu_s - expected->set_up_s) / config.scene().duration / frames_per_second;
-}
-
-bool Runs::in_time(const RunConfig& config) const {
-  Experiment experiment;
-  experiment.name = question_.name();
-  return expected_cpu_s(config) < limit_.left_s() ||
+bool Runs::in_time(const Setting& setting, const Json& accuracy, double times) const {
+  const Experiment experiment = question_.experiment_with(setting, accuracy, times);
+  const RunConfig& config = experiment.runs.front();
+  return expected_cpu_s(config) < left_s() ||
          std::filesystem::exists(run_folder(campaign_.out, experiment, config) / "run.vtkhdf");
 }
 
-std::filesystem::path Runs::reference_file(const RunConfig& config) const {
-  std::optional<RunConfig> reference = reference_of(config, Against::physical);
-  if (!reference) return {};
-  if (config.settings().accuracy.start_from_end) reference->starts_at_end_of = run_id(config);
-  Experiment experiment;
-  experiment.name = "references";
-  return run_folder(campaign_.out / question_.name(), experiment, *reference) / "run.vtkhdf";
+double Runs::expected_per_frame(const Setting& setting) const {
+  const RunConfig config = question_.experiment_with(setting, Json::object()).runs.front();
+  const std::optional<Forecast> needs = forecast(config);
+  return needs ? (needs->cpu_s - needs->set_up_s) / config.scene().duration / frames_per_second : 0;
+}
+
+Trial Runs::reference_of(const Setting& setting, const Json& accuracy) const {
+  Trial trial{.setting = setting};
+  const RunConfig config = question_.experiment_with(setting, accuracy).runs.front();
+  std::optional<RunConfig> reference = bendlab::reference_of(config, Against::physical);
+  if (!reference) return trial;
+  const Accuracy& compared = config.settings().accuracy;
+  if (compared.start_from_end) reference->starts_at_end_of = run_id(config);
+  Experiment of_references;
+  of_references.name = "references";
+  const std::filesystem::path file =
+      run_folder(campaign_.out / question_.name(), of_references, *reference) / "run.vtkhdf";
+  if (std::filesystem::exists(file)) read_state(file, *reference, compared.over_time, trial);
+  return trial;
 }
 
 }  // namespace bendlab

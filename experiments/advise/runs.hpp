@@ -1,12 +1,12 @@
 // The runs that advice needs, within a time limit.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <vector>
 
-#include "experiments/advise/measured.hpp"
 #include "experiments/advise/question.hpp"
-#include "experiments/advise/time_limit.hpp"
+#include "experiments/campaign/campaign.hpp"
 
 namespace bendlab {
 
@@ -15,43 +15,36 @@ class Runs {
   /// The time begins now. Runs lie below <out>/advise/<name>.
   Runs(const Question& question, CampaignOptions campaign, double time_limit_s);
 
-  double left_s() const { return limit_.left_s(); }
-  bool over() const { return exit_code_ != 0 || limit_.over(); }
+  double left_s() const;
+  bool over() const { return exit_code_ != 0 || left_s() <= 0; }
   /// Of a signal, or of an error that every run would have (files, mesh).
   int exit_code() const { return exit_code_; }
-  int side_by_side() const { return jobs_; }
   int computed() const { return computed_; }  ///< number of runs that were not complete before
-  /// The reference's own error, in sizes of the mesh, if a run told it.
+  /// The reference's own error, in sizes of the mesh, if a run had one.
   std::optional<double> reference_gap() const { return gap_; }
 
-  /// Those that the time limit stopped are unfinished. Nothing if there is an exit code.
-  std::vector<Measured> execute(std::vector<RunConfig> configs);
-  Measured execute_one(RunConfig config);
+  /// Runs settings side by side, those that are expected to be short first, `times` as long as the scene, and
+  /// stops what takes longer than so many seconds, or than the time limit. Their strain and stretch are not compared with the reference yet. With
+  /// an exit code all are unfinished.
+  std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
+                             double times = 1);
 
-  /// What `run` gives, its runs being stopped after so many seconds.
-  template <class Run>
-  Measured within(double seconds, const Run& run) {
-    const TimeLimit limit(std::min(seconds, limit_.left_s()));
-    campaign_.stop = &limit.over();
-    Measured found = run();
-    campaign_.stop = &limit_.over();
-    return found;
-  }
+  /// Whether a run is there, or expected to end in time.
+  bool in_time(const Setting& setting, const Json& accuracy, double times = 1) const;
 
-  /// CPU seconds per frame, as forecast.
-  std::optional<double> forecast_per_frame(const Setting& setting) const;
+  /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
+  double expected_per_frame(const Setting& setting) const;
 
-  /// Whether the run is there, or expected to end in time.
-  bool in_time(const RunConfig& config) const;
-
-  /// The file of the reference that a run was compared with; it may not exist.
-  std::filesystem::path reference_file(const RunConfig& config) const;
+  /// Strain and stretch of the reference that a run was compared with; none if it does not exist.
+  Trial reference_of(const Setting& setting, const Json& accuracy) const;
 
  private:
+  using Clock = std::chrono::steady_clock;
+
   const Question& question_;
   CampaignOptions campaign_;
-  TimeLimit limit_;
-  int jobs_ = 1, exit_code_ = 0, computed_ = 0;
+  Clock::time_point end_;
+  int exit_code_ = 0, computed_ = 0;
   std::optional<double> gap_;
 };
 

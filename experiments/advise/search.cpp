@@ -8,154 +8,132 @@
 namespace bendlab {
 namespace {
 
-constexpr double largest_step = 4;  // of the work, from one run to the next
 constexpr std::size_t fewest_kinds = 3;
+
+bool same_kind(const Setting& a, const Setting& b) {
+  return a.model == b.model && a.method == b.method && a.solver == b.solver && a.cells == b.cells;
+}
+
+double work_of(const Setting& setting) {
+  return static_cast<double>(setting.substeps) * setting.iterations;
+}
 
 }  // namespace
 
-Search::Search(const Demand& demand, int most_substeps, Forecast forecast)
-    : demand_(demand), most_substeps_(most_substeps), forecast_(std::move(forecast)) {
+Search::Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run)
+    : demand_(demand),
+      most_substeps_(most_substeps),
+      expected_cpu_s_(std::move(expected_cpu_s)),
+      run_(std::move(run)) {
   if (demand_.error) demand_.error = std::min(*demand_.error, largest_error);
 }
 
-bool Search::consider(const std::vector<Setting>& settings) {
-  bool any = false;
-  for (const Setting& setting : settings) {
-    const auto known = [&](const Setting& other) { return same_kind(other, setting); };
-    if (std::ranges::any_of(kinds_, known, &Kind::start) ||
-        std::ranges::any_of(resting_, known, &Kind::start) || std::ranges::any_of(ended_, known))
-      continue;
-    std::vector<Setting> alike;
-    std::ranges::copy_if(settings, std::back_inserter(alike), known);
+bool Search::run(const std::vector<SettingKind>& kinds) {
+  for (const SettingKind& kind : kinds) add(kind);
+  for (bool any = false;; any = true) {
+    const std::vector<Setting> settings = next();
+    const std::vector<Trial> found = settings.empty() ? std::vector<Trial>() : run_(settings);
+    if (found.empty()) return any;
+    for (const Setting& setting : settings)
+      if (std::ranges::find(found, setting, &Trial::setting) == found.end()) reject(setting);
+    for (const Trial& trial : found) {
+      trials_.push_back(trial);
+      for (Candidate& kind : kinds_)
+        if (same_kind(kind.start, trial.setting)) kind.trials.push_back(trial);
+    }
+  }
+}
+
+// For a time a kind starts with the most work that is expected to be within it; for an error, which no one can
+// expect, with the middle of the works that were the best somewhere.
+void Search::add(const SettingKind& kind) {
+  if (std::ranges::any_of(known_, [&](const Setting& known) { return same_kind(known, kind.setting); }))
+    return;
+  known_.push_back(kind.setting);
+  std::vector<Setting> by_work;
+  int most_iterations = 0;
+  for (const auto& [substeps, iterations] : kind.works) {
+    by_work.push_back(kind.setting);
+    by_work.back().substeps = substeps, by_work.back().iterations = iterations;
     constexpr int further = 2;  // than what was the best of measured scenes
-    const int iterations = std::ranges::max(alike, {}, &Setting::iterations).iterations;
-    kinds_.push_back({start_of(alike), further * iterations});
-    any = true;
+    most_iterations = std::max(most_iterations, further * iterations);
   }
-  return any;
-}
-
-// For a time, the most work that is expected to be within it. For an error, which no one can expect, the
-// middle of what was the best somewhere.
-Setting Search::start_of(const std::vector<Setting>& settings) const {
-  std::vector<Setting> by_work = settings;
   std::ranges::stable_sort(by_work, {}, work_of);
-  if (demand_.error) return by_work[by_work.size() / 2];
-  Setting start = by_work.front();
-  for (const Setting& setting : by_work)
-    if (forecast_(setting).value_or(0) <= *demand_.cpu_s) start = setting;
-  return start;
+  std::size_t start = demand_.error ? by_work.size() / 2 : by_work.size() - 1;
+  while (demand_.cpu_s && start > 0 && expected_cpu_s_(by_work[start]) > *demand_.cpu_s) --start;
+  kinds_.push_back({by_work[start], most_iterations});
 }
 
+// The settings of the next round: of the better half, but all that were not run yet. If none of these goes on,
+// and none met the demand, of the best that were left behind.
 std::vector<Setting> Search::next() {
-  halve();
-  std::vector<Setting> found = steps();
-  while (found.empty() && !resting_.empty() && !chosen(measured_, demand_)) {
-    const std::size_t back = std::min(fewest_kinds, resting_.size());
-    std::ranges::stable_sort(resting_, std::ranges::greater(),
-                             [this](const Kind& kind) { return best_score(kind); });
-    for (std::size_t i = 0; i < back; ++i, resting_.pop_back()) kinds_.push_back(resting_.back());
-    found = steps();
-  }
-  return found;
-}
-
-std::vector<Setting> Search::steps() {
-  std::vector<Setting> found;
-  for (Kind& kind : kinds_) {
-    if (kind.over) continue;
-    if (const std::optional<Setting> setting = step(kind))
-      found.push_back(*setting);
-    else
-      kind.over = true;
-  }
-  return found;
-}
-
-// Kinds that were not run yet stay.
-void Search::halve() {
-  std::ranges::stable_sort(kinds_, {}, [this](const Kind& kind) { return best_score(kind); });
+  std::ranges::stable_sort(kinds_, {}, [this](const Candidate& kind) { return promise(kind); });
   const auto untried = static_cast<std::size_t>(
-      std::ranges::count_if(kinds_, [](const Kind& kind) { return kind.tried.empty(); }));
-  const std::size_t kept = untried + std::max(fewest_kinds, (kinds_.size() - untried + 1) / 2);
-  for (; kinds_.size() > kept; kinds_.pop_back()) {
-    if (kinds_.back().over)
-      ended_.push_back(kinds_.back().start);
-    else
-      resting_.push_back(kinds_.back());
-  }
+      std::ranges::count_if(kinds_, [](const Candidate& kind) { return kind.trials.empty(); }));
+  active_ = std::min(kinds_.size(), untried + std::max(fewest_kinds, (active_ + 1) / 2));
+  std::vector<Setting> found;
+  const auto go_on = [&](const Candidate& kind) {
+    if (const std::optional<Setting> setting = step(kind)) found.push_back(*setting);
+  };
+  std::for_each_n(kinds_.begin(), active_, go_on);
+  if (!found.empty() || std::ranges::any_of(trials_, [&](const Trial& t) { return meets(t, demand_); }))
+    return found;
+  for (std::size_t k = active_; k < kinds_.size() && found.size() < fewest_kinds; ++k) go_on(kinds_[k]);
+  return found;
 }
 
 // What its best run promises, less is better; 0 if it has none. A time that is not used up can buy more work.
-double Search::best_score(const Kind& kind) const {
-  if (kind.tried.empty()) return 0;
-  const Rated& best =
-      *std::ranges::min_element(kind.tried, {}, [this](const Rated& point) { return score(point, demand_); });
-  return demand_.error ? score(best, demand_) : judged_error(best.error, best.strained) * best.cpu_s;
+double Search::promise(const Candidate& kind) const {
+  if (kind.trials.empty()) return 0;
+  const Trial& best = *std::ranges::min_element(kind.trials, {},
+                                                [this](const Trial& trial) { return score(trial, demand_); });
+  return demand_.error ? score(best, demand_) : judged_error(best) * best.cpu_s;
 }
 
-// Whether more work is wanted: its error is above the demanded one, or its time is within.
-bool Search::falls_short(const Rated& point) const {
-  return demand_.error ? judged_error(point.error, point.strained) > *demand_.error
-                       : point.cpu_s <= *demand_.cpu_s;
-}
-
-std::optional<Setting> Search::step(const Kind& kind) const {
-  if (kind.tried.empty()) return kind.start;
-  const Rated *below = nullptr, *above = nullptr;  // those nearest to the demand, of less work and of more
-  for (const Rated& point : kind.tried) {
-    const Rated*& side = falls_short(point) ? below : above;
-    const bool nearer =
-        side == nullptr || (work_of(point.setting) > work_of(side->setting)) == (side == below);
-    if (nearer) side = &point;
+// The kind's next run, if there is a use of it. More work are more substeps if its method projects
+// constraints, else more iterations.
+std::optional<Setting> Search::step(const Candidate& kind) const {
+  if (kind.trials.empty()) return kind.start;
+  const Trial *below = nullptr, *above = nullptr;  // nearest to the demand, of less work and of more
+  for (const Trial& trial : kind.trials) {
+    const bool falls_short =
+        demand_.error ? judged_error(trial) > *demand_.error : trial.cpu_s <= *demand_.cpu_s;
+    const Trial*& side = falls_short ? below : above;
+    if (!side || (work_of(trial.setting) > work_of(side->setting)) == falls_short) side = &trial;
   }
-  const Rated& from = below ? *below : *above;
-  std::optional<double> factor;
-  if (below && above)
-    factor = std::sqrt(work_of(above->setting) / work_of(below->setting));
-  else if (below)
-    factor = factor_above(kind, *below);
-  else
-    factor = std::clamp(demand_.error ? above->error / *demand_.error : *demand_.cpu_s / above->cpu_s,
-                        1 / largest_step, 0.9);
-  constexpr double much_the_same = 1.07;
-  if (!factor || (below && *factor < much_the_same)) return std::nullopt;
-  const Setting setting = with_work(from.setting, *factor);
-  const bool known = std::ranges::find(kind.tried, setting, &Rated::setting) != kind.tried.end();
-  if (known || setting.substeps > most_substeps_ || setting.iterations > kind.most_iterations)
+  const Trial& from = below ? *below : *above;
+  const double wanted = demand_.error ? judged_error(from) / *demand_.error : *demand_.cpu_s / from.cpu_s;
+  constexpr double largest_step = 4, much_the_same = 1.07;
+  const double factor = below && above ? std::sqrt(work_of(above->setting) / work_of(below->setting))
+                        : below        ? std::clamp(wanted, demand_.error ? 1.25 : 1.0, largest_step)
+                                       : std::clamp(wanted, 1 / largest_step, 0.9);
+  if (below && (factor < much_the_same || (!above && !is_worth_more(kind, *below, factor))))
     return std::nullopt;
-  return setting;
+  Setting setting = from.setting;
+  const bool projects = find_method(setting.method)->projects;
+  int& count = projects ? setting.substeps : setting.iterations;
+  count = static_cast<int>(factor < 1 ? std::floor(count * factor) : std::round(count * factor));
+  count = std::clamp(count, 1, projects ? most_substeps_ : kind.most_iterations);
+  const auto is_it = [&](const Trial& trial) { return trial.setting == setting; };
+  return std::ranges::any_of(kind.trials, is_it) ? std::nullopt : std::optional(setting);
 }
 
-// How much more work is worth a try; nothing if it helped no more, or another kind is faster already.
-std::optional<double> Search::factor_above(const Kind& kind, const Rated& short_of) const {
-  if (!demand_.error) return std::min(largest_step, *demand_.cpu_s / short_of.cpu_s);
+// Not if more work helped hardly before, or another kind is faster already.
+bool Search::is_worth_more(const Candidate& kind, const Trial& trial, double factor) const {
+  if (!demand_.error) return true;
   constexpr double hardly_better = 0.9;
-  const double error = judged_error(short_of.error, short_of.strained);
-  for (const Rated& point : kind.tried)
-    if (work_of(point.setting) < work_of(short_of.setting) &&
-        error > hardly_better * judged_error(point.error, point.strained))
-      return std::nullopt;
-  const double factor = std::clamp(error / *demand_.error, 1.25, largest_step);
-  const std::optional<Rated> best = chosen(measured_, demand_);
-  if (best && short_of.cpu_s * factor >= best->cpu_s) return std::nullopt;
-  return factor;
-}
-
-void Search::add(const Rated& point) {
-  measured_.push_back(point);
-  for (Kind& kind : kinds_)
-    if (same_kind(kind.start, point.setting)) kind.tried.push_back(point);
-}
-
-void Search::drop(const Setting& setting) {
-  std::erase_if(kinds_, [&](const Kind& kind) { return same_kind(kind.start, setting); });
-  ended_.push_back(setting);
+  const std::optional<Trial> best = choice_of(trials_, demand_);
+  return !(meets(*best, demand_) && trial.cpu_s * factor >= best->cpu_s) &&
+         std::ranges::none_of(kind.trials, [&](const Trial& less) {
+           return work_of(less.setting) < work_of(trial.setting) &&
+                  judged_error(trial) > hardly_better * judged_error(less);
+         });
 }
 
 void Search::reject(const Setting& setting) {
-  std::erase_if(measured_, [&](const Rated& point) { return point.setting == setting; });
-  drop(setting);
+  std::erase_if(trials_, [&](const Trial& trial) { return trial.setting == setting; });
+  const auto is_of_kind = [&](const Candidate& kind) { return same_kind(kind.start, setting); };
+  active_ -= std::min(active_, std::erase_if(kinds_, is_of_kind));
 }
 
 }  // namespace bendlab

@@ -3,68 +3,57 @@
 // at most three are left and the work of each is found. If none of them meets the demand, those that were
 // left behind go on.
 //
-// A kind is what differs in more than substeps and iterations. Its error falls, and its time grows, about
-// with its work: from two runs of it, of which one falls short of the demand and one does more, the next is
-// between them.
+// The error of a kind falls, and its time grows, about with its work: from two runs of it, of which one falls
+// short of the demand and one does more, the next is between them.
 #pragma once
 
 #include <functional>
 #include <optional>
 #include <vector>
 
-#include "experiments/advise/front.hpp"
+#include "experiments/advise/trial.hpp"
 
 namespace bendlab {
 
 class Search {
  public:
-  /// CPU seconds per frame that a setting is expected to take; it may know none.
-  using Forecast = std::function<std::optional<double>(const Setting&)>;
+  /// CPU seconds per frame that a setting is expected to take; 0 if that is not known.
+  using ExpectedCpu = std::function<double(const Setting&)>;
+  /// Runs settings, and gives what came of those that could be run. If none could, the search ends.
+  using Run = std::function<std::vector<Trial>(const std::vector<Setting>&)>;
 
   /// No setting has more than `most_substeps`.
-  Search(const Demand& demand, int most_substeps, Forecast forecast);
+  Search(const Demand& demand, int most_substeps, ExpectedCpu expected_cpu_s, Run run);
 
-  /// Adds a kind for each setting that is of none yet. Of several settings of a kind it starts with the one
-  /// that is expected to come nearest to the demand. False if there was no new kind.
-  bool consider(const std::vector<Setting>& settings);
+  /// Adds the kinds that are new, and runs what is worth a run. False if nothing was.
+  bool run(const std::vector<SettingKind>& kinds);
 
-  /// The settings of the next round; empty when the search is over.
-  std::vector<Setting> next();
-
-  /// Adds what a run gave.
-  void add(const Rated& point);
-
-  /// No further run of this setting's kind.
-  void drop(const Setting& setting);
-
-  /// Its error means nothing after all.
+  /// What this setting gave means nothing, and its kind is not run any more.
   void reject(const Setting& setting);
 
-  const std::vector<Rated>& measured() const { return measured_; }
+  const std::vector<Trial>& trials() const { return trials_; }
 
  private:
-  struct Kind {
+  struct Candidate {
     Setting start;
-    int most_iterations;
-    std::vector<Rated> tried{};
-    bool over = false;
+    int most_iterations = 0;
+    std::vector<Trial> trials{};
   };
 
-  Setting start_of(const std::vector<Setting>& settings) const;
-  double best_score(const Kind& kind) const;
-  bool falls_short(const Rated& point) const;
-  std::optional<Setting> step(const Kind& kind) const;
-  std::optional<double> factor_above(const Kind& kind, const Rated& short_of) const;
-  std::vector<Setting> steps();
-  void halve();
+  void add(const SettingKind& kind);
+  std::vector<Setting> next();
+  double promise(const Candidate& kind) const;
+  std::optional<Setting> step(const Candidate& kind) const;
+  bool is_worth_more(const Candidate& kind, const Trial& trial, double factor) const;
 
   Demand demand_;
   int most_substeps_;
-  Forecast forecast_;
-  std::vector<Kind> kinds_;
-  std::vector<Kind> resting_;   // halving left them behind
-  std::vector<Setting> ended_;  // of each kind that goes on no more
-  std::vector<Rated> measured_;
+  ExpectedCpu expected_cpu_s_;
+  Run run_;
+  std::vector<Setting> known_;    // one of each kind that was ever added
+  std::vector<Candidate> kinds_;  // the most promising first
+  std::size_t active_ = 0;        // how many of them go on
+  std::vector<Trial> trials_;
 };
 
 }  // namespace bendlab

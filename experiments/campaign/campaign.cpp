@@ -122,11 +122,13 @@ void execute(CampaignRun& run, const CampaignOptions& options, const RunControl&
   }
 }
 
-// Long runs first; with a shard, its own runs before those of the others.
-std::vector<std::size_t> order_of(const std::vector<double>& costs, const std::optional<Shard>& shard) {
+// Long runs first, or short ones; with a shard, its own runs before those of the others.
+std::vector<std::size_t> order_of(const std::vector<double>& costs, bool short_first,
+                                  const std::optional<Shard>& shard) {
   std::vector<std::size_t> order(costs.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
-  std::stable_sort(order.begin(), order.end(), [&](auto a, auto b) { return costs[a] > costs[b]; });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](auto a, auto b) { return short_first ? costs[a] < costs[b] : costs[a] > costs[b]; });
   if (!shard) return order;
   const std::vector<std::size_t> shards = shards_of(costs, shard->count);
   const auto turn = [&](std::size_t run) {
@@ -188,7 +190,7 @@ void run_campaign(std::vector<CampaignRun>& runs, const CampaignOptions& options
   std::vector<double> costs;
   for (std::size_t i = 0; i < runs.size(); ++i)
     costs.push_back(executed_as[i] == i ? expected_cpu_s(*runs[i].config) : 0.0);
-  const std::vector<std::size_t> order = order_of(costs, options.shard);
+  const std::vector<std::size_t> order = order_of(costs, options.short_first, options.shard);
 
   MemoryBudget memory;
   Progress progress(costs);

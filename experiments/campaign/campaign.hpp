@@ -40,9 +40,10 @@ struct Shard {
 
 struct CampaignOptions {
   std::filesystem::path out = "results";
-  int jobs = 0;          ///< runs side by side; 0: cores / the threads that a run takes
-  bool force = false;    ///< compute complete runs again
-  bool minimal = false;  ///< without effects that cannot act; implies force
+  int jobs = 0;              ///< runs side by side; 0: cores / the threads that a run takes
+  bool short_first = false;  ///< the runs that are expected to be short first, instead of the long ones
+  bool force = false;        ///< compute complete runs again
+  bool minimal = false;      ///< without effects that cannot act; implies force
   double checkpoint_interval_s = RunControl{}.checkpoint_interval_s;
   /// Together with other processes: the runs of the shard first, then the others. Each run that is computed
   /// is told on stderr, and why one failed is kept in its folder.

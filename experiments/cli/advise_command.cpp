@@ -2,19 +2,14 @@
 #include <fmt/ranges.h>
 #include <unistd.h>
 
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <stdexcept>
 
 #include "bendlab/bending/model.hpp"
 #include "bendlab/io/disk.hpp"
-#include "bendlab/scene/defaults.hpp"
 #include "bendlab/scene/json_text.hpp"
 #include "bendlab/scene/nearest_name.hpp"
-#include "bendlab/solver/method.hpp"
 #include "experiments/advise/advice.hpp"
-#include "experiments/advise/reasons.hpp"
 #include "experiments/cli/commands.hpp"
 #include "experiments/run/errors.hpp"
 #include "experiments/terminal/printable.hpp"
@@ -41,216 +36,170 @@ Demand demand_of(const AdviseArguments& arguments) {
   return {.cpu_s = read_option("--budget", arguments.budget, parse_duration)};
 }
 
-std::optional<ErrorOf> error_of(const std::string& what) {
-  if (what == "rest") return ErrorOf::rest;
-  if (what == "motion") return ErrorOf::motion;
-  return std::nullopt;
-}
-
-void check_names(const char* option, const char* what, const std::vector<std::string>& given,
+void check_names(const char* option, const std::vector<std::string>& given,
                  const std::vector<std::string_view>& known) {
   for (const std::string& name : given)
     if (std::ranges::find(known, name) == known.end())
-      throw UsageError(fmt::format("{}: there is no {} '{}'{} Choose from: {}", option, what, name,
+      throw UsageError(fmt::format("{}: no advice is given on '{}'{} Choose from: {}", option, name,
                                    suggestion(name, known).empty() ? "." : suggestion(name, known),
                                    fmt::join(known, ", ")));
 }
 
-void check_models(const std::vector<std::string>& models) {
-  std::vector<std::string_view> known;
-  for (const BendingKind* model : bending_models()) known.push_back(model->name);
-  check_names("--models", "bending model", models, known);
+void check_names(const AdviceOptions& options) {
+  std::vector<std::string_view> models, methods;
+  for (const BendingKind* model : bending_models()) models.push_back(model->name);
+  for (const SettingKind& kind : measured_fronts())
+    if (methods.empty() || methods.back() != kind.setting.method) methods.push_back(kind.setting.method);
+  check_names("--models", options.models, models);
+  check_names("--methods", options.methods, methods);
 }
 
-void check_methods(const std::vector<std::string>& methods) {
-  const std::vector<std::string> advised = advised_methods();
-  for (const std::string& name : methods)
-    if (find_method(name) != nullptr && std::ranges::find(advised, name) == advised.end())
-      throw UsageError(
-          fmt::format("--methods: {} is there to be compared with, and is not advised. Choose from: {}", name,
-                      fmt::join(advised, ", ")));
-  check_names("--methods", "solver method", methods, {advised.begin(), advised.end()});
-}
+// ---- as text
 
-std::string what_text(const Advice& advice, const Question& question) {
+// An answer to print.
+struct Answer {
+  const Advice& advice;
+  const Question& question;
+  const AdviceOptions& options;
+};
+
+std::string error_text(const Answer& answer) {
+  const KnownReference& reference = answer.advice.reference;
   const std::string gap =
-      advice.reference.gap ? fmt::format(", which is known to {}", percent_text(*advice.reference.gap)) : "";
-  const char* cloth = find_bending_model(question.reference_model())->is_reference
-                          ? "calibrated hinges"
-                          : "the config's own springs";
-  const std::string cells =
-      advice.reference.cells > 0 ? fmt::format(" on {} cells", advice.reference.cells) : "";
-  switch (advice.reference.of) {
-    case ErrorOf::own:
-      return fmt::format("against the reference of the config's own /accuracy{}", gap);
-    case ErrorOf::motion:
-      return fmt::format("of the motion, mean over the frames, against {} with {} substeps{}{}", cloth,
-                         advice.reference.substeps, cells, gap);
-    case ErrorOf::rest:
-      return fmt::format(
-          "of the pose at the end, against the static equilibrium of {}{} after the best turn about the "
-          "vertical{}",
-          cloth, cells,
-          advice.reference.start_from_end
-              ? "; there are many, and a run is compared with the one near its end"
-              : "");
-  }
-  throw std::logic_error("what_text: unknown kind of error");
+      reference.gap ? fmt::format(", which is known to {}", percent_text(*reference.gap)) : "";
+  const std::string cloth =
+      (find_bending_model(answer.question.reference_model())->is_reference ? "calibrated hinges"
+                                                                           : "the config's own springs") +
+      (reference.cells > 0 ? fmt::format(" on {} cells", reference.cells) : "");
+  if (reference.of == ErrorOf::own)
+    return fmt::format("against the reference of the config's own /accuracy{}", gap);
+  if (reference.of == ErrorOf::motion)
+    return fmt::format("of the motion, mean over the frames, against {} with {} substeps{}", cloth,
+                       reference.substeps, gap);
+  return fmt::format(
+      "of the pose at the end, against the static equilibrium of {} after the best turn about the vertical{}",
+      cloth,
+      reference.start_from_end ? "; there are many, and a run is compared with the one near its end" : "");
 }
 
-std::vector<Warning> warnings_of(const Rated& point, const Advice& advice) {
-  const auto found = advice.warnings.find(point.setting);
-  return found == advice.warnings.end() ? std::vector<Warning>() : found->second;
+bool is_unconverged(const Trial& trial) {
+  return std::ranges::find(trial.warnings, "unconverged", &Warning::code) != trial.warnings.end();
 }
 
-bool is_unconverged(const Rated& point, const Advice& advice) {
-  return std::ranges::any_of(warnings_of(point, advice),
-                             [](const Warning& w) { return w.code == "unconverged"; });
-}
-
-std::string how(const Rated& point, const Advice& advice) {
-  const Unfit why = unfit(point);
-  if (why != Unfit::no) return fmt::format("unfit: {}", name_of(why));
-  return is_unconverged(point, advice) ? "unconverged" : "";
-}
-
-std::optional<double> strain_of(const Rated& point, const Advice& advice) {
-  const auto found = advice.strain.find(point.setting);
-  return found == advice.strain.end() ? std::nullopt : std::optional(found->second);
-}
-
-std::string point_text(const Rated& point, const Advice& advice) {
-  std::string text =
-      fmt::format("{}: {}", setting_text(point.setting),
-                  std::isfinite(point.error) ? "error " + percent_text(point.error) : "error not measured");
-  if (const auto strain = strain_of(point, advice); unfit(point) != Unfit::no && strain)
-    text += fmt::format(", strain {} (rms), a triangle {:.3g} times as long as in the reference",
-                        percent_text(*strain), point.strained.largest);
-  return text + fmt::format(", {:.3g} ms of CPU per frame", 1e3 * point.cpu_s);
-}
-
-// For a shell.
-std::string quoted_change(const std::string& change) {
-  return change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'";
+std::string trial_text(const Trial& trial) {
+  const bool compared = std::isfinite(trial.error), fit = unfit(trial).empty();
+  return fmt::format(
+      "{}: {}{}, {:.3g} ms of CPU per frame", setting_text(trial.setting),
+      compared ? "error " + percent_text(trial.error) : "error not measured",
+      fit ? ""
+          : fmt::format(", strain {} (rms), a triangle {:.3g} times as long as in the reference",
+                        percent_text(trial.strain), trial.stretch),
+      1e3 * trial.cpu_s);
 }
 
 // The front; if nothing is fit, what comes nearest. The advised setting is always there.
-std::vector<Rated> rows_of(const Advice& advice) {
-  std::vector<Rated> rows = thinned(advice.front);
-  for (const auto& also : {advice.best, advice.nearest})
-    if (also && std::ranges::find(rows, also->setting, &Rated::setting) == rows.end()) rows.push_back(*also);
-  std::ranges::stable_sort(rows, {}, &Rated::cpu_s);
-  return rows;
-}
-
-std::string front_text(const Advice& advice, const Question& question) {
-  const int cells = question.cells_that_may_vary();
+std::string front_text(const Answer& answer) {
+  std::vector<Trial> rows = thinned(answer.advice.front);
+  if (const auto& choice = answer.advice.choice;
+      choice && std::ranges::find(rows, choice->setting, &Trial::setting) == rows.end())
+    rows.push_back(*choice);
+  std::ranges::stable_sort(rows, {}, &Trial::cpu_s);
   Table table({"model", "method", "with", "substeps", "iterations", "cells", "error (%)", "strain (%)",
                "ms per frame", ""});
-  for (const Rated& point : rows_of(advice)) {
-    const Setting& setting = point.setting;
-    const auto strain = strain_of(point, advice);
+  for (const Trial& trial : rows) {
+    const Setting& setting = trial.setting;
+    const int cells = setting.cells > 0 ? setting.cells : answer.question.cells_that_may_vary();
     table.add_row({setting.model, setting.method, solver_text(setting), std::to_string(setting.substeps),
-                   std::to_string(setting.iterations),
-                   setting.cells > 0 ? std::to_string(setting.cells)
-                   : cells > 0       ? std::to_string(cells)
-                                     : "",
-                   std::isfinite(point.error) ? percent_number(point.error) : "-",
-                   strain ? percent_number(*strain) : "", fmt::format("{:.3g}", 1e3 * point.cpu_s),
-                   how(point, advice)});
+                   std::to_string(setting.iterations), cells > 0 ? std::to_string(cells) : "",
+                   std::isfinite(trial.error) ? percent_number(trial.error) : "-",
+                   percent_number(trial.strain), fmt::format("{:.3g}", 1e3 * trial.cpu_s),
+                   !unfit(trial).empty()   ? fmt::format("unfit: {}", unfit(trial))
+                   : is_unconverged(trial) ? "unconverged"
+                                           : ""});
   }
   return table.text();
 }
 
-std::string limits_text() {
-  return fmt::format(
-      "unfit, never advised: an error above {}, {} more strain (rms) than the reference, or a triangle {} "
-      "times as stretched as any of the reference",
-      percent_text(largest_error), percent_text(largest_strain), largest_stretch);
-}
-
-std::string demand_text(const Demand& demand) {
-  return demand.error ? fmt::format("an error of {}", percent_text(*demand.error))
-                      : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s);
-}
-
 // Says that nothing is advised, what came nearest, and why.
-void print_none(const Advice& advice, const Question& question, const AdviceOptions& options) {
+void print_none(const Answer& answer) {
+  const auto& [advice, question, options] = answer;
   const std::string of = advice.not_tried.empty() ? "no setting" : "no setting run so far";
-  if (anything_fit(advice))
-    print_text("{}: {} meets {}", question.name(), of, demand_text(options.demand));
+  const Demand& demand = options.demand;
+  if (advice.anything_fit())
+    print_text("{}: {} meets {}", question.name(), of,
+               demand.error ? fmt::format("an error of {}", percent_text(*demand.error))
+                            : fmt::format("{:.4g} ms of CPU per frame", 1e3 * *demand.cpu_s));
   else
     print_text("{}: nothing to advise, {} is fit", question.name(), of);
-  if (advice.nearest)
-    print_text("; nearest is {}{}", point_text(*advice.nearest, advice),
-               anything_fit(advice) ? "" : ", which is not to be used");
+  if (advice.choice)
+    print_text("; nearest is {}{}", trial_text(*advice.choice),
+               advice.anything_fit() ? "" : ", which is not to be used");
   print_text("\n");
-  for (const std::string& sentence : why_none(advice, options.demand, options.time_limit_s))
-    print_text("{}\n", sentence);
+  for (const std::string& sentence : why_none(advice, options)) print_text("{}\n", sentence);
 }
 
 // How to have the choice.
-void print_choice(const Rated& point, const Advice& advice, const Question& question) {
+void print_choice(const Trial& trial, const Answer& answer) {
   constexpr double close = 10;
-  if (advice.reference.gap && point.error < close * *advice.reference.gap)
-    print_text("\n{}\n", point.error > *advice.reference.gap
+  const std::optional<double>& gap = answer.advice.reference.gap;
+  if (gap && trial.error < close * *gap)
+    print_text("\n{}\n", trial.error > *gap
                              ? "The reference's own error is more than a tenth of this error."
                              : "The reference's own error is as large as this error: settings with less than "
                                "that cannot be told apart. Take a shorter /duration, or a finer reference "
                                "in /accuracy.");
-  print_text("\nto use {}:\n", advice.best ? "it" : "the nearest");
-  for (const std::string& change : question.changes(point.setting))
-    print_text("  --set {}\n", quoted_change(change));
+  print_text("\nto use {}:\n", answer.advice.is_met ? "it" : "the nearest");
+  for (const std::string& change : answer.question.changes(trial.setting))  // quoted for a shell
+    print_text("  --set {}\n",
+               change.find_first_of("[]{}\" ") == std::string::npos ? change : "'" + change + "'");
 }
 
-void print_not_tried(const Advice& advice, const AdviceOptions& options) {
-  if (advice.not_tried.empty()) return;
-  constexpr std::size_t shown = 5;
-  print_text("\nnot tried, because --time-limit ({:.4g} s) was over; the same command goes on with them:\n",
-             options.time_limit_s);
-  for (std::size_t i = 0; i < std::min(shown, advice.not_tried.size()); ++i)
-    print_text("  {}\n", setting_text(advice.not_tried[i]));
-  if (advice.not_tried.size() > shown) print_text("  and {} more\n", advice.not_tried.size() - shown);
-}
-
-void print_advice(const Advice& advice, const Question& question, const AdviceOptions& options) {
-  if (advice.best)
-    print_text("{}: take {}\n", question.name(), point_text(*advice.best, advice));
+void print_answer(const Answer& answer) {
+  const auto& [advice, question, options] = answer;
+  if (advice.is_met)
+    print_text("{}: take {}\n", question.name(), trial_text(*advice.choice));
   else
-    print_none(advice, question, options);
-  print_text("\nerror: rms {}, in sizes of the mesh\n", what_text(advice, question));
+    print_none(answer);
+  print_text("\nerror: rms {}, in sizes of the mesh\n", error_text(answer));
   if (advice.reference.cells > 0)
     print_text(
         "the reference has fewer cells than the config, because more would not fit into --time-limit ({:.4g} "
-        "s): "
-        "what fewer cells cost is not all in these errors\n",
+        "s): what fewer cells cost is not all in these errors\n",
         options.time_limit_s);
   if (question.rigidity_is_default())
     print_text("cloth: a flexural rigidity of {} N m, the default, because the config states none\n",
                *Bending{}.flexural_rigidity);
-  if (!advice.points.empty() && advice.front.empty()) print_text("{}\n", limits_text());
-  print_text("\n{}", front_text(advice, question));
+  print_text("\n{}", front_text(answer));
   constexpr double at_rest = 0.02;  // sizes per second
   if (advice.reference.of == ErrorOf::rest && advice.reference.still_moving > at_rest)
     print_text(
         "\nThe cloth still moves at the end of /duration, by {} of its size per second: a longer /duration "
         "lets it come to rest, and --what motion compares its motion instead.\n",
         percent_text(advice.reference.still_moving));
-  if (const auto& point = advice.best ? advice.best : advice.nearest) {
-    for (const Warning& warning : warnings_of(*point, advice))
+  if (const auto& choice = advice.choice) {
+    for (const Warning& warning : choice->warnings)
       print_text("\nIts run warns ({}): {}.\n", warning.code, warning.message);
-    if (anything_fit(advice)) print_choice(*point, advice, question);
+    if (advice.anything_fit()) print_choice(*choice, answer);
   }
-  print_not_tried(advice, options);
+  constexpr std::size_t most_listed = 5;
+  const std::size_t not_tried = advice.not_tried.size();
+  if (not_tried > 0)
+    print_text("\nnot tried, because --time-limit ({:.4g} s) was over; the same command goes on with them:\n",
+               options.time_limit_s);
+  for (std::size_t i = 0; i < std::min(most_listed, not_tried); ++i)
+    print_text("  {}\n", setting_text(advice.not_tried[i]));
+  if (not_tried > most_listed) print_text("  and {} more\n", not_tried - most_listed);
   if (!advice.left_out.empty()) print_text("\nnot in this table:\n");
   for (const LeftOut& left_out : advice.left_out) print_text("  {}: {}\n", left_out.what, left_out.why);
 }
 
-Json number_or_null(double number) {
+// ---- as JSON
+
+Json finite_or_null(double number) {
   return std::isfinite(number) ? Json(number) : Json(nullptr);
 }
 
-Json setting_json(const Setting& setting) {
+Json to_json(const Setting& setting) {
   return {{"model", setting.model},
           {"method", setting.method},
           {"solver", Json::parse(setting.solver)},
@@ -259,82 +208,82 @@ Json setting_json(const Setting& setting) {
           {"cells", setting.cells > 0 ? Json(setting.cells) : Json(nullptr)}};
 }
 
-Json point_json(const std::optional<Rated>& point, const Advice& advice) {
-  if (!point) return nullptr;
-  const auto strain = strain_of(*point, advice);
-  const Unfit why = unfit(*point);
-  Json json = setting_json(point->setting);
-  json.update({{"error", number_or_null(point->error)},
-               {"strain", strain ? number_or_null(*strain) : Json(nullptr)},
-               {"stretch_over_reference", number_or_null(point->strained.largest)},
-               {"unfit", why == Unfit::no ? Json(nullptr) : Json(std::string(name_of(why)))},
-               {"unconverged", is_unconverged(*point, advice)},
-               {"warnings", to_json(warnings_of(*point, advice))},
-               {"cpu_s_per_frame", point->cpu_s}});
+Json to_json(const Trial& trial) {
+  Json json = to_json(trial.setting);
+  json.update({{"error", finite_or_null(trial.error)},
+               {"strain", finite_or_null(trial.strain)},
+               {"stretch_over_reference", finite_or_null(trial.stretch)},
+               {"unfit", unfit(trial).empty() ? Json(nullptr) : Json(unfit(trial))},
+               {"unconverged", is_unconverged(trial)},
+               {"warnings", bendlab::to_json(trial.warnings)},
+               {"cpu_s_per_frame", trial.cpu_s}});
   return json;
 }
 
-Json points_json(const std::vector<Rated>& points, const Advice& advice) {
+Json to_json(const LeftOut& left_out) {
+  return {{"what", left_out.what}, {"why", left_out.why}};
+}
+
+template <class Value>
+Json list_json(const std::vector<Value>& values) {
   Json list = Json::array();
-  for (const Rated& point : points) list.push_back(point_json(point, advice));
+  for (const Value& value : values) list.push_back(to_json(value));
   return list;
 }
 
-Json advice_json(const Advice& advice, const Question& question, const AdviceOptions& options) {
+Json to_json(const Answer& answer) {
+  const auto& [advice, question, options] = answer;
+  const KnownReference& reference = advice.reference;
   const Demand& demand = options.demand;
   constexpr const char* kinds[] = {"rest", "motion", "own"};
-  Json left_out = Json::array();
-  for (const LeftOut& each : advice.left_out) left_out.push_back({{"what", each.what}, {"why", each.why}});
-  Json not_tried = Json::array();
-  for (const Setting& setting : advice.not_tried) not_tried.push_back(setting_json(setting));
-  Json json = {
+  const Json choice = advice.choice ? to_json(*advice.choice) : Json(nullptr);
+  return {
       {"name", question.name()},
       {"demand", demand.error ? Json{{"error", *demand.error}} : Json{{"cpu_s_per_frame", *demand.cpu_s}}},
-      {"error_of", kinds[static_cast<int>(advice.reference.of)]},
-      {"many_equilibria", advice.reference.start_from_end},
-      {"still_moving", advice.reference.still_moving},
-      {"reference_gap", advice.reference.gap ? Json(*advice.reference.gap) : Json(nullptr)},
-      {"reference_strain", number_or_null(advice.reference.strain)},
+      {"error_of", kinds[static_cast<int>(reference.of)]},
+      {"many_equilibria", reference.start_from_end},
+      {"still_moving", reference.still_moving},
+      {"reference_gap", reference.gap ? Json(*reference.gap) : Json(nullptr)},
+      {"reference_strain", finite_or_null(reference.strain)},
       {"limits",
        {{"error", largest_error},
         {"strain_over_reference", largest_strain},
         {"stretch_over_reference", largest_stretch}}},
-      {"accuracy", advice.reference.accuracy},
-      {"anything_fit", anything_fit(advice)},
-      {"why_none", why_none(advice, demand, options.time_limit_s)},
-      {"advice", point_json(advice.best, advice)},
-      {"nearest", point_json(advice.nearest, advice)},
-      {"set", Json::array()},
-      {"front", points_json(advice.front, advice)},
-      {"points", points_json(advice.points, advice)},
-      {"left_out", left_out},
-      {"not_tried", not_tried},
+      {"accuracy", reference.accuracy},
+      {"anything_fit", advice.anything_fit()},
+      {"why_none", why_none(advice, options)},
+      {"advice", advice.is_met ? choice : Json(nullptr)},
+      {"nearest", advice.is_met ? Json(nullptr) : choice},
+      {"set", advice.choice && advice.anything_fit() ? Json(question.changes(advice.choice->setting))
+                                                     : Json::array()},
+      {"front", list_json(advice.front)},
+      {"points", list_json(advice.trials)},
+      {"left_out", list_json(advice.left_out)},
+      {"not_tried", list_json(advice.not_tried)},
       {"computed_runs", advice.computed},
       {"complete", advice.not_tried.empty()}};
-  const auto& point = advice.best ? advice.best : advice.nearest;
-  if (point && anything_fit(advice)) json["set"] = question.changes(point->setting);
-  return json;
 }
 
 // Before anything is computed.
 void check_can_write(const std::filesystem::path& file, const std::filesystem::path& config) {
-  const auto refuse = [&](std::string_view why) {
-    throw UsageError(fmt::format("--write {}: {}", file.string(), why));
-  };
-  const std::filesystem::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  namespace fs = std::filesystem;
   std::error_code ignored;
-  const std::filesystem::file_status there = std::filesystem::symlink_status(file, ignored);
-  if (std::filesystem::equivalent(file, config, ignored))
-    refuse("is the config itself, whose /accuracy and /expect would be lost; name another file");
-  if (std::filesystem::is_directory(file, ignored)) refuse("is a folder; name a file in it");
-  if (std::filesystem::is_symlink(there)) refuse("is a link, which is not followed; name a file");
-  if (std::filesystem::exists(there) && !std::filesystem::is_regular_file(there))
-    refuse("is no file; name one");
-  if (!std::filesystem::is_directory(folder, ignored))
-    refuse("its folder does not exist; create it, or name another one");
-  if (access(folder.c_str(), W_OK) != 0 ||
-      (std::filesystem::exists(there) && access(file.c_str(), W_OK) != 0))
-    refuse(fmt::format("cannot be written ({}); choose another place", std::strerror(errno)));
+  const fs::file_status there = fs::symlink_status(file, ignored);
+  const fs::path folder = file.has_parent_path() ? file.parent_path() : ".";
+  const char* why = nullptr;
+  if (fs::equivalent(file, config, ignored))
+    why = "is the config itself, whose /accuracy and /expect would be lost; name another file";
+  else if (fs::is_directory(file, ignored))
+    why = "is a folder; name a file in it";
+  else if (fs::is_symlink(there))
+    why = "is a link, which is not followed; name a file";
+  else if (fs::exists(there) && !fs::is_regular_file(there))
+    why = "is no file; name one";
+  else if (!fs::is_directory(folder, ignored))
+    why = "its folder does not exist; create it, or name another one";
+  else if (access(folder.c_str(), W_OK) != 0 || (fs::exists(there) && access(file.c_str(), W_OK) != 0))
+    why = "cannot be written; choose another place, or change its permissions";
+  if (why) throw UsageError(fmt::format("--write {}: {}", file.string(), why));
 }
 
 }  // namespace
@@ -342,13 +291,14 @@ void check_can_write(const std::filesystem::path& file, const std::filesystem::p
 int advise_command(const AdviseArguments& arguments, const CampaignOptions& campaign, bool json) {
   const AdviceOptions options{
       .demand = demand_of(arguments),
-      .error_of = error_of(arguments.what),
+      .error_of = arguments.what == "rest"     ? std::optional(ErrorOf::rest)
+                  : arguments.what == "motion" ? std::optional(ErrorOf::motion)
+                                               : std::nullopt,
       .models = arguments.models,
       .methods = arguments.methods,
       .time_limit_s = read_option("--time-limit", arguments.time_limit, parse_duration),
       .campaign = campaign};
-  check_models(options.models);
-  check_methods(options.methods);
+  check_names(options);
   if (!arguments.write.empty()) check_can_write(arguments.write, arguments.file);
   const Question question(arguments.file, arguments.overrides);
   catch_stop_signals();
@@ -360,18 +310,18 @@ int advise_command(const AdviseArguments& arguments, const CampaignOptions& camp
     if (stop_exit_code() != 0) print_text(stderr, "bendlab: stopped; the same command again continues\n");
     return advice.exit_code;
   }
+  const Answer answer{advice, question, options};
   if (json)
-    print_text("{}\n", json_text(advice_json(advice, question, options)));
+    print_text("{}\n", json_text(to_json(answer)));
   else
-    print_advice(advice, question, options);
-  if (!advice.best && !arguments.write.empty())
+    print_answer(answer);
+  if (!advice.is_met && !arguments.write.empty())
     print_text(stderr, "bendlab: {} is not written, because no setting {}\n", arguments.write.string(),
-               anything_fit(advice) ? "meets the demand" : "is fit to be advised");
-  if (!advice.best) return exit_failed;
-  if (!arguments.write.empty())
+               advice.anything_fit() ? "meets the demand" : "is fit to be advised");
+  if (advice.is_met && !arguments.write.empty())
     replace_file(arguments.write,
-                 question.written(advice.best->setting, arguments.write.parent_path()).dump(2) + '\n');
-  return exit_ok;
+                 question.written(advice.choice->setting, arguments.write.parent_path()).dump(2) + '\n');
+  return advice.is_met ? exit_ok : exit_failed;
 }
 
 }  // namespace bendlab

@@ -1,0 +1,114 @@
+// What advice is about: settings, what came of their runs, whether they are fit to be advised, and which of
+// them suits a demand.
+#pragma once
+
+#include <compare>
+#include <limits>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "experiments/run/warning.hpp"
+
+namespace bendlab {
+
+/// A bending model, a solver with its work, and a mesh. What the cloth is, what holds it and what acts on it
+/// stay as the config has them.
+struct Setting {
+  std::string model, method;
+  std::string solver = "{}";  ///< further settings of the method, as JSON
+  int substeps = 1, iterations = 1;
+  int cells = 0;  ///< /mesh/cells; 0: the config's own mesh
+
+  auto operator<=>(const Setting&) const = default;
+};
+
+/// Settings that differ in their work only.
+struct SettingKind {
+  Setting setting;                         ///< with any work
+  std::vector<std::pair<int, int>> works;  ///< substeps and iterations that are worth a try
+};
+
+/// Kinds that were the best of a measured scene (fronts.def), on the config's own mesh.
+const std::vector<SettingKind>& measured_fronts();
+
+/// "levels 12", "membrane auto, integrator bdf2".
+std::string solver_text(const Setting& setting);
+
+/// "dihedral, pbd (levels 12), 8 substeps, 1 iteration, 24 cells".
+std::string setting_text(const Setting& setting);
+
+/// What is asked for: either of the two.
+struct Demand {
+  std::optional<double> error;  ///< at most, in sizes of the mesh
+  std::optional<double> cpu_s;  ///< at most, CPU seconds per frame of 1/60 s of simulated time
+};
+
+/// "5%" or "0.05" → 0.05. Throws std::invalid_argument unless it is above 0 and below 1.
+double parse_error(const std::string& text);
+
+/// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument without a unit or a number above
+/// 0.
+double parse_duration(const std::string& text);
+
+/// 0.0512 → "5.1" and "5.1 %".
+std::string percent_number(double share);
+std::string percent_text(double share);
+
+/// A setting that was run, and what that gave.
+struct Trial {
+  Setting setting;
+  /// Rms distance from the reference, in sizes of the mesh; infinite: not compared.
+  double error = std::numeric_limits<double>::infinity();
+  double cpu_s = 0;          ///< of the steps, per frame
+  double strain = 0;         ///< rms of the Green strain
+  double more_strain = 0;    ///< the strain less that of the reference, at least 0
+  double stretch = 1;        ///< the largest of a triangle, over that of the reference, at least 1
+  double speed = 0;          ///< rms at the end, sizes per second
+  bool implausible = false;  ///< the run broke a bound that its scene cannot break
+  bool unfinished = false;   ///< the run was stopped, and nothing else is known
+  bool failed = false, diverged = false;
+  std::string why{};  ///< why it failed or has no error
+  std::vector<Warning> warnings{};
+};
+
+/// Limits of what is advised. The points of a square lie 0.29 sizes (rms) from its middle: a sheet that is
+/// crumpled to a point there has that error, and 0.2 is most of it.
+inline constexpr double largest_error = 0.2;
+
+/// Of Trial::more_strain. Woven cloth stretches by less than a tenth as it is worn (Provot 1995 and Bridson
+/// 2003 limit their springs to it).
+inline constexpr double largest_strain = 0.1;
+
+/// Of Trial::stretch. Woven cloth tears at 1.05 to 1.4, and a triangle at a pin shows a tear as a spike.
+inline constexpr double largest_stretch = 1.5;
+
+/// The first reason why it is not advised, whatever was asked for: "implausible", "strain", "stretch" or
+/// "error". Empty: it is fit.
+std::string_view unfit(const Trial& trial);
+
+/// Its error; if it is unfit at least the largest that is fit, times the factor by which the worst of strain,
+/// stretch and error is beyond its limit: so that more work is worth it until it is fit.
+double judged_error(const Trial& trial);
+
+/// How far it is from what is demanded, 1 times its error or time if it is not: less is better.
+double score(const Trial& trial, const Demand& demand);
+
+/// Whether it is fit, and as accurate or as fast as demanded.
+bool meets(const Trial& trial, const Demand& demand);
+
+/// Of those that meet the demand the fastest or the most accurate one. If none does, the fit one that comes
+/// nearest; if none is fit, the one that is least beyond the limits, preferably within the demanded time.
+std::optional<Trial> choice_of(std::span<const Trial> trials, const Demand& demand);
+
+/// The fit trials that no other fit one beats in both error and time, the fastest first. Ties go to the
+/// first.
+std::vector<Trial> front_of(std::span<const Trial> trials);
+
+/// Of a front the trials that are a tenth more accurate than the one before them, and the last.
+std::vector<Trial> thinned(std::span<const Trial> front);
+
+}  // namespace bendlab
