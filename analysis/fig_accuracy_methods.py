@@ -68,7 +68,7 @@ def kind_of(run):
         return f"{method}, membrane auto"
     if run.get("/solver/levels"):
         return f"{method}, levels"
-    by_euler = run.get("/solver/integrator") == "euler" != registry.usual(method, "integrator")
+    by_euler = run.get("/solver/integrator") == "euler" and registry.usual(method, "integrator") != "euler"
     return f"{method}, euler" if by_euler else method
 
 
