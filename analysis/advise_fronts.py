@@ -18,7 +18,8 @@ LARGEST_ERROR, LARGEST_STRAIN = 0.2, 0.1  # experiments/advise/trial.hpp
 BETTER = 0.8
 # Settings of a solver that are part of its kind, and what they are if they are not written.
 OF_KIND = {"levels": 0, "membrane": None, "integrator": None, "sweep": "forward"}
-HEAD = """// Settings that were the best of a measured scene: model, method, its further settings, then substeps and
+HEAD = """\
+// Settings that were the best of a measured scene: model, method, its further settings, then substeps and
 // iterations.
 // Made by analysis/advise_fronts.py from results/accuracy/summary.json.
 """

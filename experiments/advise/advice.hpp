@@ -39,8 +39,8 @@ struct Advice {
   bool anything_fit() const { return reference.tells() && !front.empty(); }
 };
 
-/// `tell` gets a line of news from time to time. Throws like Question::experiment_with if no model can be this
-/// cloth, and std::runtime_error if there is no reference, or none within the time limit.
+/// `tell` gets a line of news from time to time. Throws like Question::experiment_with if no model can be
+/// this cloth, and std::runtime_error if there is no reference, or none within the time limit.
 Advice advise(const Question& question, const AdviceOptions& options,
               const std::function<void(const std::string&)>& tell);
 

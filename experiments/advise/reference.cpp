@@ -27,9 +27,9 @@ class ReferenceChooser {
   }
 
  private:
-  // The finest that fits into its share of the time: a motion with fewer substeps, then either on half as many
-  // cells, where errors are nearly the same; a reference on fewer says little about a fine mesh. False if the
-  // scene has none, or with an exit code.
+  // The finest that fits into its share of the time: a motion with fewer substeps, then either on half as
+  // many cells, where errors are nearly the same; a reference on fewer says little about a fine mesh. False
+  // if the scene has none, or with an exit code.
   bool found_one_of(ErrorOf of) {
     const int half = of == ErrorOf::own ? 0 : question_.cells_that_may_vary() / 2;
     const std::vector<int> meshes = half >= fewest_cells ? std::vector{0, half} : std::vector{0};

@@ -24,8 +24,8 @@ class Runs {
   std::optional<double> reference_gap() const { return gap_; }
 
   /// Runs settings side by side, those that are expected to be short first, `times` as long as the scene, and
-  /// stops what takes longer than so many seconds, or than the time limit. Their strain and stretch are not compared with the reference yet. With
-  /// an exit code all are unfinished.
+  /// stops what takes longer than so many seconds, or than the time limit. Their strain and stretch are not
+  /// compared with the reference yet. With an exit code all are unfinished.
   std::vector<Trial> execute(const std::vector<Setting>& settings, const Json& accuracy, double seconds,
                              double times = 1);
 

@@ -33,9 +33,9 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   for (bool any = false;; any = true) {
     const std::vector<Setting> settings = next();
     const std::vector<Trial> found = settings.empty() ? std::vector<Trial>() : run_(settings);
-    if (found.empty()) return any;
     for (const Setting& setting : settings)
       if (std::ranges::find(found, setting, &Trial::setting) == found.end()) reject(setting);
+    if (found.empty()) return any;
     for (const Trial& trial : found) {
       trials_.push_back(trial);
       for (Candidate& kind : kinds_)
@@ -44,8 +44,8 @@ bool Search::run(const std::vector<SettingKind>& kinds) {
   }
 }
 
-// For a time a kind starts with the most work that is expected to be within it; for an error, which no one can
-// expect, with the middle of the works that were the best somewhere.
+// For a time a kind starts with the most work that is expected to be within it; for an error, which no one
+// can expect, with the middle of the works that were the best somewhere.
 void Search::add(const SettingKind& kind) {
   if (std::ranges::any_of(known_, [&](const Setting& known) { return same_kind(known, kind.setting); }))
     return;
@@ -64,8 +64,8 @@ void Search::add(const SettingKind& kind) {
   kinds_.push_back({by_work[start], most_iterations});
 }
 
-// The settings of the next round: of the better half, but all that were not run yet. If none of these goes on,
-// and none met the demand, of the best that were left behind.
+// The settings of the next round: of the better half, but all that were not run yet. If none of these goes
+// on, and none met the demand, of the best that were left behind.
 std::vector<Setting> Search::next() {
   std::ranges::stable_sort(kinds_, {}, [this](const Candidate& kind) { return promise(kind); });
   const auto untried = static_cast<std::size_t>(
@@ -110,10 +110,11 @@ std::optional<Setting> Search::step(const Candidate& kind) const {
   if (below && (factor < much_the_same || (!above && !is_worth_more(kind, *below, factor))))
     return std::nullopt;
   Setting setting = from.setting;
-  const bool projects = find_method(setting.method)->projects;
-  int& count = projects ? setting.substeps : setting.iterations;
+  const MethodKind& method = *find_method(setting.method);
+  const bool by_substeps = method.projects || method.default_iterations == 0;
+  int& count = by_substeps ? setting.substeps : setting.iterations;
   count = static_cast<int>(factor < 1 ? std::floor(count * factor) : std::round(count * factor));
-  count = std::clamp(count, 1, projects ? most_substeps_ : kind.most_iterations);
+  count = std::clamp(count, 1, by_substeps ? most_substeps_ : kind.most_iterations);
   const auto is_it = [&](const Trial& trial) { return trial.setting == setting; };
   return std::ranges::any_of(kind.trials, is_it) ? std::nullopt : std::optional(setting);
 }

@@ -25,8 +25,8 @@ std::optional<double> parse_quantity(const std::string& text,
   return std::nullopt;
 }
 
-// By which factor the worst of strain, stretch and error is beyond its limit. A setting that was not compared,
-// because of its strain, is judged by that.
+// By which factor the worst of strain, stretch and error is beyond its limit. A setting that was not
+// compared, because of its strain, is judged by that.
 double beyond_limits(const Trial& trial) {
   return std::max({trial.more_strain / largest_strain, (trial.stretch - 1) / (largest_stretch - 1),
                    std::isfinite(trial.error) ? trial.error / largest_error : 0});

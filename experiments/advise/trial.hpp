@@ -50,8 +50,8 @@ struct Demand {
 /// "5%" or "0.05" → 0.05. Throws std::invalid_argument unless it is above 0 and below 1.
 double parse_error(const std::string& text);
 
-/// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument without a unit or a number above
-/// 0.
+/// "2ms", "0.002s", "500us" or "2min" → seconds. Throws std::invalid_argument without a unit or a number
+/// above 0.
 double parse_duration(const std::string& text);
 
 /// 0.0512 → "5.1" and "5.1 %".

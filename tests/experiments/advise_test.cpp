@@ -42,7 +42,8 @@ std::string choice_text(const std::vector<Trial>& trials, const Demand& demand) 
 }
 
 // A machine that was made up: error and time of every setting are known. Models converge with the substeps,
-// each to a cloth of its own: h is nearest to the stated one, a is the cheapest, and what is dearer is nearer.
+// each to a cloth of its own: h is nearest to the stated one, a is the cheapest, and what is dearer is
+// nearer.
 struct Imaginary {
   std::map<std::string, double> bias, price;  // error that stays; s per substep
   std::vector<std::size_t> rounds{};          // how many settings were run in each
@@ -403,7 +404,8 @@ TEST_CASE("advise: the config's own reference is the same for every setting", "[
   Scenes place;
   // With 64 substeps two readings of its stiffness differ by 3.2 %, which no reference may.
   const json told = place.advice(
-      R"(strip.json --error 5% --models dihedral,none --set '/accuracy={"physical":["/solver/substeps=256"]}')");
+      "strip.json --error 5% --models dihedral,none "
+      R"(--set '/accuracy={"physical":["/solver/substeps=256"]}')");
   CHECK(told.at("error_of") == "own");
   int references = 0;
   for (const std::filesystem::path& file : place.run_files(".vtkhdf"))
@@ -471,8 +473,8 @@ TEST_CASE("advise: if nothing meets the demand, that is said, and what comes nea
   CHECK_THAT(place.answer("strip.json --budget 1us --models dihedral", 1),
              ContainsSubstring("no setting meets 0.001 ms") && ContainsSubstring("Nothing is that fast") &&
                  ContainsSubstring("to use the nearest:"));
-  // A strip without bending stiffness hangs straight down: with the stated one it would stand out. So nothing is
-  // recommended, whatever was asked for.
+  // A strip without bending stiffness hangs straight down: with the stated one it would stand out. So nothing
+  // is recommended, whatever was asked for.
   const std::string limp =
       "strip.json --models none --set /bending/flexural_rigidity=0.01 --set /duration=0.7 ";
   for (const std::string demand : {"--error 99%", "--budget 1s"}) {
