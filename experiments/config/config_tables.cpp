@@ -91,9 +91,9 @@ constexpr std::array quality = {
 
 // clang-format on
 
-const std::array<Field, 3>& output() {
+std::array<Field, 3> make_output() {
   // clang-format off
-  static const std::array<Field, 3> table = {
+  return {
       field<&OutputSettings::frames_per_second>({.name = "frames_per_second", .unit = "1/s",
                 .meaning = "Recorded frames per simulated second, at most one a step",
                 .minimum = 0, .maximum = 1e6, .above = true}),
@@ -105,7 +105,6 @@ const std::array<Field, 3>& output() {
                 .choices = measures_on_request()}),
   };
   // clang-format on
-  return table;
 }
 
 constexpr std::array lists = {
@@ -139,25 +138,28 @@ std::vector<Section> make_sections() {
   return sections;
 }
 
-}  // namespace
-
-std::span<const RunPart> run_parts() {
-  static const std::array parts = {
+std::array<RunPart, 4> make_run_parts() {
+  return {
       RunPart{"", "The experiment", table_of<RunSettings>(top),
               [](const RunSettings& run) -> const void* { return &run; }},
-      RunPart{"/output", "What is measured and recorded", table_of<OutputSettings>(output()),
+      RunPart{"/output", "What is measured and recorded",
+              table_of<OutputSettings>(made_of_kinds<make_output>()),
               [](const RunSettings& run) -> const void* { return &run.output; }},
       RunPart{"/accuracy", "Errors of the run, measured against references", table_of<Accuracy>(accuracy),
               [](const RunSettings& run) -> const void* { return &run.accuracy; }},
       RunPart{"/quality", "When a triangle counts as bad", table_of<QualityThresholds>(quality),
               [](const RunSettings& run) -> const void* { return &run.quality; }},
   };
-  return parts;
+}
+
+}  // namespace
+
+std::span<const RunPart> run_parts() {
+  return made_of_kinds<make_run_parts>();
 }
 
 std::span<const Section> config_sections() {
-  static const std::vector<Section> sections = make_sections();
-  return sections;
+  return made_of_kinds<make_sections>();
 }
 
 const Section* find_section(std::string_view pointer) {

@@ -45,10 +45,10 @@ Registry<Measure>& registry() {
 }
 
 // A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
-void check_names(const Measure& measure, std::vector<Column> (*Measure::*rows)()) {
+void check_names(const Measure& measure, std::function<std::vector<Column>()> Measure::*rows) {
   std::set<std::string, std::less<>> taken(facts.begin(), facts.end());
   taken.emplace("time");  // of a frame
-  for (const Measure* other : registry().so_far())
+  for (const Measure* other : registry().all())
     for (const Column& row : (other->*rows)()) taken.insert(row.name);
   for (const Column& row : (measure.*rows)())
     if (!taken.insert(row.name).second)
@@ -56,6 +56,13 @@ void check_names(const Measure& measure, std::vector<Column> (*Measure::*rows)()
           fmt::format("the measure '{}' cannot be registered: there is a number '{}' already; choose another "
                       "name for it (`bendlab measures` lists those there are)",
                       measure.name, row.name));
+}
+
+std::vector<std::string_view> names_on_request() {
+  std::vector<std::string_view> names;
+  for (const Measure* measure : measures())
+    if (!measure->applies) names.push_back(measure->name);
+  return names;
 }
 
 }  // namespace
@@ -106,7 +113,7 @@ std::span<const Measure* const> measures() {
 }
 
 void register_measure(const Measure& measure) {
-  if (measure.begin == nullptr)
+  if (!measure.begin)
     throw std::invalid_argument(
         fmt::format("the measure '{}' cannot be registered: it has no begin()", measure.name));
   check_names(measure, &Measure::columns), check_names(measure, &Measure::fields);
@@ -114,18 +121,16 @@ void register_measure(const Measure& measure) {
   registry().add(measure);
 }
 
+void remove_measure(std::string_view name) {
+  registry().remove(name);
+}
+
 std::span<const Measure* const> added_measures() {
   return registry().added();
 }
 
 std::span<const std::string_view> measures_on_request() {
-  static const std::vector<std::string_view> names = [] {
-    std::vector<std::string_view> on_request;
-    for (const Measure* measure : measures())
-      if (measure->applies == nullptr) on_request.push_back(measure->name);
-    return on_request;
-  }();
-  return names;
+  return made_of_kinds<names_on_request>();
 }
 
 std::span<const std::string_view> names_of_facts() {

@@ -143,26 +143,29 @@ struct Measure {
   std::string_view cost;     ///< a line: what that takes
   /// Whether a run has it. Null for those on request, which a run has if /output/measures names them.
   bool (*applies)(const RunConfig&, const BuiltScene&) = nullptr;
-  std::string_view when = "where it applies";     ///< a few words, unless that is always or on request
-  std::vector<Column> (*columns)() = no_columns;  ///< of every frame: names, units, meanings
-  std::vector<Column> (*fields)() = no_columns;   ///< of every triangle of every frame
+  std::string_view when = "where it applies";  ///< a few words, unless that is always or on request
+  std::function<std::vector<Column>()> columns = no_columns;  ///< of every frame: names, units, meanings
+  std::function<std::vector<Column>()> fields = no_columns;   ///< of every triangle of every frame
   /// Of the run; a number without a meaning there is left out.
-  std::vector<Quantity> (*gives)() = no_columns;
+  std::function<std::vector<Quantity>()> gives = no_columns;
   /// It makes other runs, whose time is not this run's.
   bool makes_runs = false;
   /// Config and scene outlive the measurement. Throws ConfigError if the scene cannot be measured like this.
-  std::unique_ptr<Measurement> (*begin)(const RunConfig&, const BuiltScene&) = nullptr;
+  std::function<std::unique_ptr<Measurement>(const RunConfig&, const BuiltScene&)> begin = nullptr;
+  /// Of an added one: tells versions of its code apart, in run ids. Empty: the program's file does.
+  std::string_view code = {};
 };
 
 /// All, in the order in which they look at a frame and stand in the run file; then those that the program
 /// added.
 std::span<const Measure* const> measures();
 
-/// Adds a measure of the program's own, which has to stay where it is. To be called before a config is read,
-/// by one thread. Throws std::invalid_argument if its name or one of its numbers' is taken or it has no
-/// begin(), std::logic_error if it is too late.
+/// Adds a measure of the program's own, which has to stay where it is. See Registry::add(). Throws
+/// std::invalid_argument if its name or one of its numbers' is taken or it has no begin().
 void register_measure(const Measure& measure);
 void register_measure(const Measure&&) = delete;
+/// Takes one out that was added.
+void remove_measure(std::string_view name);
 
 /// The measures that the program added.
 std::span<const Measure* const> added_measures();

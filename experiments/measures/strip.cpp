@@ -21,15 +21,10 @@ class Reach {
 
   template <class Constraints>
   void add(const Constraints& constraints) {
-    for (const auto& vertices : constraints.vertices) {
-      const auto pinned = [&](int v) { return pins_.pinned(v); };
-      if (std::ranges::none_of(vertices, pinned)) continue;
-      const auto s = [&](int v) { return along_[static_cast<std::size_t>(v)]; };
-      const auto [low, high] = std::ranges::minmax(vertices, {}, s);
-      for (const int v : vertices)
-        if (double& longest = of_vertex_[static_cast<std::size_t>(v)]; !pinned(v))
-          longest = std::max(longest, s(high) - s(low));
-    }
+    for (const auto& vertices : constraints.vertices) add_one(vertices);
+  }
+  void add(const OwnElements& own) {
+    for (std::size_t c = 0; c < own.size(); ++c) add_one(own.corners(c));
   }
 
   double median() {
@@ -38,6 +33,16 @@ class Reach {
   }
 
  private:
+  void add_one(const auto& vertices) {
+    const auto pinned = [&](int v) { return pins_.pinned(v); };
+    if (std::ranges::none_of(vertices, pinned)) return;
+    const auto s = [&](int v) { return along_[static_cast<std::size_t>(v)]; };
+    const auto [low, high] = std::ranges::minmax(vertices, {}, s);
+    for (const int v : vertices)
+      if (double& longest = of_vertex_[static_cast<std::size_t>(v)]; !pinned(v))
+        longest = std::max(longest, s(high) - s(low));
+  }
+
   const Pins& pins_;
   std::span<const double> along_;
   std::vector<double> of_vertex_;  // m
@@ -49,6 +54,7 @@ double reach_of(const RunConfig& config, const RestMesh& rest, const Pins& pins,
   Reach reach(pins, along);
   reach.add(bending.distance);
   for_each_kind(bending.elements, [&](const auto& list) { reach.add(list); });
+  reach.add(bending.own);
   return reach.median();
 }
 

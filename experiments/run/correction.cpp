@@ -25,6 +25,31 @@ double correction_length(const SimulationInput& input, const std::array<int, N>&
   return sum > 0 ? std::abs(c.value) * own / sum : 0;
 }
 
+template <class Visit>
+void for_own_corrections(const SimulationInput& input, const Positions& positions, int vertex, Visit visit) {
+  const OwnElements& own = input.own;
+  if (own.size() == 0) return;
+  const OwnValues all = evaluate(own, positions);
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    const double value = own.function->is_energy() ? std::sqrt(2 * all.values[c]) : all.values[c];
+    const double scale = own.function->is_energy() ? 1 / value : 1;
+    const auto gradient = [&](std::size_t corner) {
+      return scale * Eigen::Map<const Vector3>(&all.gradients[3 * (c * own.arity + corner)]);
+    };
+    const auto inverse_mass = [&](int v) {
+      return input.is_pinned[static_cast<std::size_t>(v)] ? 0 : 1 / input.mass[static_cast<std::size_t>(v)];
+    };
+    const std::span<const int> vertices = own.corners(c);
+    double sum = 0;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      sum += inverse_mass(vertices[i]) * gradient(i).squaredNorm();
+    if (!(sum > 0) || !std::isfinite(sum)) continue;
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      if (vertex < 0 || vertices[i] == vertex)
+        visit(own.function->name(), std::abs(value) * inverse_mass(vertices[i]) * gradient(i).norm() / sum);
+  }
+}
+
 // Calls visit(kind, correction length) for every constraint of `vertex`; if that is -1, for every vertex of
 // every constraint.
 template <class Visit>
@@ -61,6 +86,7 @@ void for_corrections(const SimulationInput& input, const Positions& positions, i
         each(Kind::name, list.vertices[c],
              Kind::template value<double>(corners(positions, list.vertices[c]), list.rest[c], list.law));
   });
+  for_own_corrections(input, positions, vertex, visit);
 }
 
 }  // namespace

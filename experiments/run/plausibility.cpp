@@ -353,8 +353,8 @@ std::optional<BrokenBound> Plausibility::look_at_momentum(double time, const Pos
       std::sqrt((positions.rowwise() - input.origin.transpose()).rowwise().squaredNorm().maxCoeff());
   const SolverSettings& solver = input.settings;
   const double substeps = time / solver.dt * solver.substeps, vertices = scene_.rest.vertex_count();
-  const double constraints =
-      static_cast<double>(input.strain.size() + input.distance.size() + element_count(input.elements));
+  const double constraints = static_cast<double>(input.strain.size() + input.distance.size() +
+                                                 element_count(input.elements) + input.own.size());
   const double walk =
       std::sqrt(4 * constraints * substeps * projections_per_substep(scene_.input)) / vertices;
   const double rounding = epsilon_of(scene_) * farthest * solver.substeps / solver.dt * std::max(walk, 1.0);

@@ -13,7 +13,7 @@ namespace bendlab {
 
 Recorder::Recorder(const RunConfig& config, const BuiltScene& scene)
     : stretch_(scene.rest, scene.pins), has_motion_(scene.input.method.kind().has_motion) {
-  const auto append = [](std::vector<Column>& all, std::vector<Column> (*own)()) {
+  const auto append = [](std::vector<Column>& all, const std::function<std::vector<Column>()>& own) {
     const std::size_t before = all.size();
     for (Column& column : own()) all.push_back(std::move(column));
     return all.size() - before;
@@ -92,7 +92,8 @@ std::map<std::string, double> facts_of(const BuiltScene& scene, const Simulation
       {"triangles", scene.rest.triangle_count()},
       {"springs", static_cast<double>(scene.input.distance.size())},
       {"bending_constraints",
-       static_cast<double>(scene.input.distance.size() + element_count(scene.input.elements))},
+       static_cast<double>(scene.input.distance.size() + element_count(scene.input.elements) +
+                           scene.input.own.size())},
       {"springs_beyond_ring_1", scene.springs_beyond_ring_1},
       {"pinned_vertices", static_cast<double>(scene.pins.all.size())},
       {"projections", static_cast<double>(simulation.projections())},

@@ -66,6 +66,20 @@ ConstraintRecord record_of(const std::string& kind, const List& list, const Batc
   return record_of(kind, list, order, in_full, rest_of, rest_of);
 }
 
+// In the order of the list; their rest values are the function's own.
+ConstraintRecord record_of(const OwnElements& own, bool in_full) {
+  const std::string_view vertices(reinterpret_cast<const char*>(own.vertices.data()),
+                                  own.vertices.size() * sizeof(int));
+  ConstraintRecord record{.kind = std::string(own.function->name()), .count = own.size()};
+  record.vertices_per_constraint = static_cast<int>(own.arity);
+  record.hash = fmt::format(
+      "{:016x}",
+      XXH3_64bits_withSeed(vertices.data(), vertices.size(),
+                           XXH3_64bits(own.softness.data(), own.softness.size() * sizeof(double))));
+  if (in_full) record.vertices = own.vertices, record.softness = own.softness;
+  return record;
+}
+
 std::vector<ObstacleRecord> obstacles_of(const BuiltScene& scene) {
   const Vector3 low = scene.rest.positions().colwise().minCoeff(),
                 high = scene.rest.positions().colwise().maxCoeff();
@@ -118,6 +132,8 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
                                              simulation.element_order(Kind::name), in_full,
                                              [&](std::size_t c) { return list.rest[c]; }));
   });
+  if (const OwnElements& own = scene.input.own; own.size() > 0)
+    header.constraints.push_back(record_of(own, in_full));
   header.obstacles = obstacles_of(scene);
   std::string ordering_hash;
   for (const ConstraintRecord& record : header.constraints) ordering_hash += record.hash;

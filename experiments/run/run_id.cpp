@@ -17,21 +17,26 @@
 namespace bendlab {
 namespace {
 
-bool has_added_kind(const Scene& scene) {
-  const auto is_in = [](const auto& added, const auto& kind) {
-    return std::ranges::find(added, &kind) != added.end();
+// What tells versions of the added kinds that a run has apart. Whether a measure applies is known only when
+// there is a scene: here it counts if it may.
+std::string code_of_added_kinds(const RunConfig& config) {
+  static const std::string program = "of this program";
+  std::string codes;
+  const auto add = [&](const auto& added, const auto& is_used) {
+    for (const auto* kind : added)
+      if (is_used(*kind)) codes += kind->code.empty() ? program : kind->code;
   };
-  return is_in(added_bending_models(), scene.bending.model.kind()) ||
-         is_in(added_methods(), scene.solver.method.kind()) ||
-         std::ranges::any_of(scene.effects,
-                             [&](const Effect& effect) { return is_in(added_effects(), effect.kind()); });
-}
-
-// Whether a measure applies is known only when there is a scene: here it counts if it may.
-bool may_have_added_measure(const RunConfig& config) {
-  return std::ranges::any_of(added_measures(), [&](const Measure* measure) {
-    return measure->applies != nullptr || is_asked_for(*measure, config);
+  const Scene& scene = config.scene();
+  add(added_bending_models(), [&](const BendingKind& kind) { return &kind == &scene.bending.model.kind(); });
+  add(added_methods(), [&](const MethodKind& kind) { return &kind == &scene.solver.method.kind(); });
+  add(added_effects(), [&](const EffectKind& kind) {
+    return std::ranges::any_of(scene.effects, [&](const Effect& effect) { return &effect.kind() == &kind; });
   });
+  add(added_measures(),
+      [&](const Measure& measure) { return measure.applies || is_asked_for(measure, config); });
+  if (codes.find(program) == std::string::npos) return codes;
+  static const std::string hash = hex_hash(read_input_file("/proc/self/exe"));
+  return codes + hash;
 }
 
 std::string bytes_of(const NamedFile& file) try {
@@ -77,9 +82,8 @@ std::string hex_hash(const std::string& text) {
 }
 
 std::string own_code_hash(const RunConfig& config) {
-  if (!has_added_kind(config.scene()) && !may_have_added_measure(config)) return "";
-  static const std::string hash = hex_hash(read_input_file("/proc/self/exe"));
-  return hash;
+  const std::string code = code_of_added_kinds(config);
+  return code.empty() ? "" : hex_hash(code);
 }
 
 std::string run_id(const RunConfig& config) {

@@ -58,6 +58,7 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
   };
   look_at(built.distance.vertices);
   for_each_kind(built.elements, [&](const auto& list) { look_at(list.vertices); });
+  is_sample = is_sample && built.own.size() == 0;
   const double weight = whole * whole * (is_sample ? stride : 1);
   const auto add = [&](std::span<const int> vertices, std::size_t bytes, std::size_t numbers) {
     size.constraints += weight;
@@ -73,6 +74,8 @@ RunSize size_by(const Scene& scene, const Mesh& patch, double whole) {
       add(vertices, sizeof(vertices) + sizeof(list.rest[0]) + sizeof(double),
           Kind::arity + Kind::rest_values + 2);  // softness, multiplier
   });
+  for (std::size_t c = 0; c < built.own.size(); ++c)
+    add(built.own.corners(c), built.own.arity * sizeof(int) + sizeof(double), built.own.arity + 2);
   if (size.pairs > 0) size.reach /= size.pairs;
   return size;
 }

@@ -1,5 +1,5 @@
 // Bending models and measures that a program may not add. Those that it may: tests/install.
-#include "bendlab/bending/model.hpp"
+#include "bendlab/bending/models.hpp"
 #include "experiments/config/experiment.hpp"
 #include "experiments/measures/measure.hpp"
 #include "tests/catch.hpp"
@@ -30,7 +30,7 @@ TEST_CASE("own rows: a model needs a name of its own, and to build something", "
 }
 
 TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", "[measures]") {
-  static constexpr Measure taken{.name = "drape", .begin = nothing}, empty{.name = "own"},
+  static const Measure taken{.name = "drape", .begin = nothing}, empty{.name = "own"},
       summary{.name = "own", .gives = [] { return number("drop"); }, .begin = nothing},
       fact{.name = "own", .gives = [] { return number("vertices"); }, .begin = nothing},
       twice{.name = "own",
@@ -54,13 +54,22 @@ TEST_CASE("own rows: a measure needs a name of its own, and so do its numbers", 
   CHECK(added_measures().empty());
 }
 
-TEST_CASE("own rows: after a config was read it is too late", "[measures]") {
-  static constexpr BendingKind model{.name = "own", .build = no_constraints};
-  static constexpr Measure measure{.name = "own", .begin = nothing};
-  parse_experiment(R"({"name": "first"})", "test");
-  measures();
-  CHECK_THROWS_AS(register_bending_model(model), std::logic_error);
-  CHECK_THROWS_AS(register_measure(measure), std::logic_error);
+TEST_CASE("own rows: what is added and removed at any time is in the settings or not", "[measures]") {
+  static constexpr BendingKind model{.name = "own", .settings = table_of<None>({}), .build = no_constraints},
+      no_table{.name = "own", .build = no_constraints};
+  static const Measure measure{.name = "own", .begin = nothing};
+  CHECK_THROWS_WITH(register_bending_model(no_table), ContainsSubstring("table_of"));
+  const std::string config =
+      R"({"name": "own", "bending": {"model": "own"}, "output": {"measures": ["own"]}})";
+  const auto parse = [&] { return parse_experiment(config, "test"); };
+  CHECK_THROWS_WITH(parse(), ContainsSubstring("/bending/model") && ContainsSubstring("/output/measures"));
+  register_bending_model(model), register_measure(measure);
+  CHECK_NOTHROW(parse());
+  remove_bending_model("own"), remove_measure("own");
+  CHECK_THROWS(parse());
+  CHECK(added_bending_models().empty());
+  remove_bending_model("lod");
+  CHECK(find_bending_model("lod") != nullptr);
 }
 
 }  // namespace

@@ -75,6 +75,14 @@ class Calibration {
     membrane_ = bend.membrane_quartic();
   }
 
+  // Elements of the model's own keep their weights: they are those of a rigidity of 1 N m.
+  void state(OwnElements& own) {
+    if (own.size() == 0) return;
+    const std::vector<Vector2> plane = plane_coordinates(rest_);
+    if (!plane.empty()) tell_share(own, plane);
+    for (double& each : own.softness) each /= rigidity();
+  }
+
   void meet() {
     const std::vector<double> area = bending_areas(rest_, held_);
     if (!linear_.empty()) meet_linear(area);
@@ -138,6 +146,34 @@ class Calibration {
     for (BendingFact& fact : linear_.finish(energy, usual, "linear"))
       constraints_.facts.push_back(std::move(fact));
     for (BendingFact& fact : facts) constraints_.facts.push_back(std::move(fact));
+  }
+
+  // Bends each element about its middle, so little that energies are quadratic.
+  void tell_share(const OwnElements& own, const std::vector<Vector2>& plane) {
+    const double curvature = 1e-4 / rest_.mean_edge_length();
+    double area = 0;
+    for (const double of_vertex : bending_areas(rest_, held_)) area += of_vertex;
+    const ByDirection shares = in_all_directions([&](const Vector2& d) {
+      OwnElements apart = own;
+      Positions bent(static_cast<Eigen::Index>(own.vertices.size()), 3);
+      for (std::size_t c = 0, next = 0; c < own.size(); ++c) {
+        const auto at = [&](int v) { return plane[static_cast<std::size_t>(v)]; };
+        Vector2 middle = Vector2::Zero();
+        for (const int v : own.corners(c)) middle += at(v) / static_cast<double>(own.arity);
+        for (const int v : own.corners(c)) {
+          const Vector2 q = at(v) - middle;
+          apart.vertices[next] = static_cast<int>(next);
+          bent.row(static_cast<Eigen::Index>(next++)) << q.x(), q.y(), 0.5 * curvature * square(q.dot(d));
+        }
+      }
+      return elastic_energy(apart, bent) / (0.5 * square(curvature) * area);
+    });
+    const auto [least, most] = std::ranges::minmax(shares);
+    constraints_.facts.push_back({"large_deflection", mean(shares),
+                                  "share of the stated B that the sheet has if its membrane holds it to a "
+                                  "cylinder, mean over directions"});
+    constraints_.facts.push_back({"large_deflection_least", least, "in the direction where it is least"});
+    constraints_.facts.push_back({"large_deflection_most", most, "in the direction where it is most"});
   }
 
   // Brings the relaxed sheet's rigidity nearer to the cylinder's. Hinges that fold less in the relaxed sheet
@@ -335,7 +371,9 @@ class Calibration {
 
 void calibrate(BendingConstraints& constraints, const RestMesh& rest, const Pins& pins,
                const CalibrationTarget& target) {
-  Calibration(constraints, rest, pins, target).meet();
+  Calibration calibration(constraints, rest, pins, target);
+  calibration.meet();
+  calibration.state(constraints.own);
 }
 
 }  // namespace bendlab

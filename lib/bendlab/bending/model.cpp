@@ -35,6 +35,7 @@ std::optional<std::string> unknown_to_k(const BendingKind& model, const BendingC
   };
   look_at(constraints.distance.softness);
   for_each_kind(constraints.elements, [&](const auto& list) { look_at(list.softness); });
+  look_at(constraints.own.softness);
   if (least == 1 && most == 1) return std::nullopt;
   return fmt::format(
       "'{}' makes its constraints {:.3g} to {:.3g} times as soft as the scene's compliance, and k would "
@@ -55,6 +56,10 @@ void register_bending_model(const BendingKind& model) {
     throw std::invalid_argument(
         fmt::format("the bending model '{}' cannot be registered: it has no build()", model.name));
   registry().add(model);
+}
+
+void remove_bending_model(std::string_view name) {
+  registry().remove(name);
 }
 
 std::span<const BendingKind* const> added_bending_models() {

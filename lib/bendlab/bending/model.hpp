@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "bendlab/constraints/kinds.hpp"
+#include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/mesh/pins.hpp"
 #include "bendlab/mesh/rest_mesh.hpp"
 #include "bendlab/parameters/family.hpp"
@@ -27,6 +28,7 @@ struct BendingFact {
 struct BendingConstraints {
   DistanceConstraints distance;
   ElementLists elements;
+  OwnElements own;  ///< of a function that the library does not know
   std::vector<BendingFact> facts;
 };
 
@@ -65,6 +67,8 @@ struct BendingKind {
   /// It stands for the sheet of a stated rigidity where other models are judged.
   bool is_reference = false;
   BendingConstraints (*build)(const void* settings, const BendingInput&) = nullptr;
+  /// Of an added one: tells versions of its code apart, in run ids. Empty: the program's file does.
+  std::string_view code = {};
 };
 
 /// The model's constraints.
@@ -97,11 +101,12 @@ inline std::string_view made_of(const BendingKind& model) {
 /// Names of the registered models that are made of hinges.
 std::vector<std::string_view> models_of_hinges();
 
-/// Adds a model of the program's own, which has to stay where it is. To be called before a config is read, by
-/// one thread. Throws std::invalid_argument if its name is taken or it has no build(), std::logic_error if it
-/// is too late.
+/// Adds a model of the program's own, which has to stay where it is. See Registry::add(). Throws
+/// std::invalid_argument if its name is taken or it has no build().
 void register_bending_model(const BendingKind& model);
 void register_bending_model(const BendingKind&&) = delete;
+/// Takes one out that was added. Scenes that have it keep it.
+void remove_bending_model(std::string_view name);
 
 /// The models that the program added.
 std::span<const BendingKind* const> added_bending_models();

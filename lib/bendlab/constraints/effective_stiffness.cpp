@@ -237,6 +237,7 @@ template <class Real>
 EffectiveStiffness effective_stiffness(const Constraints<Real>& constraints, const PermutedState& state) {
   EffectiveStiffness result{
       .membrane = membrane_work(constraints.strain, state), .hinges = {}, .springs = {}};
+  if (constraints.own.count > 0) return result;  // nothing is known of them
   std::optional<SpringMeter> meter;
   const auto measure_springs = [&](const auto& batch) {
     if (state.rest.empty()) return;

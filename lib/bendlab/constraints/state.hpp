@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bendlab/constraints/kinds.hpp"
+#include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/constraints/point.hpp"
 #include "bendlab/constraints/quad.hpp"
 #include "bendlab/parameters/archive.hpp"
@@ -71,8 +72,9 @@ struct Constraints {
   StrainBatch<Real> strain;
   DistanceBatch<Real> distance;
   ElementBatches<Real> elements;
+  OwnBatch<Real> own;
 
-  /// Calls action(batch) for every kind's.
+  /// Calls action(batch) for every batch that has kernels.
   template <class Action>
   void for_each(const Action& action) {
     action(strain);

@@ -34,6 +34,8 @@ std::vector<Pass<Real>> compile(const ConstraintDamping& settings, const EffectI
                damp_any(points, velocities, batch, k);
                if (k > 0) context.acted += batch.count;
              });
+             damp_by_oracle(points, velocities, context.constraints.own, k);
+             if (k > 0) context.acted += context.constraints.own.count;
            }}};
 }
 

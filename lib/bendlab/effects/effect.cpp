@@ -31,6 +31,10 @@ void register_effect(const EffectKind& kind) {
   registry().add(kind);
 }
 
+void remove_effect(std::string_view name) {
+  registry().remove(name);
+}
+
 std::span<const EffectKind* const> added_effects() {
   return registry().added();
 }

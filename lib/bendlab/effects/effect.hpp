@@ -117,6 +117,8 @@ struct EffectKind {
   TriangleMesh (*surface)(const void* settings, const SurfaceInput&) = nullptr;
   /// What is doubtful about these settings in this scene; null: nothing ever is.
   std::optional<Doubt> (*doubt)(const void* settings, const DoubtInput&) = nullptr;
+  /// Of an added one: tells versions of its code apart, in run ids. Empty: the program's file does.
+  std::string_view code = {};
 
   bool is_obstacle() const { return motion != nullptr; }
 
@@ -149,9 +151,11 @@ std::span<const EffectKind* const> effects();
 /// The effect of that name, or nullptr.
 const EffectKind* find_effect(std::string_view name);
 
-/// Adds an effect of the program's own, before a config is read. See Registry::add().
+/// Adds an effect of the program's own. See Registry::add().
 void register_effect(const EffectKind& kind);
 void register_effect(const EffectKind&&) = delete;
+/// Takes one out that was added. Scenes that have it keep it.
+void remove_effect(std::string_view name);
 
 /// The effects that the program added.
 std::span<const EffectKind* const> added_effects();

@@ -8,8 +8,7 @@
 
 namespace bendlab::detail {
 
-void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken,
-                    bool too_late) {
+void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken) {
   const auto allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
@@ -22,11 +21,6 @@ void check_new_name(std::string_view family, std::string_view name, std::span<co
     throw std::invalid_argument(fmt::format(
         "the {} '{}' cannot be registered: there is one of that name; choose another name than {}", family,
         name, fmt::join(taken, ", ")));
-  if (too_late)
-    throw std::logic_error(
-        fmt::format("the {} '{}' is registered too late: a config or the list of all was read without it; "
-                    "register it at the start of main()",
-                    family, name));
 }
 
 }  // namespace bendlab::detail

@@ -11,9 +11,13 @@
 #include <atomic>
 #include <concepts>
 #include <cstddef>
+#include <iterator>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
@@ -60,41 +64,64 @@ struct Erased<function> {
     return function(*static_cast<const Settings*>(settings), std::forward<Rest>(rest)...);
   }
 };
-/// Throws std::invalid_argument if the name cannot be a key of a config, or if it is taken; std::logic_error
-/// if it comes too late.
-void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken,
-                    bool too_late);
+/// Throws std::invalid_argument if the name cannot be a key of a config, or if it is taken.
+void check_new_name(std::string_view family, std::string_view name, std::span<const std::string_view> taken);
+
+/// How often a kind was added to any registry.
+inline std::atomic<int> registered{0};
 }  // namespace detail
 template <auto function>
 inline constexpr auto erased = &detail::Erased<function>::call;
 
-/// The kinds of a family: those listed, and then those that the program registers before anybody reads them.
+/// A value that is made of kinds, such as a table of their names: make(), which is called again after kinds
+/// were added. What was made before stays where it is.
+template <auto make>
+const auto& made_of_kinds() {
+  static std::mutex access;
+  static std::map<int, decltype(make())> made;
+  const std::lock_guard lock(access);
+  const int now = detail::registered;
+  const auto found = made.find(now);
+  return found != made.end() ? found->second : made.emplace(now, make()).first->second;
+}
+
+/// The kinds of a family: those listed, and then those that the program registers. For one thread, while no
+/// other reads configs.
 template <class Kind>
 class Registry {
  public:
   /// `family`: "bending model", for messages.
   Registry(std::string_view family, std::span<const Kind* const> listed)
-      : family_(family), kinds_(listed.begin(), listed.end()), listed_(listed.size()) {}
+      : family_(family), kinds_(listed.begin(), listed.end()), listed_(std::ssize(listed)) {}
 
   /// The kind has to stay where it is. Throws std::invalid_argument for a name that is taken or no name,
-  /// std::logic_error after the first all(): tables of settings were made of them. For one thread.
+  /// and for a kind without a table of settings.
   void add(const Kind& kind) {
     std::vector<std::string_view> taken;
     for (const Kind* each : kinds_) taken.push_back(each->name);
-    detail::check_new_name(family_, kind.name, taken, was_read_);
+    detail::check_new_name(family_, kind.name, taken);
+    if constexpr (requires { kind.settings.copy; })
+      if (kind.settings.copy == nullptr)
+        throw std::invalid_argument(std::string(kind.name) +
+                                    " has no table of settings: state .settings = table_of<…>({})");
     kinds_.push_back(&kind);
+    ++detail::registered;
+  }
+  /// Takes a kind out that was added.
+  void remove(std::string_view name) {
+    const auto added = std::ranges::find(kinds_.begin() + listed_, kinds_.end(), name, &Kind::name);
+    if (added == kinds_.end()) return;
+    kinds_.erase(added);
+    ++detail::registered;
   }
 
-  /// All, which from here on are all that there will be.
-  std::span<const Kind* const> all() {
-    was_read_.store(true, std::memory_order_relaxed);
-    return kinds_;
+  std::span<const Kind* const> all() const { return kinds_; }
+  std::span<const Kind* const> added() const {
+    return std::span(kinds_).subspan(static_cast<std::size_t>(listed_));
   }
-  std::span<const Kind* const> so_far() const { return kinds_; }  ///< more may be added
-  std::span<const Kind* const> added() const { return std::span(kinds_).subspan(listed_); }
 
   /// The kind of that name, or null.
-  const Kind* find(std::string_view name) {
+  const Kind* find(std::string_view name) const {
     const auto found = std::ranges::find(all(), name, &Kind::name);
     return found == all().end() ? nullptr : *found;
   }
@@ -102,8 +129,7 @@ class Registry {
  private:
   std::string_view family_;
   std::vector<const Kind*> kinds_;
-  std::size_t listed_;
-  std::atomic<bool> was_read_{false};
+  std::ptrdiff_t listed_;
 };
 
 /// The kinds of structs, in their order: listed_kinds<EffectKind, Gravity, Wind>.

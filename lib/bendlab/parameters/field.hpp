@@ -192,8 +192,11 @@ constexpr auto read_when(Predicate) {
 /// A struct's rows, and how to make one.
 struct FieldTable {
   std::span<const Field> fields = {};
-  const void* (*defaults)() = nullptr;  ///< a struct that nobody changed
+  const void* (*usual)(const void* own) = nullptr;  ///< defaults()
   std::shared_ptr<void> (*copy)(const void* owner) = nullptr;
+  const void* own = nullptr;  ///< of tables that are made at run time: their defaults
+
+  const void* defaults() const { return usual(own); }  ///< a struct that nobody changed
 
   Value default_of(const Field& field) const { return field.of(defaults()); }
   /// The row of that name, or null.
@@ -203,7 +206,7 @@ struct FieldTable {
 template <class Struct>
 constexpr FieldTable table_of(std::span<const Field> fields) {
   return {fields,
-          []() -> const void* {
+          [](const void*) -> const void* {
             static const Struct usual{};
             return &usual;
           },

@@ -15,7 +15,8 @@ double elastic_energy(const SimulationInput& input, const Positions& positions) 
   if (strain.kind == StiffnessKind::compliance && strain.compliance > 0)
     sum += elastic_energy(input.strain, strain.form, positions) / strain.compliance;
   if (bending.kind == StiffnessKind::compliance && bending.compliance > 0)
-    sum += (elastic_energy(input.distance, positions) + elastic_energy(input.elements, positions)) /
+    sum += (elastic_energy(input.distance, positions) + elastic_energy(input.elements, positions) +
+            elastic_energy(input.own, positions)) /
            bending.compliance;
   return sum;
 }

@@ -204,7 +204,7 @@ void check_table(const FieldTable& table, const void* owner, const Scene& scene,
 }  // namespace
 
 void settle(Scene& scene) {
-  if (!scene.mesh.rows)
+  if (!scene.mesh.rows && !scene.mesh.file)
     scene.mesh.rows = scene.mesh.generator == Generator::equilateral ? rows_of_lattice(scene.mesh, scene.pins)
                                                                      : Rows::parallel;
   const MethodKind& method = scene.solver.method.kind();

@@ -358,31 +358,42 @@ SettingRow choice_row(std::string_view name, std::string_view meaning,
   return {row, usual ? Value(std::string(*usual)) : Value()};
 }
 
-const SettingRow& method_row() {
-  static const std::vector<std::string_view> names = names_of(methods());
-  static const std::string meaning = [] {
-    std::string text = "How a time step moves the cloth.";
-    for (const MethodKind* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
-    return text +
-           " A setting that a method does not read changes nothing, and a warning says so: see "
-           "`bendlab methods`";
-  }();
-  static const SettingRow row = choice_row("method", meaning, names, Solver{}.method.name());
-  return row;
+std::vector<std::string_view> method_names() {
+  return names_of(methods());
+}
+std::vector<std::string_view> model_names() {
+  return names_of(bending_models());
+}
+std::vector<std::string_view> effect_names() {
+  return names_of(effects());
 }
 
-const SettingRow& model_row() {
-  static const std::vector<std::string_view> names = names_of(bending_models());
-  static const SettingRow row =
-      choice_row("model", "Bending model; its own settings are in the section of its name", names,
-                 Bending{}.model.name());
-  return row;
+std::string meaning_of_method() {
+  std::string text = "How a time step moves the cloth.";
+  for (const MethodKind* method : methods()) text += fmt::format(" {}: {}.", method->name, method->summary);
+  return text +
+         " A setting that a method does not read changes nothing, and a warning says so: see "
+         "`bendlab methods`";
+}
+
+SettingRow method_row() {
+  return choice_row("method", made_of_kinds<meaning_of_method>(), made_of_kinds<method_names>(),
+                    Solver{}.method.name());
+}
+
+SettingRow model_row() {
+  return choice_row("model", "Bending model; its own settings are in the section of its name",
+                    made_of_kinds<model_names>(), Bending{}.model.name());
+}
+
+SettingRow type_row() {
+  return choice_row("type", "Which effect", made_of_kinds<effect_names>(), std::nullopt);
 }
 
 Section section_of(std::string pointer, std::string meaning, const FieldTable& table,
-                   const SettingRow* first = nullptr) {
+                   const std::optional<SettingRow>& first = std::nullopt) {
   Section section{std::move(pointer), std::move(meaning), {}};
-  if (first != nullptr) section.rows.push_back(*first);
+  if (first) section.rows.push_back(*first);
   std::ranges::move(rows_of(table), std::back_inserter(section.rows));
   return section;
 }
@@ -399,9 +410,9 @@ void check_names_of_added_models() {
 std::vector<Section> make_sections() {
   std::vector<Section> sections;
   for (const Part& part : scene_parts()) {
-    const SettingRow* const first = part.pointer == "/bending"  ? &model_row()
-                                    : part.pointer == "/solver" ? &method_row()
-                                                                : nullptr;
+    const std::optional<SettingRow> first = part.pointer == "/bending"  ? std::optional(model_row())
+                                            : part.pointer == "/solver" ? std::optional(method_row())
+                                                                        : std::nullopt;
     Section& section = sections.emplace_back(
         section_of(std::string(part.pointer), std::string(part.meaning), part.table, first));
     if (part.pointer == "/bending") {
@@ -450,14 +461,11 @@ const FieldTable& scene_table() {
 }
 
 std::span<const Section> scene_sections() {
-  static const std::vector<Section> sections = make_sections();
-  return sections;
+  return made_of_kinds<make_sections>();
 }
 
 const SettingRow& effect_type_row() {
-  static const std::vector<std::string_view> names = names_of(effects());
-  static const SettingRow row = choice_row("type", "Which effect", names, std::nullopt);
-  return row;
+  return made_of_kinds<type_row>();
 }
 
 std::vector<std::string_view> choices_that_read(const Field& field) {

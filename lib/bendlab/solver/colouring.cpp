@@ -50,11 +50,9 @@ class UsedColours {
   std::vector<std::uint64_t> bits_;
 };
 
-template <std::size_t arity>
-int largest_degree(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
+int largest_degree(std::span<const int> vertices, int vertex_count) {
   std::vector<int> degree(static_cast<std::size_t>(vertex_count), 0);
-  for (const auto& constraint : vertices)
-    for (const int vertex : constraint) ++degree[static_cast<std::size_t>(vertex)];
+  for (const int vertex : vertices) ++degree[static_cast<std::size_t>(vertex)];
   return degree.empty() ? 0 : *std::max_element(degree.begin(), degree.end());
 }
 
@@ -194,18 +192,18 @@ void sort_by_length_where_they_are(BatchOrder& order, std::size_t begin, std::si
 
 }  // namespace
 
-template <std::size_t arity>
-BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
+BatchOrder colour_order(std::span<const int> vertices, std::size_t arity, int vertex_count) {
   // When a constraint's colour is chosen, its corners together have used at most arity · (degree - 1)
   // colours.
   UsedColours used(vertex_count, static_cast<int>(arity) * largest_degree(vertices, vertex_count));
-  std::vector<int> colours(vertices.size());
-  for (std::size_t c = 0; c < vertices.size(); ++c) colours[c] = used.take_first_free(vertices[c]);
+  std::vector<int> colours(arity == 0 ? 0 : vertices.size() / arity);
+  for (std::size_t c = 0; c < colours.size(); ++c)
+    colours[c] = used.take_first_free(vertices.subspan(c * arity, arity));
   std::vector<std::size_t> lanes = begin_of_colours(colours);
   BatchOrder order;
   order.first.assign(lanes.back(), -1);
   give_each_group_a_stack(order, lanes);
-  for (std::size_t c = 0; c < vertices.size(); ++c)
+  for (std::size_t c = 0; c < colours.size(); ++c)
     order.first[lanes[static_cast<std::size_t>(colours[c])]++] = static_cast<int>(c);
   return order;
 }
@@ -243,9 +241,5 @@ BatchOrder list_order(std::size_t constraint_count) {
   order.conflict_free = false;
   return order;
 }
-
-template BatchOrder colour_order(const std::vector<std::array<int, 2>>&, int);
-template BatchOrder colour_order(const std::vector<std::array<int, 3>>&, int);
-template BatchOrder colour_order(const std::vector<std::array<int, 4>>&, int);
 
 }  // namespace bendlab

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "bendlab/constraints/batches.hpp"
@@ -11,9 +12,13 @@ namespace bendlab {
 /// Greedy first-fit colouring in list order. No two constraints of a colour share a vertex: they may be
 /// projected side by side with the same result for any lane width and number of threads. Constraints keep
 /// their list order within a colour (neighbours stay neighbours in memory). Every colour is padded to
-/// max_lanes.
+/// max_lanes. `vertices`: #C by arity.
+BatchOrder colour_order(std::span<const int> vertices, std::size_t arity, int vertex_count);
 template <std::size_t arity>
-BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count);
+BatchOrder colour_order(const std::vector<std::array<int, arity>>& vertices, int vertex_count) {
+  return colour_order({vertices.empty() ? nullptr : vertices.front().data(), arity * vertices.size()}, arity,
+                      vertex_count);
+}
 
 /// Pairs as stars: up to four pairs with the same first vertex follow one another in one lane, so that a
 /// kernel keeps that vertex in registers. Stars are coloured first-fit (no two of a colour share any vertex),

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <span>
 #include <stdexcept>
 
 #include "bendlab/constraints/corners.hpp"
@@ -20,14 +21,14 @@ class Assembly {
       entries_.emplace_back(static_cast<int>(i), static_cast<int>(i), 0);
   }
 
-  // scale · weight weightᵀ at the rows of these vertices.
-  template <std::size_t N>
-  void add(const std::array<int, N>& vertices, const std::array<double, N>& weight, double scale) {
-    for (std::size_t i = 0; i < N; ++i)
-      for (std::size_t j = 0; j < N; ++j) {
+  // value(i, j) at the rows of these vertices.
+  template <class ValueAt>
+  void add(std::span<const int> vertices, const ValueAt& value) {
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (std::size_t j = 0; j < vertices.size(); ++j) {
         const int row = index_[static_cast<std::size_t>(vertices[i])],
                   column = index_[static_cast<std::size_t>(vertices[j])];
-        if (column >= 0 && row >= column) entries_.emplace_back(row, column, scale * weight[i] * weight[j]);
+        if (column >= 0 && row >= column) entries_.emplace_back(row, column, value(i, j));
       }
   }
 
@@ -63,6 +64,27 @@ std::array<double, Kind::arity> weights_at_rest(const std::array<Vector3, Kind::
   return weights;
 }
 
+// The trace of each pair's block of the Hessian at rest: a sheet at rest resists along its normal.
+void add_own(const OwnElements& own, const Positions& rest, double compliance, Assembly& bending) {
+  if (own.size() == 0) return;
+  const bool is_energy = own.function->is_energy();
+  const OwnValues at_rest = evaluate(own, rest);
+  const std::vector<Eigen::MatrixXd> second =
+      is_energy ? second_derivatives(own, rest) : std::vector<Eigen::MatrixXd>{};
+  for (std::size_t c = 0; c < own.size(); ++c) {
+    if (!std::isfinite(at_rest.values[c])) continue;
+    const double stiffness = 1 / (compliance * own.softness[c]);
+    const auto gradient = [&](std::size_t i) {
+      return Eigen::Map<const Vector3>(&at_rest.gradients[3 * (c * own.arity + i)]);
+    };
+    bending.add(own.corners(c), [&](std::size_t i, std::size_t j) {
+      const auto row = static_cast<Eigen::Index>(3 * i), column = static_cast<Eigen::Index>(3 * j);
+      return stiffness *
+             (is_energy ? second[c].block<3, 3>(row, column).trace() : gradient(i).dot(gradient(j)));
+    });
+  }
+}
+
 }  // namespace
 
 ElasticMetric::ElasticMetric(const SimulationInput& input)
@@ -84,11 +106,14 @@ ElasticMetric::ElasticMetric(const SimulationInput& input)
           "{}: the force of {} jumps where it is straight, so that no constant metric resembles it: take the "
           "method newton, or another bending model",
           input.method.name(), Kind::name));
-    for (std::size_t e = 0; e < list.size(); ++e)
-      bending.add<Kind::arity>(list.vertices[e],
-                               weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law),
-                               1 / (compliance * list.softness[e]));
+    for (std::size_t e = 0; e < list.size(); ++e) {
+      const auto weight = weights_at_rest<Kind>(corners(rest, list.vertices[e]), list.rest[e], list.law);
+      const double stiffness = 1 / (compliance * list.softness[e]);
+      bending.add(list.vertices[e],
+                  [&](std::size_t i, std::size_t j) { return stiffness * weight[i] * weight[j]; });
+    }
   });
+  add_own(input.own, rest, compliance, bending);
   bending_ = bending.matrix(vertices_.size());
 }
 
@@ -124,9 +149,12 @@ Eigen::SparseMatrix<double> ElasticMetric::membrane(std::span<const double> soft
     const std::array<double, 4>& q = strain_.inverse_rest[t];
     const double stiffness = 1 / (softness[t] * compliance_) +
                              (stiffness_of_springs_.empty() ? 0 : stiffness_of_springs_[t]);  // N/m
-    for (const std::size_t column : {0U, 1U})
-      membrane.add<3>(strain_.vertices[t], {-q[column] - q[2 + column], q[column], q[2 + column]},
-                      stiffness * rest_area(t));
+    const double scale = stiffness * rest_area(t);
+    for (const std::size_t column : {0U, 1U}) {
+      const std::array<double, 3> weight = {-q[column] - q[2 + column], q[column], q[2 + column]};
+      membrane.add(strain_.vertices[t],
+                   [&](std::size_t i, std::size_t j) { return scale * weight[i] * weight[j]; });
+    }
   }
   return membrane.matrix(vertices_.size());
 }

@@ -1,5 +1,6 @@
 #include "bendlab/solver/elastic_system.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -81,6 +82,12 @@ ConstraintValue<double, 4> component(const Corners<4>& p, const std::array<doubl
   return c;
 }
 
+Eigen::MatrixXd without_negative_eigenvalues(const Eigen::MatrixXd& matrix) {
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() *
+         solver.eigenvectors().transpose();
+}
+
 void require_compliance(StiffnessKind kind, double compliance, const char* what) {
   if (kind != StiffnessKind::compliance || !(compliance > 0))
     throw std::invalid_argument(std::string("equilibrium: ") + what +
@@ -94,13 +101,15 @@ ElasticSystem::ElasticSystem(const SimulationInput& input)
       strain_stiffness_(input.strain_stiffness),
       distance_(input.distance),
       elements_(input.elements),
+      own_(input.own),
       bending_compliance_(input.bending_stiffness.compliance) {
   if (strain_.size() > 0) require_compliance(strain_stiffness_.kind, strain_stiffness_.compliance, "strain");
-  if (distance_.size() > 0 || element_count(elements_) > 0)
+  if (distance_.size() > 0 || element_count(elements_) > 0 || own_.size() > 0)
     require_compliance(input.bending_stiffness.kind, bending_compliance_, "bending");
   for (std::size_t v = 0; v < input.is_pinned.size(); ++v)
     free_index_.push_back(!input.is_pinned[v] && input.mass[v] > 0 ? free_count_++ : -1);
   for_terms([&](Eigen::Index, const auto&, const auto&, const auto&) { ++energy_terms_; });
+  energy_terms_ += static_cast<Eigen::Index>(own_.size());
   find_pattern();
 }
 
@@ -166,6 +175,21 @@ void ElasticSystem::element_terms(const ElementList<Kind>& list, std::size_t c, 
       });
 }
 
+template <class Visit>
+void ElasticSystem::own_terms(const Positions& positions, const Visit& visit) const {
+  if (own_.size() == 0) return;
+  const OwnValues all = evaluate(own_, positions);
+  const bool is_energy = own_.function->is_energy();
+  const Eigen::Index first = energy_terms_ - static_cast<Eigen::Index>(own_.size());
+  for (std::size_t c = 0; c < own_.size(); ++c) {
+    const double alpha = bending_compliance_ * own_.softness[c], value = all.values[c];
+    if (std::isfinite(value))
+      visit(first + static_cast<Eigen::Index>(c), c,
+            is_energy ? Potential{value / alpha, 1 / alpha, 0} : quadratic(value, alpha),
+            &all.gradients[3 * own_.arity * c]);
+  }
+}
+
 ElasticSystem::AtVertex ElasticSystem::at_vertex(const Positions& positions, int vertex) {
   if (constraints_at_.empty()) find_constraints_at_vertices();
   AtVertex sum{0, Vector3::Zero(), Eigen::Matrix3d::Zero()};
@@ -203,14 +227,14 @@ void ElasticSystem::find_constraints_at_vertices() {
 }
 
 std::size_t ElasticSystem::term_count() const {
-  return strain_.size() + distance_.size() + element_count(elements_);
+  return strain_.size() + distance_.size() + element_count(elements_) + own_.size();
 }
 
 std::size_t ElasticSystem::memory_bytes() const {
   std::size_t sum = bytes_of(strain_.vertices) + bytes_of(strain_.inverse_rest) +
                     bytes_of(distance_.vertices) + bytes_of(distance_.rest_length) +
                     bytes_of(distance_.softness) + bytes_of(free_index_) + bytes_of(blocks_) +
-                    bytes_of(hessian_);
+                    bytes_of(hessian_) + bytes_of(own_.vertices) + bytes_of(own_.softness);
   for_each_kind(elements_, [&](const auto& list) {
     sum += bytes_of(list.vertices) + bytes_of(list.rest) + bytes_of(list.softness);
   });
@@ -223,6 +247,8 @@ double ElasticSystem::energy(const Positions& positions) const {
     const auto c = evaluate(corners(positions, vertices));
     if (c.defined) sum += potential(c.value).value;
   });
+  own_terms(positions,
+            [&](Eigen::Index, std::size_t, const Potential& psi, const double*) { sum += psi.value; });
   return sum;
 }
 
@@ -235,6 +261,13 @@ Eigen::VectorXd ElasticSystem::gradient(const Positions& positions) const {
     for (std::size_t i = 0; i < vertices.size(); ++i)
       if (const int at = free_index_[static_cast<std::size_t>(vertices[i])]; at >= 0)
         sum.segment<3>(3 * at) += slope * c.gradient[i];
+  });
+  own_terms(positions, [&](Eigen::Index, std::size_t c, const Potential& psi, const double* gradient) {
+    for (const int v : own_.corners(c)) {
+      if (const int at = free_index_[static_cast<std::size_t>(v)]; at >= 0)
+        sum.segment<3>(3 * at) += psi.slope * Eigen::Map<const Vector3>(gradient);
+      gradient += 3;
+    }
   });
   return sum;
 }
@@ -260,6 +293,15 @@ Eigen::VectorXd ElasticSystem::predicted_multipliers(const Positions& positions,
     const Potential psi = potential(c.value);
     result(term) = psi.slope;
     if (step.size() > 0) result(term) += psi.curvature * change_of(c, vertices, step);
+  });
+  own_terms(positions, [&](Eigen::Index term, std::size_t c, const Potential& psi, const double* gradient) {
+    double change = 0;
+    for (const int v : own_.corners(c)) {
+      if (const int at = free_index_[static_cast<std::size_t>(v)]; at >= 0 && step.size() > 0)
+        change += Eigen::Map<const Vector3>(gradient).dot(step.segment<3>(3 * at));
+      gradient += 3;
+    }
+    result(term) = psi.slope + psi.curvature * change;
   });
   return result;
 }
@@ -334,7 +376,34 @@ const Eigen::SparseMatrix<double>& ElasticSystem::hessian(const Positions& posit
                                                   static_cast<Eigen::Index>(3 * j)));
       }
   });
+  add_own_hessian(positions, multipliers);
   return hessian_;
+}
+
+void ElasticSystem::add_own_hessian(const Positions& positions, const Eigen::VectorXd& multipliers) {
+  if (own_.size() == 0) return;
+  const auto count = static_cast<Eigen::Index>(own_.size());
+  const bool is_energy = own_.function->is_energy();
+  std::vector<Eigen::MatrixXd> second;
+  if (is_energy || multipliers.tail(count).any()) second = second_derivatives(own_, positions);
+  own_terms(positions, [&](Eigen::Index term, std::size_t c, const Potential& psi, const double* first) {
+    const auto width = static_cast<Eigen::Index>(3 * own_.arity);
+    const Eigen::Map<const Eigen::VectorXd> gradient(first, width);
+    Eigen::MatrixXd whole = psi.curvature * gradient * gradient.transpose();
+    if (is_energy && multipliers(term) == 0)
+      whole += psi.slope * without_negative_eigenvalues(second[c]);
+    else if (multipliers(term) != 0)
+      whole += multipliers(term) * second[c];
+    const std::span<const int> vertices = own_.corners(c);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+      for (std::size_t j = 0; j < vertices.size(); ++j) {
+        const int row = free_index_[static_cast<std::size_t>(vertices[i])],
+                  column = free_index_[static_cast<std::size_t>(vertices[j])];
+        if (column < 0 || row < column) continue;
+        add_block(row, column,
+                  whole.block<3, 3>(static_cast<Eigen::Index>(3 * i), static_cast<Eigen::Index>(3 * j)));
+      }
+  });
 }
 
 // The first block of a column is on the diagonal: only its lower triangle is stored.
@@ -353,17 +422,20 @@ void ElasticSystem::add_block(int row, int column, const Eigen::Matrix3d& block)
 void ElasticSystem::find_pattern() {
   blocks_.assign(static_cast<std::size_t>(free_count_), {});
   for (std::size_t v = 0; v < blocks_.size(); ++v) blocks_[v].push_back(static_cast<int>(v));
+  const auto couple = [&](const auto& vertices) {
+    for (const int a : vertices)
+      for (const int b : vertices) {
+        const int row = free_index_[static_cast<std::size_t>(a)],
+                  column = free_index_[static_cast<std::size_t>(b)];
+        if (column >= 0 && row > column) blocks_[static_cast<std::size_t>(column)].push_back(row);
+      }
+  };
   const auto add = [&](const auto& list) {
-    for (const auto& vertices : list.vertices)
-      for (const int a : vertices)
-        for (const int b : vertices) {
-          const int row = free_index_[static_cast<std::size_t>(a)],
-                    column = free_index_[static_cast<std::size_t>(b)];
-          if (column >= 0 && row > column) blocks_[static_cast<std::size_t>(column)].push_back(row);
-        }
+    for (const auto& vertices : list.vertices) couple(vertices);
   };
   add(strain_), add(distance_);
   for_each_kind(elements_, add);
+  for (std::size_t c = 0; c < own_.size(); ++c) couple(own_.corners(c));
   Eigen::Index count = 0;
   for (std::vector<int>& rows : blocks_) {
     std::sort(rows.begin(), rows.end());

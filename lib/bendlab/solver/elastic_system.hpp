@@ -3,6 +3,9 @@
 //
 //   E = Σ ψ(C),   ∇E = Σ ψ'(C) ∇C,   ∇²E = Σ ψ''(C) ∇C ∇Cᵀ + ψ'(C) ∇²C,   ψ = C² / 2α
 //
+// Own elements (own_elements.hpp) come last. One that states an energy U has ψ = U / α, and a Hessian without
+// negative eigenvalues where its multiplier is 0.
+//
 // C and ∇C are the oracle's (oracle.hpp), so every kind of constraint has an equilibrium. ∇²C is the central
 // difference of ∇C: it is exact to about ten digits and only affects how fast Newton's method converges. A
 // term's multiplier is its ψ'(C) or an estimate of it. A kind that is OneSided has its own ψ. Newton's method
@@ -75,6 +78,10 @@ class ElasticSystem {
   void element_terms(const ElementList<Kind>& list, std::size_t c, Eigen::Index& next,
                      const Visit& visit) const;
   void find_constraints_at_vertices();
+  /// Calls visit(term, element, C or U, ψ' and ψ'' of it, its gradient's first number) for the own elements.
+  template <class Visit>
+  void own_terms(const Positions& positions, const Visit& visit) const;
+  void add_own_hessian(const Positions& positions, const Eigen::VectorXd& multipliers);
   template <class Value, std::size_t N>
   double change_of(const Value& c, const std::array<int, N>& vertices, const Eigen::VectorXd& step) const;
   void find_pattern();
@@ -84,6 +91,7 @@ class ElasticSystem {
   StrainStiffness strain_stiffness_;
   DistanceConstraints distance_;
   ElementLists elements_;
+  OwnElements own_;
   double bending_compliance_, strain_softness_ = 1;
   std::vector<int> free_index_;
   int free_count_ = 0;

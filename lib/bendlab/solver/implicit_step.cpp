@@ -16,14 +16,14 @@ namespace bendlab {
 namespace {
 
 std::uint64_t count_constraints(const SimulationInput& input) {
-  return input.strain.size() + input.distance.size() + element_count(input.elements);
+  return input.strain.size() + input.distance.size() + element_count(input.elements) + input.own.size();
 }
 
 void require_energy(const SimulationInput& input) {
   const auto has_energy = [](const auto& s) {
     return s.kind == StiffnessKind::compliance && s.compliance > 0;
   };
-  const bool bends = input.distance.size() + element_count(input.elements) > 0;
+  const bool bends = input.distance.size() + element_count(input.elements) + input.own.size() > 0;
   if ((input.strain.size() > 0 && !has_energy(input.strain_stiffness)) ||
       (bends && !has_energy(input.bending_stiffness)))
     throw std::invalid_argument(fmt::format(

@@ -60,6 +60,12 @@ std::size_t bytes_of(const ElementBatch<Real, Kind>& batch) {
 }
 
 template <class Real>
+std::size_t bytes_of(const OwnBatch<Real>& batch) {
+  return bytes_of(batch.list.vertices) + bytes_of(batch.list.softness) + bytes_of(batch.order) +
+         bytes_of(batch.groups) + bytes_of(batch.multiplier);
+}
+
+template <class Real>
 std::size_t bytes_of(const State<Real>& state) {
   return bytes_of(state.position) + bytes_of(state.previous) + bytes_of(state.velocity) +
          bytes_of(state.position_remainder) + bytes_of(state.velocity_remainder) + bytes_of(state.mass) +
@@ -68,7 +74,7 @@ std::size_t bytes_of(const State<Real>& state) {
 
 template <class Real>
 std::size_t bytes_of(const Constraints<Real>& constraints) {
-  std::size_t sum = 0;
+  std::size_t sum = bytes_of(constraints.own);
   constraints.for_each([&](const auto& batch) { sum += bytes_of(batch); });
   return sum;
 }

@@ -76,7 +76,8 @@ struct MethodKind {
   Factorised factorised = Factorised::nothing;
   /// About how many times as long as projecting each constraint once an iteration takes, for forecasts.
   double cost = 1;
-  bool springs_only = false;  ///< only takes bending models that are made of springs
+  bool springs_only = false;        ///< only takes bending models that are made of springs
+  bool takes_own_elements = false;  ///< elements of a function that the library does not know
   /// Why every stiffness has to be a compliance above 0; empty: it may also be k.
   std::string_view needs_compliance = {};
   /// Constraints are projected one after another. So effects may act between them, and springs may only push
@@ -125,6 +126,9 @@ struct MethodKind {
       return make_double;
   }
 
+  /// Of an added one: tells versions of its code apart, in run ids. Empty: the program's file does.
+  std::string_view code = {};
+
   /// Whether an effect acts in it. One that does not must not be in its plan.
   bool takes_effect(bool needs_projection, bool acts_in_iterations) const {
     return projects || !needs_projection || (takes_effects_in_iterations && acts_in_iterations);
@@ -140,7 +144,7 @@ std::span<const MethodKind* const> methods();
 /// The method of that name, or nullptr.
 const MethodKind* find_method(std::string_view name);
 
-/// Adds a method of the program's own, before a config is read. See Registry::add().
+/// Adds a method of the program's own. See Registry::add().
 void register_method(const MethodKind& kind);
 void register_method(const MethodKind&&) = delete;
 

@@ -1,6 +1,7 @@
 #include "bendlab/solver/ordered_constraints.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <numeric>
 
@@ -102,6 +103,33 @@ class ComplianceRange {
   double most_;
 };
 
+template <class Real>
+OwnBatch<Real> own_batch(const SimulationInput& input, ConstraintOrder in, int projections) {
+  OwnElements list = input.own;
+  if (!input.permutation.empty())
+    for (int& v : list.vertices) v = input.permutation[static_cast<std::size_t>(v)];
+  const std::size_t arity = list.arity;
+  std::vector<int> sorted(list.size());
+  std::iota(sorted.begin(), sorted.end(), 0);
+  if (!input.permutation.empty())
+    std::ranges::stable_sort(
+        sorted, {}, [&](int c) { return std::ranges::min(list.corners(static_cast<std::size_t>(c))); });
+  std::vector<int> vertices;
+  vertices.reserve(list.vertices.size());
+  for (const int c : sorted)
+    std::ranges::copy(list.corners(static_cast<std::size_t>(c)), std::back_inserter(vertices));
+  BatchOrder order = in == ConstraintOrder::colour
+                         ? colour_order(vertices, arity, static_cast<int>(input.positions.rows()))
+                         : list_order(list.size());
+  if (in == ConstraintOrder::colour) order.at_place = std::move(sorted);
+  OwnBatch<Real> batch = make_own_batch<Real>(std::move(list), std::move(order));
+  const BendingStiffness& stiffness = input.bending_stiffness;
+  batch.kind = stiffness.kind, batch.compliance = stiffness.compliance;
+  batch.k = k_of_projection(stiffness.kind, stiffness.k, projections);
+  if (stiffness.kind == StiffnessKind::compliance) batch.multiplier.assign(batch.count, 0);
+  return batch;
+}
+
 }  // namespace
 
 template <class Real>
@@ -142,6 +170,7 @@ Constraints<Real> ordered_constraints(const SimulationInput& input, const Point<
     batch.k = static_cast<Real>(k_of_projection(d.kind, d.k, projections));
     if (d.kind == StiffnessKind::compliance) batch.multiplier.assign(batch.order.lane_count(), 0);
   });
+  if (input.own.size() > 0) constraints.own = own_batch<Real>(input, ordering.order, projections);
   return constraints;
 }
 

@@ -11,6 +11,7 @@
 
 #include "bendlab/constraints/effective_stiffness.hpp"
 #include "bendlab/constraints/kinds.hpp"
+#include "bendlab/constraints/own_elements.hpp"
 #include "bendlab/constraints/state.hpp"
 #include "bendlab/mesh/triangle_mesh.hpp"
 #include "bendlab/parameters/archive.hpp"
@@ -66,6 +67,7 @@ struct SimulationInput {
   DistanceConstraints edges;  ///< the membrane of a method with Membrane::edges, instead of strain
   DistanceConstraints distance;
   ElementLists elements;
+  OwnElements own;  ///< for methods with MethodKind::takes_own_elements
   StrainStiffness strain_stiffness;
   BendingStiffness bending_stiffness;
   double push_tension = 0;  ///< N/m, with which springs that push stretch the rest shape
@@ -82,6 +84,8 @@ struct PassStatistics {
   double seconds = 0;
   std::uint64_t calls = 0;
   std::uint64_t acted = 0;  ///< number of changes by its calls (vertices, pairs …); effects only
+
+  void archive(Archive& state) { state(name, seconds, calls, acted); }
 };
 
 /// What stopped a simulation: its worst vertex and triangle.

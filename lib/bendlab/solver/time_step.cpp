@@ -101,7 +101,11 @@ void TimeStep<Real>::archive(Archive& state) {
   state(state_.position, state_.previous, state_.velocity, state_.position_remainder,
         state_.velocity_remainder, substeps_done_, cut_substeps_, helpers);
   if (state.reads()) earlier_helper_seconds_ = helpers - workers_.helper_seconds();
-  for (PassStatistics& pass : statistics_) state(pass.seconds, pass.calls, pass.acted);
+  std::vector<PassStatistics> passes = statistics_;
+  state(passes);
+  for (PassStatistics& pass : statistics_)  // an effect may have several of one name, in their order
+    if (const auto found = std::ranges::find(passes, pass.name, &PassStatistics::name); found != passes.end())
+      pass = *found, passes.erase(found);
   for (const auto& archive : effect_archives_) archive(state);
 }
 

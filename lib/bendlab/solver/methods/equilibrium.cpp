@@ -274,6 +274,7 @@ constinit const MethodKind Equilibrium::kind{
     .settings = table_of<Equilibrium>({}),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .takes_own_elements = true,
     .needs_compliance = "k has no energy and so no equilibrium",
     .has_motion = false,
     .mesh_order = true,

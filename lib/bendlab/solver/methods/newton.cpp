@@ -171,6 +171,7 @@ constinit const MethodKind Newton::kind{
     .settings = table_of<Newton>(fields),
     .passes = own_passes,
     .factorised = Factorised::blocks,
+    .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,
     .default_substeps = 1,

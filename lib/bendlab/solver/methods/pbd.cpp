@@ -270,7 +270,7 @@ class PbdStep final : public TimeStep<Real> {
   }
 
   std::size_t constraint_count() const {
-    std::size_t count = 0;
+    std::size_t count = constraints_.own.count;
     constraints_.for_each([&](const auto& batch) { count += batch.count; });
     return count + (levels_ ? levels_->span_count() : 0);
   }
@@ -300,6 +300,12 @@ class PbdStep final : public TimeStep<Real> {
     for_each_kind(constraints_.elements, [&]<class Kind>(ElementBatch<Real, Kind>& batch) {
       add_projection(batch, tiles_.elements[kind_index<Kind>], "bending");
     });
+    if (constraints_.own.count > 0) {
+      add_pass(forward_, "bending",
+               [this](auto& c) { project(places(), constraints_.own, c.substep, false); });
+      backward_.push_back({[this](auto& c) { project(places(), constraints_.own, c.substep, true); },
+                           forward_.back().statistics});
+    }
     if (!strain_first) add_projection(constraints_.strain, tiles_.strain, "strain");
     std::reverse(backward_.begin(), backward_.end());
     add_on_positions(after_sweep_, {Stage::project, Stage::contact});
@@ -398,6 +404,7 @@ class PbdStep final : public TimeStep<Real> {
   void predict(Real h) {
     constraints_.for_each(
         [](auto& batch) { std::fill(batch.multiplier.begin(), batch.multiplier.end(), Real(0)); });
+    std::ranges::fill(constraints_.own.multiplier, 0.0);
     if (levels_) levels_->begin_substep();
     if constexpr (keeps_remainders) return on_moves_ ? predict_moves(h) : predict_positions(h);
     for_vertices([&](std::size_t first, std::size_t last) {
@@ -560,6 +567,7 @@ constinit const MethodKind Pbd::kind{
         "iterations converge; energy is not kept; forward sweeps gain some at short substeps",
     .settings = table_of<Pbd>(fields),
     .passes = own_passes,
+    .takes_own_elements = true,
     .projects = true,
     .default_substeps = 8,
     .default_iterations = 1,

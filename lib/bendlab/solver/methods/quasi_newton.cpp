@@ -227,6 +227,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
     constraints_.for_each([&](const auto& batch) {
       add_forces(positions.data(), forces.data(), batch, 0, batch.order.stack_count());
     });
+    add_forces(positions.data(), forces.data(), constraints_.own);
     return forces;
   }
 
@@ -242,6 +243,7 @@ class QuasiNewtonStep final : public ImplicitStep<Real> {
                                  });
       }
     });
+    add_forces(state_.position.data(), force_.data(), constraints_.own);
     for (std::size_t v = 0; data_.contacts.in_use() && v < data_.weight.size(); ++v)
       if (data_.contacts.pushes(v)) force_[v].set(force_[v].vector() + data_.contacts.force(v));
     for (std::size_t v = 0; v < data_.weight.size(); ++v)
@@ -331,6 +333,7 @@ constinit const MethodKind QuasiNewton::kind{
     .passes = own_passes,
     .factorised = Factorised::scalars,
     .cost = 3.5,
+    .takes_own_elements = true,
     .needs_compliance = "k has no energy that a step could minimise",
     .takes_effects_in_iterations = true,
     .default_substeps = 1,

@@ -1,0 +1,82 @@
+// Elements of a function that the library does not know: a model of one's own evaluates it, for many elements
+// at once. The kinds of kinds.hpp have kernels and are 10 to 100 times faster; these need no new kind, may
+// have any number of vertices, and may state an energy instead of a constraint.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "bendlab/constraints/batches.hpp"
+#include "bendlab/mesh/triangle_mesh.hpp"
+
+namespace bendlab {
+
+/// A constraint C, whose energy is ½ C² / α, or an energy U, which counts as U / α. It may not depend on
+/// where the element is: single precision passes positions relative to another origin.
+class ElementFunction {
+ public:
+  virtual ~ElementFunction() = default;
+  virtual std::string_view name() const = 0;  ///< in run files
+  virtual bool is_energy() const { return false; }
+  /// C (or U) and its gradient of the elements `which`, whose corners are `corners`, #which by arity by 3, m.
+  /// Fills `values`, #which, and `gradients`, in the shape of `corners`. An element whose value is not finite
+  /// does not act (it has collapsed). May throw; a step that calls it then throws the same.
+  virtual void evaluate(std::span<const int> which, std::span<const double> corners, std::span<double> values,
+                        std::span<double> gradients) const = 0;
+};
+
+struct OwnElements {
+  std::shared_ptr<const ElementFunction> function;  ///< null: there are none
+  std::size_t arity = 0;
+  std::vector<int> vertices;     ///< #C by arity
+  std::vector<double> softness;  ///< #C, XPBD: α is the softness times the scene's compliance
+
+  std::size_t size() const { return softness.size(); }
+  std::span<const int> corners(std::size_t c) const { return std::span(vertices).subspan(c * arity, arity); }
+};
+
+/// C (or U) and gradients (#C by arity by 3) of all elements.
+struct OwnValues {
+  std::vector<double> values, gradients;
+};
+OwnValues evaluate(const OwnElements& list, const Positions& positions);
+
+/// Second derivatives of C (or U) by central differences of the gradient, made symmetric: #C matrices, 3
+/// arity by 3 arity.
+std::vector<Eigen::MatrixXd> second_derivatives(const OwnElements& list, const Positions& positions);
+
+/// J times the scene's compliance.
+double elastic_energy(const OwnElements& list, const Positions& positions);
+
+/// As the solver projects them. Vertices are permuted.
+template <class Real>
+struct OwnBatch {
+  OwnElements list;
+  BatchOrder order;
+  std::vector<std::vector<int>> groups;  ///< which are evaluated and projected together, in their order
+  std::vector<double> multiplier;        ///< λ, #C, XPBD only, else empty
+  StiffnessKind kind = StiffnessKind::k;
+  double k = 1;           ///< fraction per projection
+  double compliance = 0;  ///< times softness: α
+  std::size_t count = 0;
+};
+
+/// A batch from a list, in the given order.
+template <class Real>
+OwnBatch<Real> make_own_batch(OwnElements list, BatchOrder order);
+
+/// Projects all once; an energy as the constraint √(2 U).
+template <class Real>
+void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bool backwards);
+
+/// Adds -ψ' ∇C of each to `forces`, N; the compliance has to be above 0.
+template <class Real>
+void add_forces(const Point<Real>* points, Point<Real>* forces, const OwnBatch<Real>& batch);
+
+/// Removes the fraction `k` of each one's rate of change from the velocities.
+template <class Real>
+void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const OwnBatch<Real>& batch, Real k);
+
+}  // namespace bendlab
