@@ -4,6 +4,7 @@ A family of bending models has a kind of mark: springs are filled circles, hinge
 that push a filled plus, no bending a cross. Models and methods have their colours in the order in which the
 program lists them, so that each has one on all pages, a new one too.
 """
+import colorsys
 import sys
 from pathlib import Path
 
@@ -12,11 +13,11 @@ import matplotlib
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.colors import LinearSegmentedColormap, LogNorm
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, to_hex
 from matplotlib.ticker import FuncFormatter, LogLocator, NullLocator
 from PIL import Image
 
-import registry
+from bendlab.results import registry
 import render
 
 # In the order of the program's models. The springs among the first twelve have the palette of Okabe and Ito,
@@ -78,6 +79,14 @@ def _at(looks, place):
     return looks[place % len(looks)]
 
 
+def _method_colours(place):
+    """Beyond the list, hues a golden angle apart."""
+    if place < len(METHOD_COLOURS):
+        return METHOD_COLOURS[place]
+    hue = place * 0.618034 % 1
+    return tuple(to_hex(colorsys.hls_to_rgb(hue, lightness, 0.6)) for lightness in (0.35, 0.6))
+
+
 def colour(model):
     """The colour of a model."""
     return _at(MODEL_COLOURS, registry.model_place(model))
@@ -98,7 +107,7 @@ def marker(model):
 def method_look(method, variant=0):
     """(colour, marker) of a solver method; `variant` 1: with a setting that a figure tells apart."""
     place = registry.method_place(method)
-    return tuple(_at(_at(looks, place), variant) for looks in (METHOD_COLOURS, METHOD_MARKS))
+    return _at(_method_colours(place), variant), _at(_at(METHOD_MARKS, place), variant)
 
 
 def look(model, **other):

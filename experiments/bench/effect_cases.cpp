@@ -48,6 +48,15 @@ constexpr std::array effect_scenes = {
     EffectScene{"self_collision", "", no_pins},  // see Stack
 };
 
+/// Those above, and the other effects with their defaults.
+std::vector<EffectScene> all_effect_scenes() {
+  std::vector<EffectScene> all(effect_scenes.begin(), effect_scenes.end());
+  for (const EffectKind* effect : effects())
+    if (std::ranges::find(effect_scenes, effect->name, &EffectScene::effect) == effect_scenes.end())
+      all.push_back({effect->name, "", pinned_sides});
+  return all;
+}
+
 /// A ball of 512 triangles around the origin, of radius 1, as a mesh file; removed at the end.
 class BallFile {
  public:
@@ -80,16 +89,17 @@ RunConfig config_of(const EffectScene& scene, int cells, const std::string& scal
   const Stack stack{1.0 / cells};
   const std::string gravity = scene.effect == "gravity" || stacked ? "" : R"({"type": "gravity"}, )";
   const std::string file =
-      scene.effect == "mesh_obstacle" ? fmt::format(R"("file": "{}", )", ball.path.string()) : "";
+      scene.effect == "mesh_obstacle" ? fmt::format(R"(, "file": "{}")", ball.path.string()) : "";
   const std::string before = stacked ? stack.before() : std::string(scene.before);
   const std::string settings = stacked ? stack.settings() : std::string(scene.settings);
+  const std::string more = settings.empty() ? "" : ", " + settings;
   const std::string pose = stacked ? stack.pose() : R"("perturbation": 1e-6)";
   const std::string text = fmt::format(
       R"({{"name": "bench", "defaults": "paper",
           "mesh": {{"cells": {}}}, "bending": {{"model": "crossover"}}, {},
-          "effects": [{}{}{{"type": "{}", {}{}}}], "initial": {{{}}},
+          "effects": [{}{}{{"type": "{}"{}{}}}], "initial": {{{}}},
           "solver": {{"precision": "{}"}}}})",
-      cells, scene.scene, gravity, before, scene.effect, file, settings, pose,
+      cells, scene.scene, gravity, before, scene.effect, file, more, pose,
       scalar == "float" ? "single" : "double");
   return parse_experiment(text, "bench").runs.front();
 }
@@ -159,12 +169,12 @@ BenchRow measure(const EffectScene& scene, int cells, const std::string& scalar,
 std::vector<BenchCase> effect_cases(const BenchOptions& options) {
   using Sizes = std::vector<int>;
   std::vector<BenchCase> cases;
-  for (const EffectScene& scene : effect_scenes)
+  for (const EffectScene& scene : all_effect_scenes())
     for (const int cells : options.quick ? Sizes{32} : Sizes{32, 100, 316, 1000}) {
       // The contacts of five layers of 10⁶ vertices fill 10 GB, and a step takes most of a minute.
       if (scene.effect == "self_collision" && cells == 1000) continue;
       cases.push_back({.id = bench_id(fmt::format("effect/{}/{}", scene.effect, cells), "float"),
-                       .run = [=, &scene] { return measure(scene, cells, "float", options); }});
+                       .run = [=] { return measure(scene, cells, "float", options); }});
     }
   return cases;
 }

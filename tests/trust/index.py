@@ -15,8 +15,8 @@ from pathlib import Path
 from program import run, run_files, write_config  # first: it knows where the scripts are
 
 import h5py
-import load
-from facts import Facts
+from bendlab.results import load
+from bendlab.results.facts import Facts
 
 
 def of_file(file):

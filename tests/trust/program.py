@@ -9,8 +9,8 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
-from checksum import seal_of  # noqa: E402
-from facts import Facts  # noqa: E402
+from bendlab.results.checksum import seal_of  # noqa: E402
+from bendlab.results.facts import Facts  # noqa: E402
 
 TIMES = ("wall_s", "cpu_s", "step_cpu_s")
 

@@ -14,8 +14,8 @@ from program import fresh, run, run_files, write_config  # first: it knows where
 
 import h5py
 import numpy as np
-from checksum import LENGTH, NAME, checksum
-from facts import Facts
+from bendlab.results.checksum import LENGTH, NAME, checksum
+from bendlab.results.facts import Facts
 
 # Clears the screen; sets the window's title; the same in C1; turns what follows around; rings; deletes.
 EVIL = "\x1b[2J\x1b]0;x\x07\x9b2J\x9d0;x\x9c\u202eabc\u2066\u200f\u2028\x7f\r\b"

@@ -88,6 +88,14 @@ AcceptedMesh mesh_from_file(const std::filesystem::path& file, BadTriangles poli
   }
 }
 
+AcceptedMesh mesh_of_program(const TriangleMesh& given, BadTriangles policy) {
+  try {
+    return accept(to_soup(given), policy);
+  } catch (const std::invalid_argument& error) {
+    throw MeshError(std::string("the mesh that was given ") + error.what());
+  }
+}
+
 // Names take z for up in a sheet that stands; in a plane x = const gravity may say that it is y.
 void require_up(const RestMesh& rest, const std::vector<Place>& names, const Vector3& down) {
   const NamedAxes axes = named_axes(rest);
@@ -203,6 +211,18 @@ BendingConstraints bending_constraints(const Bending& bending, const RestMesh& r
   return constraints;
 }
 
+void check_own_elements(const SimulationInput& input) {
+  if (input.own.size() == 0 || input.method.kind().takes_own_elements) return;
+  std::vector<std::string_view> able;
+  for (const MethodKind* method : methods())
+    if (method->takes_own_elements) able.push_back(method->name);
+  throw ConfigError(
+      "solver method",
+      {{"/solver/method",
+        fmt::format("'{}' has no kernels for the elements of '{}', which are the program's own: choose {}",
+                    input.method.name(), input.own.function->name(), fmt::join(able, ", "))}});
+}
+
 // Lumped masses; beyond the middle along x the cloth is `density_ratio` times as heavy.
 std::vector<double> masses_of(const Material& material, const RestMesh& rest) {
   const double density = material.density, ratio = material.density_ratio;
@@ -272,6 +292,22 @@ Precision precision_of(const BuiltScene& scene, ChosenPrecision asked) {
                                                                               : Precision::double_precision;
 }
 
+// Throws ConfigError for a pass that the method's plan has no place for: its effect would do nothing.
+template <class Real>
+void check_plan(const BuiltScene& scene, const std::vector<Pass<Real>>& passes,
+                const Simulation& simulation) {
+  for (const Pass<Real>& pass : passes) {
+    const bool is_equation = !pass.drag.empty() || pass.friction;
+    if (!is_equation &&
+        std::ranges::find(simulation.passes(), pass.name, &PassStatistics::name) == simulation.passes().end())
+      throw ConfigError("solver method",
+                        {{"/solver/method",
+                          fmt::format("'{}' has no place in its substeps for '{}', which "
+                                      "would do nothing: leave it out of /effects, or choose another method",
+                                      scene.input.method.name(), pass.name)}});
+  }
+}
+
 template <class Real>
 std::unique_ptr<Simulation> simulation_in(const BuiltScene& scene) {
   std::vector<Pass<Real>> passes;
@@ -280,7 +316,9 @@ std::unique_ptr<Simulation> simulation_in(const BuiltScene& scene) {
       if (scene.effects[index].kind().acts_first == first)
         for (Pass<Real>& pass : passes_at<Real>(scene, index)) passes.push_back(std::move(pass));
   try {
-    return make_simulation<Real>(scene.input, std::move(passes));
+    std::unique_ptr<Simulation> simulation = make_simulation<Real>(scene.input, passes);
+    check_plan(scene, passes, *simulation);
+    return simulation;
   } catch (const std::invalid_argument& error) {  // a method that does not suit this scene
     throw ConfigError("solver method", {{"/solver/method", error.what()}});
   }
@@ -289,7 +327,7 @@ std::unique_ptr<Simulation> simulation_in(const BuiltScene& scene) {
 }  // namespace
 
 AcceptedMesh rest_mesh_of(const Mesh& mesh, const std::filesystem::path& folder) {
-  AcceptedMesh accepted = mesh.given  ? accept(to_soup(*mesh.given), mesh.bad_triangles)
+  AcceptedMesh accepted = mesh.given  ? mesh_of_program(*mesh.given, mesh.bad_triangles)
                           : mesh.file ? mesh_from_file(folder / *mesh.file, mesh.bad_triangles)
                                       : generated_mesh(mesh);
   accepted.mesh = altered(std::move(accepted.mesh), mesh);
@@ -350,6 +388,8 @@ BuiltScene build_scene(const Scene& stated) {
   scene.bending_facts = std::move(bending.facts);
   input.distance = std::move(bending.distance);
   input.elements = std::move(bending.elements);
+  input.own = std::move(bending.own);
+  check_own_elements(input);
   if (method.sort != nullptr) method.sort(input.method.settings(), input, rest);
   input.moves_apart = !rounding_speed(scene).whole_suffices();
   scene.precision = precision_of(scene, stated.solver.precision);
