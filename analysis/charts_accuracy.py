@@ -1,6 +1,6 @@
 """The charts of the page of accuracy, from its summary."""
 from charts_html import lines, model_look, number, series
-from load import group
+from bendlab.results.load import group
 from looks import of_place
 
 SCENES = {"curtain on two pins, 24 cells": ("accuracy_front", "accuracy_front_slow",

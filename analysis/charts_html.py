@@ -3,7 +3,7 @@ import math
 
 import looks
 from html_parts import escape
-from load import group
+from bendlab.results.load import group
 from sweep_charts import shortened
 
 

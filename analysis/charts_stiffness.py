@@ -3,7 +3,7 @@ import re
 
 import looks
 from charts_html import lines, model_look, number, of_rows, series, table_of, value
-from load import group
+from bendlab.results.load import group
 
 CALIBRATED = "largest ratio of stiffness between two resolutions"
 RULED = "largest ratio of B between two resolutions"

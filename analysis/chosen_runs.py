@@ -1,7 +1,7 @@
 """Which runs of a page are played, and the sentence that says why these."""
 import numpy as np
 
-from load import group
+from bendlab.results.load import group
 
 MOST = 8
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, fields, replace
 
 import numpy as np
 
-from load import group
+from bendlab.results.load import group
 
 PINS = {"the corner alone": {"vertices": ["upper_right"], "ring": 0, "distance": 0},
         "the corner and its 1-ring": {"vertices": ["upper_right"], "ring": 1, "distance": 0},

@@ -7,8 +7,8 @@ import sys
 from dataclasses import dataclass, field
 from pathlib import Path
 
-import registry
-from load import Indices, Run, group, load_run
+from bendlab.results import registry
+from bendlab.results.load import Indices, Run, group, load_run
 from sweeps import file_in, point_key, settings_at
 
 

@@ -3,7 +3,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from load import load_run, spread
+from bendlab.results.load import load_run, spread
 
 BLOCK = 128  # vertices measured at once
 

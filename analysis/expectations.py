@@ -1,7 +1,7 @@
 """Whether a run keeps what its config expects of it, by the rules of config/expectations.hpp."""
 from dataclasses import dataclass
 
-from load import at
+from bendlab.results.load import at
 from sweeps import point_key
 
 NONE = object()

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import select, spread, summary_spread
+from bendlab.results.load import select, spread, summary_spread
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

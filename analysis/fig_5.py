@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import statuses, summary_spread, typical_run
+from bendlab.results.load import statuses, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

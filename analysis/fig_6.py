@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 
 import style
 from distance import between_runs
-from load import group, select, summary_spread, typical_run
+from bendlab.results.load import group, select, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

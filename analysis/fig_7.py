@@ -5,7 +5,7 @@ import matplotlib.pyplot as plt
 import style
 from distance import between_runs
 from fig_6 import damping_rate
-from load import group, summary_spread, typical_run
+from bendlab.results.load import group, summary_spread, typical_run
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

@@ -6,7 +6,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import at, group, summary_spread
+from bendlab.results.load import at, group, summary_spread
 from report import Section, Table, figure_main
 from sweeps import CONFIGS, load_experiment
 

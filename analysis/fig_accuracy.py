@@ -5,9 +5,9 @@ import numpy as np
 from matplotlib.lines import Line2D
 
 import accuracy
-import registry
+from bendlab.results import registry
 import style
-from load import by_model
+from bendlab.results.load import by_model
 from report import Section, Table, figure_main
 
 PAPER = "10 iterations, 1/60 s, k = 0.5"  # the paper's own setting

@@ -10,7 +10,7 @@ from matplotlib.lines import Line2D
 
 import accuracy
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 TENTH = 0.1  # the goal: share of the paper's time, and of its error

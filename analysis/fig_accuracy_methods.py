@@ -4,9 +4,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import accuracy
-import registry
+from bendlab.results import registry
 import style
-from load import group
+from bendlab.results.load import group
 from report import Section, Table, figure_main
 
 PAPER = (1, 10)  # substeps, iterations

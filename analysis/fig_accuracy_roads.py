@@ -5,7 +5,7 @@ import numpy as np
 
 import accuracy
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 AGREE = 0.005  # largest distance between two methods, in sizes

@@ -6,7 +6,7 @@ from matplotlib.lines import Line2D
 
 import accuracy
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Section, Table, figure_main
 
 LEVEL, MOTION = 0.01, 0.05  # sizes; distances from the model's own equilibrium and motion

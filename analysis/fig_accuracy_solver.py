@@ -5,7 +5,7 @@ import numpy as np
 
 import accuracy
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Section, Table, figure_main
 
 EQUAL = (16, 64, 256)  # substeps × iterations

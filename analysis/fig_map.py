@@ -2,7 +2,7 @@
 import right_python  # noqa: F401  (first: it may hand over to another Python)
 import map_rules as rules
 from claim_map import SOLVERS, Place, places
-from load import select
+from bendlab.results.load import select
 from map_cells import NotMeasured, median
 from report import Section, figure_main
 from sweeps import load_experiment, planned_runs

@@ -4,7 +4,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import group, summary_spread, typical_run
+from bendlab.results.load import group, summary_spread, typical_run
 from report import Section, Table, figure_main
 from sweeps import load_experiment
 

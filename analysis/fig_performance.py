@@ -4,7 +4,7 @@ from collections import Counter
 import matplotlib.pyplot as plt
 import numpy as np
 
-import registry
+from bendlab.results import registry
 import style
 from report import Section, Table
 

@@ -1,7 +1,7 @@
 """What every kind of constraint costs, per constraint and per vertex."""
 import matplotlib.pyplot as plt
 
-import registry
+from bendlab.results import registry
 import style
 from fig_performance import (COLUMNS, PRECISION, STRAIN, bending, columns, kinds, label, lacking, model_of,
                              per_vertex, series, to, usual)

@@ -1,7 +1,7 @@
 """What an iteration of each solver method costs, and what one of quasi_newton consists of."""
 import matplotlib.pyplot as plt
 
-import registry
+from bendlab.results import registry
 import style
 from fig_performance import COLUMNS, PRECISION, SCALARS, columns, line, part, per_vertex, series
 from report import Section, Table

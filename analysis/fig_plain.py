@@ -6,9 +6,9 @@ from collections import Counter
 import matplotlib.pyplot as plt
 import numpy as np
 
-import registry
+from bendlab.results import registry
 import style
-from load import group
+from bendlab.results.load import group
 from plain_cases import ALARM, AXES, CONFIGS, FOLDER, NOT_READ, SILENT, SOUND, TOLD, TWINS, judge
 from report import Section, figure_main
 from sweeps import load_experiment

@@ -9,7 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import style
-from load import group, select
+from bendlab.results.load import group, select
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

@@ -11,7 +11,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from bendlab.results.load import group
 from report import Claim, Section, Table, figure_main
 from sweeps import load_experiment
 

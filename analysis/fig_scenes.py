@@ -8,7 +8,7 @@ import numpy as np
 import obstacles
 import render
 import style
-from load import group
+from bendlab.results.load import group
 from report import Section, Table, figure_main
 from sweeps import load_experiment
 

@@ -8,10 +8,10 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.patches import Patch
 
-import registry
+from bendlab.results import registry
 import render
 import style
-from load import group
+from bendlab.results.load import group
 from report import Section, figure_main
 from stability_cases import AMBER, CASES, FOLDER, GREEN, MOVES_LIMITED, RED, SECTIONS, judge
 from stability_reasons import explain

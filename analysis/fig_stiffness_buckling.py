@@ -3,10 +3,10 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
-import registry
+from bendlab.results import registry
 import strips
 import style
-from load import group
+from bendlab.results.load import group
 from report import Check, Section, figure_main
 
 # Width over length → Γ* = ρ g L³/D of a Kirchhoff plate, by Ritz's method with Legendre polynomials,

@@ -4,11 +4,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.lines import Line2D
 
-import registry
+from bendlab.results import registry
 import strips
 import style
 from fig_stiffness_resolution import ratio
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 GOALS = {"equilateral": 0.05, "delaunay": 0.15}

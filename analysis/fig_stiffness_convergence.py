@@ -5,7 +5,7 @@ import numpy as np
 
 import strips
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 

@@ -3,10 +3,10 @@ import right_python  # noqa: F401  (first: it may hand over to another Python)
 import matplotlib.pyplot as plt
 import numpy as np
 
-import registry
+from bendlab.results import registry
 import strips
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 TOLERANCE = 0.2  # relative error of the estimate

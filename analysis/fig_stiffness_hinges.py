@@ -5,7 +5,7 @@ import numpy as np
 
 import strips
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 GIVEN = 1.5696e-3  # N m; B that the compliances in the config give each model

@@ -5,7 +5,7 @@ import numpy as np
 
 import strips
 import style
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from report import Check, Section, Table, figure_main
 
 FAMILY_LOOKS = {"equilateral": ("#0072b2", "o-"), "same": ("#d55e00", "s-"), "alternating": ("#e69f00", "^-"),

@@ -5,7 +5,7 @@ import numpy as np
 
 import strips
 import style
-from load import group
+from bendlab.results.load import group
 from report import Check, Section, Table, figure_main
 
 # Flexural rigidity (N m), the same plus half the hysteresis 2HB at 0.5/cm, weight (kg/m²), drape coefficient

@@ -5,7 +5,7 @@ import numpy as np
 from matplotlib.collections import LineCollection, PolyCollection
 
 import style
-from load import select
+from bendlab.results.load import select
 from report import Claim, Section, figure_main
 from sweeps import load_experiment
 

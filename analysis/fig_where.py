@@ -10,7 +10,7 @@ import numpy as np
 
 import style
 from fig_6 import damping_rate
-from load import group
+from bendlab.results.load import group
 from report import Claim, Section, Table, figure_main
 from stretch import NEAR, WRONG, measure
 from sweeps import load_experiment

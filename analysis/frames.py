@@ -21,10 +21,10 @@ import numpy as np
 import obstacles
 import render
 import style
-from facts import Facts
+from bendlab.results.facts import Facts
 from far import origin_of
 from frame_coding import LEVELS, PARENTS, deflated, encode, lineage
-from load import Run
+from bendlab.results.load import Run
 
 LIMIT = 60e6  # bytes of all frames of a page in the file; above it frames are left out
 MOST_SPRINGS = 400_000  # of a run; more are not taken into the page

@@ -20,7 +20,7 @@ import numpy as np
 
 import browser
 from collected import Sweep, tell
-from load import load_run
+from bendlab.results.load import load_run
 from meanings import Meanings
 from sweep_page import WATCHED_LIMIT, Report
 

@@ -4,7 +4,7 @@ from dataclasses import replace
 import numpy as np
 
 from claim_map import Cell
-from load import group
+from bendlab.results.load import group
 from repeat import commands
 
 

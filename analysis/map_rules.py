@@ -7,7 +7,7 @@ import strips
 import style
 from claim_map import ClaimMap, Place, place_of, rounding_of, solver_of
 from distance import at_rest, in_first_second
-from load import group
+from bendlab.results.load import group
 from map_cells import NotMeasured, cell, median, noted, row_cells, rows, same_seeds
 
 WRONG = 1.0  # stretch − 1: a triangle is twice as long as at rest

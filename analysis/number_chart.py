@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 import looks
-from load import group
+from bendlab.results.load import group
 from sweep_axes import is_number, label_of
 from sweep_charts import CPU, about_number, number_of, shortened
 

@@ -25,7 +25,7 @@ import fig_where
 import page_frames
 from frames import place_html
 from html_parts import Part, address, escape, picture_html, section_part
-from load import at, group, statuses, summary_spread
+from bendlab.results.load import at, group, statuses, summary_spread
 from project_pages import (KEPT, Content, folder_options, keep, kept, made_of, parsed, renew_start,
                            write)
 from repeat import runs_of

@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-import registry
-from load import method_name
+from bendlab.results import registry
+from bendlab.results.load import method_name
 
 FOLDER = "plain"  # below configs/
 CONFIGS = ("first", "metres", "millimetres", "millimetres_in_metres", "methods")

@@ -2,7 +2,7 @@
 object in summary.json, with its id in the page."""
 from fig_plain import MIXED, WRONG, in_order
 from html_parts import escape, heading
-from load import group
+from bendlab.results.load import group
 from plain_cases import SILENT
 
 STEPS = {1 / 8: "up to 1 in 8", 1 / 4: "up to 1 in 4", 3 / 8: "up to 3 in 8", 1: "more"}  # one colour each

@@ -10,7 +10,7 @@ import numpy as np
 import plain_cases
 import plain_matrix
 import project_pages
-import registry
+from bendlab.results import registry
 import style
 from html_parts import Part, escape, section_part, table_html
 from plain_cases import ALARM, ENERGY, FALL, MEAN_STRAIN, NEAR, SILENT, SOUND, SPEED, STRETCH, TOLD, WAY

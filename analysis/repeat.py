@@ -2,7 +2,7 @@
 import json
 import shlex
 
-from load import group
+from bendlab.results.load import group
 from sweeps import planned_points, point_key, read_config
 
 

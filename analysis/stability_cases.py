@@ -3,7 +3,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-import registry
+from bendlab.results import registry
 
 GREEN, AMBER, RED = "green", "amber", "red"
 FOLDER = "stability"  # below configs/

@@ -5,7 +5,7 @@ from functools import lru_cache
 
 import repeat
 from html_parts import address, escape
-from load import group
+from bendlab.results.load import group
 from report import known
 from run_facts import differing, stated
 from stability_cases import AMBER, CASES, FOLDER, GREEN, RED, SECTIONS

@@ -6,7 +6,7 @@ import numpy as np
 import stability_matrix
 from fig_stability import cells_of
 from html_parts import escape, folded, section_part
-from load import group
+from bendlab.results.load import group
 from report import Section, known, rounded, write_objects
 from stability_cases import METHOD_CASES, METHODS, RED
 from stability_matrix import VERDICTS, full_title_html, id_of

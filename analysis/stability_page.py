@@ -11,7 +11,7 @@ import stability_matrix
 import stability_methods
 import style
 from html_parts import Part, address, escape, folded, number_text, picture_html, section_part, table_html
-from load import group
+from bendlab.results.load import group
 from project_pages import Content, command_line, keep, kept, made_of, summary, write
 from report import Table, known, rounded, write_objects
 from stability_cases import (AMBER, APART, CREEP, ENERGY, FAR, GREEN, MOMENTUM, NEAR, NOT_BACK, RED, SECTIONS,

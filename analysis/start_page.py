@@ -13,7 +13,7 @@ import charts_stiffness
 from charts_accuracy import front
 from committed import OWN
 from html_parts import Made, Part, escape, number_text, page, table_html
-from load import group
+from bendlab.results.load import group
 from project_pages import KEPT, PAGES, links_html, made_of, sized
 from report import Section, Table
 from stability_cases import RED

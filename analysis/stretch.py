@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from fig_structure import ring_of
-from load import spread, statuses, summary_spread
+from bendlab.results.load import spread, statuses, summary_spread
 
 WRONG = 1.0  # σ₁ − 1; above it a triangle has failed: it is more than twice as long as at rest
 NEAR = 2.0  # cells; triangles nearer than this to a pinned vertex count as at the pin

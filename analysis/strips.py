@@ -1,7 +1,7 @@
 """Shared by the figures of stiffness: runs of clamped strips, and their theoretical curves."""
 import numpy as np
 
-import registry
+from bendlab.results import registry
 import style
 from sweeps import load_experiment
 

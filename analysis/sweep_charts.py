@@ -5,7 +5,7 @@ import numpy as np
 
 import looks
 from expectations import expected_of
-from load import by_model, group
+from bendlab.results.load import by_model, group
 from sweep_axes import by_vertices, label_of
 
 FIRST = ["mean_strain", "pin_max_stretch", "max_stretch", "drop", "effective_bending_stiffness",

@@ -6,8 +6,8 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-import registry
-from load import Indices, Run, load_if_begun
+from bendlab.results import registry
+from bendlab.results.load import Indices, Run, load_if_begun
 
 CONFIGS = Path(__file__).resolve().parent.parent / "configs"
 

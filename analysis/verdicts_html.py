@@ -2,7 +2,7 @@
 import style
 from claim_map import Place, answer_rank
 from html_parts import escape, folded, shown, table_html
-from load import group
+from bendlab.results.load import group
 from report import Table
 
 KIND = {"yes": "holds", "no": "fails", "open": "none"}  # class of a verdict → of a status

@@ -15,7 +15,7 @@ import numpy as np
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import accuracy  # noqa: E402
 import accuracy_page  # noqa: E402
-import checksum  # noqa: E402
+from bendlab.results import checksum  # noqa: E402
 import fig_5  # noqa: E402
 import fig_accuracy  # noqa: E402
 import fig_accuracy_beat  # noqa: E402
@@ -33,12 +33,12 @@ import fig_stiffness_calibrated  # noqa: E402
 import fig_stiffness_effective  # noqa: E402
 import fig_stiffness_textile  # noqa: E402
 import fig_structure  # noqa: E402
-import load  # noqa: E402
+from bendlab.results import load  # noqa: E402
 import obstacles  # noqa: E402
 import page  # noqa: E402
 import plain_cases  # noqa: E402
 import plain_page  # noqa: E402
-import registry  # noqa: E402
+from bendlab.results import registry  # noqa: E402
 import render  # noqa: E402
 import stability_cases  # noqa: E402
 import stability_matrix  # noqa: E402
@@ -50,7 +50,7 @@ import strips  # noqa: E402
 import style  # noqa: E402
 import sweeps  # noqa: E402
 from distance import hausdorff_distance, rms_distance  # noqa: E402
-from load import group  # noqa: E402
+from bendlab.results.load import group  # noqa: E402
 from made_up_runs import facts  # noqa: E402
 from report import Check, rounded, write_objects  # noqa: E402
 

@@ -11,10 +11,10 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-import checksum  # noqa: E402
+from bendlab.results import checksum  # noqa: E402
 import far  # noqa: E402
 import frames  # noqa: E402
-import load  # noqa: E402
+from bendlab.results import load  # noqa: E402
 from made_up_runs import facts  # noqa: E402
 
 CELLS = 64

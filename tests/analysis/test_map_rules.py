@@ -13,7 +13,7 @@ sys.path.insert(0, str(ROOT / "analysis"))
 import fig_map  # noqa: E402
 import map_rules as rules  # noqa: E402
 from claim_map import Place, places  # noqa: E402
-from load import select  # noqa: E402
+from bendlab.results.load import select  # noqa: E402
 from map_cells import cell, median, rows, same_seeds  # noqa: E402
 from made_up_runs import made_up, planned_by, points_of  # noqa: E402
 from repeat import commands  # noqa: E402

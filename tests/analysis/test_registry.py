@@ -9,9 +9,9 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 import fig_performance_effects  # noqa: E402
-import load  # noqa: E402
+from bendlab.results import load  # noqa: E402
 import looks  # noqa: E402
-import registry  # noqa: E402
+from bendlab.results import registry  # noqa: E402
 import style  # noqa: E402
 
 MOST = 2  # names in one list; more are a table, to which a new name would have to be added

@@ -9,7 +9,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
 import sweep_charts  # noqa: E402
 import sweep_figures  # noqa: E402
 from collected import Sweep  # noqa: E402
-from load import Run  # noqa: E402
+from bendlab.results.load import Run  # noqa: E402
 from meanings import Meanings  # noqa: E402
 from number_chart import number_chart, scale_of  # noqa: E402
 from sweep_axes import axes_of, by_vertices  # noqa: E402

@@ -10,9 +10,9 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "analysis"))
 
-import checksum  # noqa: E402
+from bendlab.results import checksum  # noqa: E402
 import fig_where  # noqa: E402
-import load  # noqa: E402
+from bendlab.results import load  # noqa: E402
 import stretch  # noqa: E402
 from made_up_runs import facts  # noqa: E402
 

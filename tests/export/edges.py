@@ -14,7 +14,7 @@ import usda
 from exported import Run, read_obj, read_pc2, read_ply
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
-from load import load_run  # noqa: E402
+from bendlab.results.load import load_run  # noqa: E402
 
 
 def stated_origin(path):

@@ -16,7 +16,7 @@ import numpy as np
 import usda
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
-from facts import Facts  # noqa: E402
+from bendlab.results.facts import Facts  # noqa: E402
 
 
 class Run:

@@ -16,7 +16,7 @@ import h5py
 import numpy as np
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "analysis"))
-from facts import Facts  # noqa: E402
+from bendlab.results.facts import Facts  # noqa: E402
 
 ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE = Path(__file__).resolve().parent / "example"
@@ -96,6 +96,21 @@ class Installed(unittest.TestCase):
         succeeds(self.example / "build/hang", folder=self.example)
         shown = "\n".join((EXAMPLE / "hang.cpp").read_text(encoding="utf-8").splitlines()[4:10])
         self.assertIn(shown, (ROOT / "README.md").read_text(encoding="utf-8"))
+
+    def test_the_python_package_works_where_it_was_moved(self):
+        found = list(self.prefix.glob("lib*/**/python/bendlab"))
+        if not (Path(BUILD) / "python").exists():
+            self.skipTest("built without the Python module")
+        lines_of_python = ("import bendlab as bl; cloth = bl.Scene(mesh=bl.grid(1, 1, 4)).simulate(); "
+                           "cloth.run(0.1); "
+                           "table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.1), out='of_python'); "
+                           "print(cloth.positions.shape, table['status'][0], "
+                           "bl.load(table['file'][0]).model)")
+        done = subprocess.run([sys.executable, "-c", lines_of_python], cwd=self.example, text=True,
+                              capture_output=True,
+                              env={"PATH": "/usr/bin:/bin", "PYTHONPATH": str(found[0].parent)}, check=False)
+        self.assertEqual(done.stdout, "(25, 3) complete discrete_shells\n", done.stderr)
+        self.assertTrue((found[0] / "__init__.pyi").is_file())
 
     def test_the_sweep_has_its_runs_and_their_files_what_was_added(self):
         self.assertEqual([(run["point"]["/bending/model"], run["point"].get("/bending/edge_hinge/power"))

@@ -18,7 +18,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 from page import write_page  # noqa: E402
 
-from load import load_runs  # noqa: E402
+from bendlab.results.load import load_runs  # noqa: E402
 
 MODELS = ["crossover", "k_ring", "adaptive", "lod", "dihedral", "bridson", "discrete_shells", "isometric"]
 SHEET = {

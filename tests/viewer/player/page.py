@@ -10,7 +10,7 @@ ROOT = Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "analysis"))
 
 from frames import playback  # noqa: E402
-from load import load_run  # noqa: E402
+from bendlab.results.load import load_run  # noqa: E402
 
 DIST = ROOT / "analysis/viewer/dist"
 

@@ -20,8 +20,8 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE))
 from page import write_page  # noqa: E402
 
-from facts import Facts  # noqa: E402
-from load import load_runs  # noqa: E402
+from bendlab.results.facts import Facts  # noqa: E402
+from bendlab.results.load import load_runs  # noqa: E402
 
 MARKUP = "<script>document.title='injected'</script>\"'</script><!--"
 SHEET = {

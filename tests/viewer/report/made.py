@@ -5,7 +5,7 @@ from pathlib import Path
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
 
 from collected import Sweep  # noqa: E402
-from load import Run  # noqa: E402
+from bendlab.results.load import Run  # noqa: E402
 from meanings import Meanings  # noqa: E402
 from sweep_page import Report  # noqa: E402
 

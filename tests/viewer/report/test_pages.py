@@ -21,12 +21,12 @@ import expectations
 import html_parts
 import live
 import looks
-import registry
+from bendlab.results import registry
 import run_facts
 import style
 import sweep_charts
 from html_parts import VIEWER, json_text
-from load import group
+from bendlab.results.load import group
 from meanings import Meanings
 from sweep_axes import axes_of, label_of
 

@@ -17,7 +17,7 @@ from pathlib import Path
 import h5py
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
-from facts import Facts  # noqa: E402
+from bendlab.results.facts import Facts  # noqa: E402
 
 HERE = Path(__file__).resolve().parent
 MARKUP = "<script>document.title='injected'</script>\"'</script><!--<img src=x onerror=alert(2)>"

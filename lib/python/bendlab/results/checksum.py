@@ -74,7 +74,7 @@ def _problem(path, *_):
 
 def _read_everything(path):
     import h5py
-    from facts import Facts
+    from facts import Facts  # its folder is where this script is
     with h5py.File(path, "r") as file:
         if "facts" in file and Facts(file).status in ("complete", "implausible", "diverged"):
             sys.exit(FINISHED)

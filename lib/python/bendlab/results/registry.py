@@ -6,7 +6,7 @@ files list those of the program that wrote them, which may have more: these come
 import json
 from pathlib import Path
 
-SCHEMA = Path(__file__).resolve().parent.parent / "configs/schema.json"
+SCHEMA = Path(__file__).resolve().parents[4] / "configs/schema.json"
 _models, _methods = {}, {}  # name → traits, as far as they are known
 
 

@@ -16,10 +16,10 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-import registry
-from checksum import require_readable
-from facts import Facts
-from run_index import Index, stamp_of
+from bendlab.results import registry
+from bendlab.results.checksum import require_readable
+from bendlab.results.facts import Facts
+from bendlab.results.run_index import Index, stamp_of
 
 
 def _opened(path):

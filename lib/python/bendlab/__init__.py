@@ -1,0 +1,41 @@
+"""Cloth with bending models that can be exchanged: scenes, steps, sweeps, and models of one's own.
+
+    import bendlab as bl
+
+    scene = bl.Scene(mesh=bl.grid(1, 1, 32), pins=["upper_left", "upper_right"],
+                     bending=bl.DiscreteShells(flexural_rigidity=1e-5),
+                     effects=[bl.Gravity(), bl.Wind(velocity=(0, 3, 0))])
+    cloth = scene.simulate()
+    cloth.run(0.1)
+    cloth.positions.shape
+"""
+
+
+def load(place):
+    """The runs of a folder of results, in the order of their configs, or the run of one file: see
+    bendlab.results.load.Run."""
+    from pathlib import Path
+    from bendlab.results import load as results
+    return results.load_runs(place) if Path(place).is_dir() else results.load_run(place)
+
+
+try:
+    from bendlab import _core
+except ImportError as error:
+    _why = f"{error}"
+
+    def __getattr__(name):
+        raise AttributeError(f"bendlab.{name} needs the extension module, which this Python cannot load "
+                             f"({_why}); only load() works. Start Python by `./bendlab python`, which builds "
+                             "it")
+else:
+    from bendlab._core import ConfigError, MeshError
+    from bendlab.own import Elements, Measure, Rest, Setting
+    from bendlab.runs import run
+    from bendlab.scene import Cloth, Initial, Material, Mesh, Pins, Scene, Strain, grid
+    from bendlab.settings import EFFECTS, METHODS, MODELS, Effect, Method, Model
+
+    globals().update({**MODELS, **METHODS, **EFFECTS})
+    __all__ = ["Cloth", "ConfigError", "Effect", "Elements", "Initial", "Material", "Measure", "Mesh",
+               "MeshError", "Method", "Model", "Pins", "Rest", "Scene", "Setting", "Strain", "grid", "load",
+               "run", *MODELS, *METHODS, *EFFECTS]

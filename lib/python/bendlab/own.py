@@ -1,0 +1,282 @@
+"""Bending models, effects and measures that are written in Python.
+
+A class becomes part of bendlab when Python has read it: a subclass of Model, Effect or Measure is known by
+its name in snake case ("EdgeHinge" is "edge_hinge"), to Scene and to run(). A class of the same name takes
+the place of an earlier one.
+"""
+import hashlib
+import inspect
+import math
+import re
+import sys
+import uuid
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+from bendlab import _core
+
+
+_defined = set()  # (module, name) of each class so far
+
+
+class Setting:
+    """A setting of a class of one's own: power = Setting(1.0, unit="1", meaning="p of |e|^p", minimum=0). Its
+    type is that of the default: bool, int, float, str, or a list of numbers."""
+
+    def __init__(self, default, unit="", meaning="", minimum=-math.inf, maximum=math.inf, above=False):
+        self.default, self.unit, self.meaning = default, unit, meaning
+        self.minimum, self.maximum, self.above = minimum, maximum, above
+
+    def row(self, name):
+        kind = type(self.default)
+        if kind not in (bool, int, float, str, list, tuple):
+            raise TypeError(f"{name}: a setting is a bool, int, float, str or list of numbers, not "
+                            f"{self.default!r}")
+        if kind in (int, float) and not self.minimum <= self.default <= self.maximum:
+            raise ValueError(f"{name}: its default {self.default} is not from {self.minimum} to "
+                             f"{self.maximum}")
+        return {"name": name, "unit": self.unit, "meaning": self.meaning or name,
+                "type": "list" if kind is tuple else kind.__name__, "default": self.default,
+                "minimum": self.minimum, "maximum": self.maximum, "above": self.above}
+
+
+def snake_name(name):
+    """"EdgeHinge" → "edge_hinge"."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "_", name).lower()
+
+
+def _code_of(cls):
+    """Tells versions of a class apart: a run is computed again if this differs. A class without a file, in a
+    notebook for example, differs each time that it is defined, and so does a class that a function makes."""
+    functions = [member for member in vars(cls).values() if inspect.isfunction(member)]
+    takes_from_outside = any(set(function.__code__.co_freevars) - {"__class__"} for function in functions)
+    place = (cls.__module__, cls.__qualname__)
+    is_second = place in _defined
+    _defined.add(place)
+    try:
+        text = Path(inspect.getfile(cls)).read_bytes()
+    except (TypeError, OSError):
+        return uuid.uuid4().hex
+    if takes_from_outside or is_second:
+        return uuid.uuid4().hex
+    return hashlib.sha256(text).hexdigest() + cls.__qualname__
+
+
+def about(cls):
+    """What the program is told of a class."""
+    summary = (inspect.getdoc(cls) or cls.__name__).split("\n\n")[0].replace("\n", " ")
+    return {"name": snake_name(cls.__name__), "label": getattr(cls, "label", cls.__name__),
+            "summary": summary, "source": getattr(cls, "source", ""), "code": _code_of(cls),
+            "damps": getattr(cls, "damps", False), "keeps_momentum": getattr(cls, "keeps_momentum", False)}
+
+
+def setting_rows(cls):
+    return [setting.row(name) for name, setting in vars(cls).items() if isinstance(setting, Setting)]
+
+
+# ---- bending models
+
+class Rest:
+    """The mesh at rest, for a model or a measure. Arrays: `positions` (V, 3) in m, `triangles` (T, 3),
+    `pinned` (V) bool, `areas` (T) in m², and `hinges` (H, 4): the ends of every edge between two triangles
+    that has a vertex which is free, then the two vertices opposite it. A measure also gets `masses` (V) in
+    kg."""
+
+    def __init__(self, arrays):
+        vars(self).update(arrays)
+
+
+class Elements:
+    """What a model makes of a mesh: `vertices` (E, k) of each element; `softness` (E), which is times the
+    scene's compliance, or for a stated flexural_rigidity B times 1/B; and arrays of the model's own, with E
+    rows each, which `constraint` or `energy` gets back as members of `rest`."""
+
+    def __init__(self, vertices, softness=1.0, **rest):
+        self.vertices = np.ascontiguousarray(vertices)
+        if self.vertices.ndim != 2 or self.vertices.dtype.kind not in "iu":
+            raise ValueError(f"vertices have the shape {self.vertices.shape} and dtype "
+                             f"{self.vertices.dtype}, expected (E, k) whole numbers: the k vertices of each "
+                             "element")
+        count = len(self.vertices)
+        softness = np.asarray(softness, float)
+        if softness.shape not in ((), (count,)):
+            raise ValueError(f"softness has the shape {softness.shape}, expected a number or ({count},)")
+        self.softness = np.broadcast_to(softness, (count,))
+        if not (np.isfinite(self.softness) & (self.softness > 0)).all():
+            raise ValueError("every softness has to be a number above 0")
+        self.rest = {name: np.asarray(array) for name, array in rest.items()}
+        for name, array in self.rest.items():
+            if len(array) != count:
+                raise ValueError(f"{name} has {len(array)} rows, and there are {count} elements")
+
+    def check(self, vertex_count):
+        outside = (self.vertices < 0) | (self.vertices >= vertex_count)
+        if outside.any():
+            raise ValueError(f"an element has the vertex {self.vertices[outside][0]}, and vertices are 0 to "
+                             f"{vertex_count - 1}")
+
+
+def _evaluator(model, elements):
+    """function(which, corners) → (values, gradients), in the shapes that the solver needs."""
+    is_energy = hasattr(model, "energy")
+    function = model.energy if is_energy else model.constraint
+    name = f"{type(model).__name__}.{'energy' if is_energy else 'constraint'}"
+
+    def evaluate(which, corners):
+        rest = SimpleNamespace(**{key: array[which] for key, array in elements.rest.items()})
+        found = function(corners, rest)
+        if not isinstance(found, tuple) or len(found) != 2:
+            raise TypeError(f"{name}() returned {type(found).__name__}, expected (values, gradients)")
+        values, gradients = (np.asarray(array, float) for array in found)
+        if values.shape != which.shape or gradients.shape != corners.shape:
+            raise ValueError(f"{name}() returned arrays of shapes {values.shape} and {gradients.shape}, "
+                             f"expected {which.shape} and {corners.shape}")
+        wrong = np.isfinite(values) & ~np.isfinite(gradients).all(axis=(1, 2))
+        if wrong.any():
+            raise ValueError(f"{name}() returned a gradient that is not finite, of element {which[wrong][0]}")
+        return values, gradients
+
+    return evaluate
+
+
+def build_elements(model, arrays):
+    """For the extension module: (vertices, softness, evaluate, is_energy) of a model on a mesh."""
+    elements = model.elements(Rest(arrays))
+    if not isinstance(elements, Elements):
+        raise TypeError(f"{type(model).__name__}.elements() returned {type(elements).__name__}, "
+                        "expected Elements")
+    elements.check(len(arrays["positions"]))
+    return elements.vertices, elements.softness, _evaluator(model, elements), hasattr(model, "energy")
+
+
+def _small_sheet():
+    """A sheet of 3 by 3 squares of 0.1 m, irregular: (V, 3) at rest, (T, 3)."""
+    n = 4
+    random = np.random.default_rng(1)
+    x, y = np.meshgrid(np.arange(n), np.arange(n))
+    vertices = np.stack([x.ravel(), y.ravel(), np.zeros(n * n)], axis=1) * 0.1
+    vertices[:, :2] += random.uniform(-0.02, 0.02, (n * n, 2))
+    corner = np.array([j * n + i for j in range(n - 1) for i in range(n - 1)])
+    return vertices, np.concatenate([np.stack([corner, corner + 1, corner + n + 1], 1),
+                                     np.stack([corner, corner + n + 1, corner + n], 1)])
+
+
+def check_gradient(model):
+    """Compares a model's gradients with central differences, on a sheet of 0.1 m edges whose vertices were
+    moved by up to 1 cm. Raises ValueError with the numbers if they differ by more than 10⁻⁵ of the
+    largest."""
+    vertices, triangles = _small_sheet()
+    arrays = _core.rest_of(vertices, triangles.astype(np.int32))
+    corners_of, _, evaluate, _ = build_elements(model, arrays)
+    if len(corners_of) == 0:
+        return
+    moved = vertices + np.random.default_rng(2).uniform(-0.01, 0.01, vertices.shape)
+    corners, which = moved[corners_of], np.arange(len(corners_of), dtype=np.int32)
+    values, gradients = evaluate(which, corners.copy())
+    if not (np.isfinite(values).all() and np.isfinite(gradients).all()):
+        raise ValueError(f"{type(model).__name__}: a value or a gradient is not finite on a sheet without "
+                         "flaws")
+    step = 1e-6
+    differences = np.empty_like(gradients)
+    for corner in range(corners.shape[1]):
+        for axis in range(3):
+            ahead, behind = corners.copy(), corners.copy()
+            ahead[:, corner, axis] += step
+            behind[:, corner, axis] -= step
+            differences[:, corner, axis] = (evaluate(which, ahead)[0] -
+                                            evaluate(which, behind)[0]) / (2 * step)
+    allowed = 1e-5 * np.abs(differences).max() + 1e-9 * np.abs(values).max()
+    wrong = np.abs(gradients - differences)
+    if wrong.max() <= allowed:
+        moved = np.abs(gradients.sum(axis=1))
+        if moved.max() > allowed:
+            element = moved.max(axis=1).argmax()
+            raise ValueError(f"{type(model).__name__}: the value of element {element} depends on where the "
+                             "element is: its gradients do not sum to zero")
+        return
+    element, corner, axis = np.unravel_index(wrong.argmax(), wrong.shape)
+    raise ValueError(
+        f"{type(model).__name__}: the gradient is not that of the value. Element {element}, vertex {corner} "
+        f"of {corners.shape[1]}, d/d{'xyz'[axis]}: returned {gradients[element, corner, axis]:.6g}, central "
+        f"differences give {differences[element, corner, axis]:.6g}")
+
+
+# ---- effects
+
+def acceleration_of(effect, x, v, t, masses):
+    """For the extension module: (V, 3) in m/s²."""
+    if hasattr(effect, "acceleration"):
+        name, found = "acceleration", np.asarray(effect.acceleration(x, v, t), float)
+        return np.broadcast_to(_checked(found, x, effect, name), x.shape)
+    found = np.asarray(effect.force(x, v, t), float)
+    return np.broadcast_to(_checked(found, x, effect, "force"), x.shape) / np.asarray(masses)[:, None]
+
+
+def _checked(found, x, effect, name):
+    if found.shape not in (x.shape, (3,)):
+        raise ValueError(f"{type(effect).__name__}.{name}() returned an array of the shape {found.shape}, "
+                         f"expected {x.shape} or (3,)")
+    if not np.isfinite(found).all():
+        raise ValueError(f"{type(effect).__name__}.{name}() returned a number that is not finite")
+    return found
+
+
+# ---- measures
+
+class Measure:
+    """A measure of one's own, for runs that name it in "output": {"measures": […]}.
+
+        class Height(bl.Measure):
+            '''where the cloth is'''
+            columns = {"top": ("m", "largest z of the vertices")}            # of every frame
+            numbers = {"height": ("m", "mean z of the vertices at the end")}  # of the run
+
+            def begin(self, rest):         # may be left out; see Rest
+                self.area = rest.areas.sum()
+
+            def frame(self, x, t):         # x (V, 3) in m, t in s
+                return {"top": x[:, 2].max()}
+
+            def finish(self, x):
+                return {"height": x[:, 2].mean()}
+
+    What a measure keeps from frame to frame has to be in its attributes, which pickle can write: a run that
+    was stopped goes on with them.
+    """
+
+    columns, numbers = {}, {}
+
+    def __init_subclass__(cls, **arguments):
+        super().__init_subclass__(**arguments)
+        for names, method in ((cls.columns, "frame"), (cls.numbers, "finish")):
+            if names and not hasattr(cls, method):
+                raise TypeError(f"{cls.__name__} has names of numbers for {method}(), and no {method}()")
+        cls.name = snake_name(cls.__name__)
+        rows = [[(name, *texts) for name, texts in names.items()] for names in (cls.columns, cls.numbers)]
+        _core.register_measure(cls, about(cls), *rows)
+
+    def begin(self, rest):
+        pass
+
+
+def begin_measure(measure, arrays):
+    measure.begin(Rest(arrays))
+
+
+def measured_frame(measure, x, t):
+    return [float(value) for value in _named(measure, "frame", measure.frame(x, t), measure.columns)]
+
+
+def _named(measure, method, found, names):
+    """The values in the order of their names."""
+    if not isinstance(found, dict) or set(found) != set(names):
+        raise ValueError(f"{type(measure).__name__}.{method}() returned {found!r}, expected a dict of "
+                         f"{', '.join(names)}; None stands for a number that could not be found")
+    return [found[name] for name in names]
+
+
+def measured_end(measure, x):
+    found = _named(measure, "finish", measure.finish(x), measure.numbers)
+    return [None if value is None else float(value) for value in found]

@@ -1,0 +1,1 @@
+"""Run files: the figures read them, and so may everybody."""

@@ -1,0 +1,130 @@
+"""Experiments: many runs at once, as `bendlab run` makes them, and their numbers as a table."""
+import hashlib
+import json
+import sys
+import warnings
+from pathlib import Path
+
+import numpy as np
+
+from bendlab import _core, own
+from bendlab.scene import Scene
+from bendlab.settings import plain
+
+
+def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measures=(), progress=False):
+    """Makes the runs of an experiment and returns a row for each: a pandas.DataFrame if there is pandas, else
+    a structured array.
+
+    config: a Scene, a dict as in a config file, or the path of one.
+    sweep: what to vary, {"/mesh/cells": [16, 32], "/bending": [bl.Crossover(), bl.DiscreteShells()]}, besides
+        what the config sweeps; the last one varies fastest. "mesh.cells" is "/mesh/cells".
+    jobs: runs side by side; 0: as many as there are cores.
+    out: folder of the run files; a run that is there and complete is not computed again, unless `force`.
+    name: of the experiment, a folder in `out`; a Scene's is "scene" if none is given.
+    measures: of one's own or on request, by name or class, besides those that every run has.
+    progress: shows on stderr how many runs are over.
+
+    Columns: the settings that vary; status, message, cpu_s (s), file; and the numbers of the runs (`bendlab
+    measures` says what they are). Raises ConfigError for a config that is wrong, with every problem. A run
+    that fails has its reason in `message`. Ctrl-C ends the runs after their current frame; the same call
+    again goes on.
+    """
+    if isinstance(jobs, bool) or not isinstance(jobs, int) or jobs < 0:
+        raise ValueError(f"jobs: expected a whole number of at least 0, got {jobs!r}")
+    settings, source = _settings_of(config, name, Path(out))
+    if sweep:
+        settings["sweep"] = {**settings.get("sweep", {}),
+                             **{_pointer(key): values for key, values in sweep.items()}}
+    if measures:
+        output = settings.setdefault("output", {})
+        listed = [measures] if isinstance(measures, str) or not hasattr(measures, "__iter__") else measures
+        output["measures"] = [*output.get("measures", []), *map(_measure_name, listed)]
+    rows = _core.run(json.dumps(settings, default=plain), str(source), str(out), jobs, force,
+                     _show if progress else None)
+    if progress:
+        print(file=sys.stderr)
+    _warn(rows)
+    return _table(rows)
+
+
+def _settings_of(config, name, out):
+    """(config as a dict, path of the file that relative paths start from or "")"""
+    if isinstance(config, Scene):
+        settings = config._config()
+        settings.update(name=name or "scene", duration=config.duration)
+        if config.mesh._arrays:
+            settings["mesh"] = {**settings.get("mesh", {}),
+                                "file": _written(*config.mesh._arrays, out / settings["name"])}
+        return settings, Path(config._folder, "scene.json") if config._folder else ""
+    if isinstance(config, dict):
+        return {**config, "name": name or config.get("name", "scene")}, ""
+    settings = json.loads(Path(config).read_text(encoding="utf-8"))
+    return {**settings, **({"name": name} if name else {})}, Path(config).resolve()
+
+
+def _written(vertices, triangles, folder):
+    """The path of a mesh file, which a run can be repeated from. Texts of 17 digits are the numbers again."""
+    lines = [*("v " + " ".join(map(repr, row)) for row in vertices.tolist()),
+             *("f " + " ".join(str(corner + 1) for corner in row) for row in triangles.tolist())]
+    text = "\n".join(lines) + "\n"
+    file = folder.resolve() / f"mesh-{hashlib.sha256(text.encode()).hexdigest()[:16]}.obj"
+    folder.mkdir(parents=True, exist_ok=True)
+    file.write_text(text, encoding="utf-8")
+    return str(file)
+
+
+def _pointer(key):
+    return key if key.startswith("/") else "/" + key.replace(".", "/")
+
+
+def _measure_name(measure):
+    if isinstance(measure, str):
+        return measure
+    if not (isinstance(measure, type) and issubclass(measure, own.Measure)):
+        raise TypeError(f"measures: expected names, or classes of measures, got {measure!r}")
+    return measure.name
+
+
+def _warn(rows):
+    """Each kind of warning once, with the runs that have it."""
+    found = {}
+    for row in rows:
+        for code, message in row.get("warnings", ()):
+            found.setdefault(code, []).append(message)
+    for code, messages in found.items():
+        warnings.warn(f"{code}, {len(messages)} of {len(rows)} runs: {messages[0]}", stacklevel=3)
+
+
+def _show(over, count, last=[None]):
+    if (over, count) == last[0]:
+        return
+    last[0] = (over, count)
+    print(f"\r{over} of {count} runs", end="", file=sys.stderr, flush=True)
+
+
+def _table(rows):
+    """The rows with a column for each setting that varies and for each number."""
+    pointers = list(dict.fromkeys(pointer for row in rows for pointer in row["point"]))
+    last = [pointer.rsplit("/", 1)[-1] for pointer in pointers]
+    names = {pointer: short if last.count(short) == 1 else pointer for pointer, short in zip(pointers, last)}
+    numbers = list(dict.fromkeys(name for row in rows for name in row.get("summary", {})))
+    columns = {names[pointer]: [_cell(row["point"].get(pointer)) for row in rows] for pointer in pointers}
+    for name, missing in (("status", ""), ("message", ""), ("cpu_s", np.nan), ("file", "")):
+        columns[name] = [row.get(name, missing) for row in rows]
+    for number in numbers:
+        columns.setdefault(number, [row.get("summary", {}).get(number, np.nan) for row in rows])
+    try:
+        import pandas
+    except ImportError:
+        arrays = {name: np.array(values) for name, values in columns.items()}
+        table = np.empty(len(rows), [(name, array.dtype) for name, array in arrays.items()])
+        for name, array in arrays.items():
+            table[name] = array
+        return table
+    return pandas.DataFrame(columns)
+
+
+def _cell(value):
+    """A swept value as a cell: a whole object as JSON."""
+    return json.dumps(value) if isinstance(value, (dict, list)) else value

@@ -1,0 +1,194 @@
+"""A scene, and the cloth that it becomes."""
+import json
+import sys
+import warnings
+
+import numpy as np
+
+from bendlab import _core
+from bendlab.settings import EFFECTS, METHODS, MODELS, PARTS, SCENE, Effect, Method, Model, Part, Settings, \
+    make_class
+
+
+class Mesh(make_class("Mesh", [PARTS["mesh"]])):
+    __doc__ = ("The rest mesh: Mesh(vertices, triangles) from arrays, or a generator or a file by "
+               "keywords.\n\n" + make_class("Mesh", [PARTS["mesh"]]).__doc__)
+
+    def __init__(self, vertices=None, triangles=None, **settings):
+        super().__init__(**settings)
+        if (vertices is None) != (triangles is None):
+            raise TypeError("a mesh from arrays needs both: Mesh(vertices, triangles)")
+        self._arrays = () if vertices is None else _checked(vertices, triangles)
+        beside = sorted({"generator", "file", "width", "height", "cells", "diagonal", "rows", "radius",
+                         "radius_top"}
+                        & set(settings)) if self._arrays else []
+        if beside:
+            raise TypeError(f"a mesh from arrays has its own shape, and does not read {', '.join(beside)}")
+
+    def _arguments(self):
+        arrays = zip(("vertices", "triangles"), (array.tolist() for array in self._arrays))
+        return {**dict(arrays), **self._given}
+
+
+def _checked(vertices, triangles):
+    """(V, 3) float64 and (T, 3) int64, or a ValueError that says what is wrong."""
+    points, corners = np.asarray(vertices), np.asarray(triangles)
+    for name, array, kinds, what in (("vertices", points, "fiu", "numbers"),
+                                     ("triangles", corners, "iu", "whole numbers")):
+        if array.ndim != 2 or array.shape[1] != 3:
+            raise ValueError(f"{name} have the shape {array.shape}, expected (n, 3)")
+        if array.dtype.kind not in kinds:
+            raise ValueError(f"{name} are of dtype {array.dtype}, expected {what}")
+    points, corners = points.astype(np.float64), corners.astype(np.int64)
+    if not np.isfinite(points).all():
+        raise ValueError(f"vertex {np.flatnonzero(~np.isfinite(points).all(axis=1))[0]} is not finite")
+    outside = np.flatnonzero(((corners < 0) | (corners >= len(points))).any(axis=1))
+    if len(outside):
+        raise ValueError(f"triangle {outside[0]} is {corners[outside[0]].tolist()}, and vertices are 0 to "
+                         f"{len(points) - 1}")
+    return points, corners
+
+
+def grid(width, height, cells, diagonal="same"):
+    """A sheet of squares, each split by a diagonal: width by height (m), `cells` squares along the width."""
+    return Mesh(width=width, height=height, cells=cells, diagonal=diagonal)
+
+
+def _effects(value):
+    if not isinstance(value, (list, tuple)):
+        raise TypeError(f"expected a list of effects, got {value!r}")
+    return [_effect(each) for each in value]
+
+
+Pins = make_class("Pins", [PARTS["pins"]])
+Strain = make_class("Strain", [PARTS["strain"]])
+Initial = make_class("Initial", [PARTS["initial"]])
+
+
+def _instance(wanted, what):
+    """Converts what is assigned to a part: an object of that class, or an error that says what is
+    expected."""
+    def convert(value):
+        if not isinstance(value, wanted):
+            raise TypeError(f"expected {what}, got {value!r}")
+        return value
+    return convert
+
+
+def _pins(value):
+    """Pins, or places by name and vertices by number: a list of them, or only one."""
+    if isinstance(value, Pins):
+        return value
+    if isinstance(value, (str, int)):
+        value = [value]
+    if not hasattr(value, "__iter__"):
+        raise TypeError(f"expected Pins(…), or a list of places and of vertices, got {value!r}")
+    names = [entry for entry in value if isinstance(entry, str)]
+    return Pins(vertices=names, indices=[entry for entry in value if not isinstance(entry, str)])
+
+
+class Material(make_class("Material", [PARTS["material"]])):
+    __doc__ = make_class("Material", [PARTS["material"]]).__doc__
+    strain = Part(_instance(Strain, "Strain(…)"), PARTS["strain"].meaning)
+
+    def __init__(self, strain=None, **settings):
+        super().__init__(**settings)
+        self.strain = strain or Strain()
+
+    def _arguments(self):
+        return {**self._given, **({"strain": self.strain} if self.strain._given else {})}
+
+
+class Scene(make_class("Scene", [SCENE])):
+    """What a simulation is made from. Everything has a default: Scene() is a sheet of 1 m that hangs from a
+    corner in air. `folder`: files of the scene are relative to it."""
+
+    mesh = Part(_instance(Mesh, "Mesh(…) or grid(…)"), PARTS["mesh"].meaning)
+    pins = Part(_pins, PARTS["pins"].meaning)
+    material = Part(_instance(Material, "Material(…)"), PARTS["material"].meaning)
+    bending = Part(_instance(Model, f"a bending model: {', '.join(MODELS)}"), "The bending model")
+    solver = Part(_instance(Method, f"a solver method: {', '.join(METHODS)}"), "The solver method")
+    effects = Part(_effects, "What acts on the cloth besides its constraints")
+    initial = Part(_instance(Initial, "Initial(…)"), PARTS["initial"].meaning)
+
+    _classes = {"mesh": Mesh, "pins": Pins, "material": Material, "bending": MODELS["DiscreteShells"],
+                "solver": METHODS["QuasiNewton"], "initial": Initial,
+                "effects": lambda: [EFFECTS["Gravity"](), EFFECTS["ViscousDrag"]()]}
+
+    def __init__(self, *, folder="", **settings):
+        self._folder = str(folder)
+        parts = {name: settings.pop(name) if name in settings else make()
+                 for name, make in self._classes.items()}
+        super().__init__(**settings)
+        for name, value in parts.items():
+            setattr(self, name, value)
+
+    def config(self):
+        """The scene as a config of `bendlab run`: what is stated, and not the defaults. Raises ValueError for
+        a mesh from arrays, which has no place in a config; run() takes the scene itself."""
+        if self.mesh._arrays:
+            raise ValueError("a mesh from arrays has no place in a config: give run() the scene, or write "
+                             "the mesh to a file and name it, Mesh(file=…)")
+        return self._config()
+
+    def _config(self):
+        parts = {"mesh": self.mesh._given, "pins": self.pins._given,
+                 "material": {**self.material._given, "strain": self.material.strain._given},
+                 "bending": self.bending._config(), "solver": self.solver._config(),
+                 "initial": self.initial._given}
+        config = {**self._given, **{name: part for name, part in parts.items() if part}}
+        if self.effects != self._classes["effects"]():
+            config["effects"] = [effect._config() for effect in self.effects]
+        return config
+
+    def simulate(self):
+        """A cloth that can be stepped. Raises ConfigError with everything that is wrong."""
+        return Cloth(self)
+
+    def _arguments(self):
+        changed = {name: getattr(self, name) for name, make in self._classes.items()
+                   if getattr(self, name) != make()}
+        return {**self._given, **changed, **({"folder": self._folder} if self._folder else {})}
+
+
+_effect = _instance(Effect, f"an effect: {', '.join(EFFECTS)}")
+
+
+class Cloth(_core.Cloth):
+    """A cloth that moves. Its arrays are views of memory, which is filled anew when they are asked for again:
+    copy() keeps a state. They stay valid after the cloth is gone."""
+
+    def __init__(self, scene):
+        if not isinstance(scene, Scene):
+            raise TypeError(f"expected a Scene, got {scene!r}")
+        text = json.dumps({"name": "scene", **scene._config()})
+        super().__init__(text, scene._folder, *scene.mesh._arrays)
+        self.scene = scene
+        for code, message in self.warnings:
+            warnings.warn(f"{code}: {message}", stacklevel=3)
+
+    @property
+    def pins(self):
+        """(P, 3), m: where the pinned vertices, in the order of `pinned`, are at the end of the next step.
+        Write to it, cloth.pins[:] = …, to move them; they move evenly during the step."""
+        return super().pins
+
+    @pins.setter
+    def pins(self, positions):
+        super().pins[:] = positions
+
+    def __repr__(self):
+        return f"<Cloth of {len(self.masses)} vertices at {self.time:.6g} s>"
+
+    def run(self, seconds, progress=False):
+        """Steps until that many seconds are over, or further steps would change nothing. Ctrl-C ends it
+        between two steps. `progress` shows on stderr how far it is, or is a function of the share that is
+        done."""
+        show = progress if callable(progress) else _show if progress else None
+        super().run(seconds, show)
+        if show is _show:
+            print(file=sys.stderr)
+
+
+def _show(share):
+    print(f"\r{share:4.0%}", end="", file=sys.stderr, flush=True)

@@ -1,0 +1,297 @@
+"""Classes of settings, made from the program's tables of fields: there is no second list of them."""
+import difflib
+import json
+import keyword
+
+from bendlab import _core, own
+
+
+def class_name(name):
+    """"discrete_shells" → "DiscreteShells"; a word that Python keeps for itself gets an underscore."""
+    camel = "".join(word.capitalize() for word in name.split("_"))
+    return camel + "_" * keyword.iskeyword(camel)
+
+
+def plain(value):
+    """Settings, and NumPy's numbers and arrays, for json.dumps()."""
+    if isinstance(value, (Model, Method, Effect)):
+        return value._config()
+    if isinstance(value, Settings):
+        return value._given
+    if isinstance(value, (range, set)):
+        return list(value)
+    if hasattr(value, "tolist"):
+        return value.tolist()
+    raise TypeError(f"a setting is a number, a text or a list of these, not {value!r}")
+
+
+def _documentation(field):
+    unit = f" ({field['unit']})" if field["unit"] else ""
+    default = "absent" if field["default"] is None else json.dumps(field["default"], ensure_ascii=False)
+    return f"{field['name']}{unit}: {field['expected']}; default {default}. {field['meaning']}."
+
+
+class Settings:
+    """Settings with their defaults. A setting that does not exist, or a value that it cannot have, raises
+    ConfigError with its pointer and what is allowed."""
+
+    _tables = ()  # own settings first, then those that it shares with others of its family
+
+    def __init__(self, **values):
+        object.__setattr__(self, "_given", {})
+        for name, value in values.items():
+            setattr(self, name, value)
+
+    def __setattr__(self, name, value):
+        if name.startswith("_") or isinstance(getattr(type(self), name, None), Part):
+            object.__setattr__(self, name, value)
+            return
+        table = next((table for table in self._tables if name in table.defaults), None)
+        if table is None:
+            raise _unknown(type(self), name)
+        try:
+            text = json.dumps(value, default=plain, allow_nan=False)
+        except ValueError:
+            raise _error(type(self), name, f"{value!r} has a number that is not finite") from None
+        found = table.read(name, text)
+        self._given[name] = tuple(found) if isinstance(found, list) else found
+
+    def _get(self, name):
+        if name in self._given:
+            return self._given[name]
+        found = next(table.defaults[name] for table in self._tables if name in table.defaults)
+        return tuple(found) if isinstance(found, list) else found
+
+    def _stated(self, table):
+        """The given settings of a table, for JSON."""
+        return {table.key(name): value for name, value in self._given.items() if name in table.defaults}
+
+    def _arguments(self):
+        return dict(self._given)
+
+    def __eq__(self, other):
+        if type(self) is not type(other):
+            return False
+        names = {name for table in self._tables for name in table.defaults}
+        return all(self._get(name) == other._get(name) for name in names) and self._parts() == other._parts()
+
+    def _parts(self):
+        """Members that are settings themselves, for comparisons."""
+        cls = type(self)
+        return [getattr(self, name) for name in dir(cls) if isinstance(getattr(cls, name), Part)]
+
+    __hash__ = None
+
+    def __repr__(self):
+        return f"{type(self).__name__}({', '.join(f'{k}={v!r}' for k, v in self._arguments().items())})"
+
+
+def _unknown(cls, name):
+    known = [*(name for table in cls._tables for name in table.defaults),
+             *(name for name in dir(cls) if isinstance(getattr(cls, name), Part))]
+    near = difflib.get_close_matches(name, known, 1)
+    return _error(cls, name, "there is no such setting; " +
+                  (f"did you mean {near[0]}?" if near else f"there are {', '.join(known)}"))
+
+
+def _error(cls, name, text):
+    """ConfigError about a setting of a class."""
+    pointer = f"{cls._tables[0].pointer}/{name}"
+    error = _core.ConfigError(f"{cls.__name__}: {pointer}: {text}")
+    error.problems = [(pointer, text)]
+    return error
+
+
+class Part:
+    """A member of a scene that is itself settings: `convert` makes it of what is assigned."""
+
+    def __init__(self, convert, meaning):
+        self._convert, self.__doc__ = convert, meaning
+
+    def __set_name__(self, owner, name):
+        self._name = "_part_" + name
+
+    def __get__(self, scene, owner=None):
+        return self if scene is None else getattr(scene, self._name)
+
+    def __set__(self, scene, value):
+        object.__setattr__(scene, self._name, self._convert(value))
+
+
+class _Table:
+    """A table of the program, with the defaults by name. A name that is in `taken` gets the table's before
+    it: bending_k is k of /bending, where a model has a k of its own."""
+
+    def __init__(self, table, taken=()):
+        self.name, self.pointer, self.meaning, self._program = table.name, table.pointer, table.meaning, table
+        self.fields = table.fields()
+        self._keys = {}
+        for field in self.fields:
+            if field["name"] in taken:
+                self._keys[f"{self.name}_{field['name']}"] = field["name"]
+                field["name"] = f"{self.name}_{field['name']}"
+        self.defaults = {field["name"]: field["default"] for field in self.fields}
+
+    def key(self, name):
+        """The name in a config."""
+        return self._keys.get(name, name)
+
+    def read(self, name, text):
+        return self._program.read(self.key(name), text)
+
+    def beside(self, table):
+        """This table for a class that has the settings of `table`, too."""
+        taken = set(self.defaults) & set(table.defaults)
+        return _Table(self._program, taken) if taken else self
+
+
+def _property(field):
+    name = field["name"]
+    return property(lambda self: self._get(name), lambda self, value: setattr(self, name, value),
+                    doc=_documentation(field))
+
+
+def _class_documentation(tables, first):
+    rows = [_documentation(field) for table in tables for field in table.fields]
+    return "\n\n".join([*([first.strip()] if first else []), *rows])
+
+
+def make_class(name, tables, base=Settings):
+    """A class of settings that these tables have. Its documentation lists them."""
+    members = {field["name"]: _property(field) for table in reversed(tables) for field in table.fields}
+    text = _class_documentation(tables, tables[0].meaning[:1].upper() + tables[0].meaning[1:] + ".")
+    return type(name, (base,), {"_tables": tuple(tables), "__doc__": text, "__module__": "bendlab",
+                                "_name": tables[0].name, **members})
+
+
+PARTS = {table.name: _Table(table) for table in _core.parts()}
+BENDING, SOLVER = PARTS.pop("bending"), PARTS.pop("solver")
+SCENE = PARTS.pop("")
+
+
+_CURRENT = {}  # (family, name) → the class of that name
+
+
+def base_of(cls):
+    return next(base for base in (Model, Effect) if issubclass(cls, base))
+
+
+def _require_current(member):
+    """A class that was defined again is another one to the program, which knows classes by their names."""
+    current = _CURRENT.get((base_of(type(member)), member._name), type(member))
+    if current is not type(member):
+        raise TypeError(f"{type(member).__name__} was defined again after this scene was made: make the "
+                        "scene anew, with the new class, or give the classes different names")
+
+
+def _read_own(cls, register, tables, shared):
+    """Makes a class that is written in Python a part of the program, with its settings as properties."""
+    taken = [row["name"] for row in own.setting_rows(cls) for table in shared
+             if row["name"] in table.defaults]
+    if taken:
+        raise TypeError(f"{cls.__name__}: {taken[0]} is a setting that all of its family have: choose "
+                        "another name")
+    cls._rows = {**getattr(cls, "_rows", {}), **{row["name"]: row for row in own.setting_rows(cls)}}
+    register(cls, own.about(cls), list(cls._rows.values()))
+    cls._name = own.snake_name(cls.__name__)
+    _CURRENT[base_of(cls), cls._name] = cls
+    table = next(_Table(each) for each in tables() if each.name == cls._name)
+    cls._tables = (table, *(each.beside(table) for each in shared))
+    for each in cls._tables:
+        for field in each.fields:
+            setattr(cls, field["name"], _property(field))
+    cls.__doc__ = _class_documentation(cls._tables, cls.__doc__)
+
+
+class Model(Settings):
+    """A bending model: its own settings, and those that all models share.
+
+    A model of one's own is a subclass, which Scene and run() know by its name in snake case:
+
+        class Opposite(bl.Model):
+            '''the square of the distance across every edge'''
+            factor = bl.Setting(1.0, unit="1/m", meaning="on the change", minimum=0)
+
+            def elements(self, rest):       # once for a mesh: see Rest and Elements
+                pairs = rest.hinges[:, 2:]
+                d = rest.positions[pairs[:, 1]] - rest.positions[pairs[:, 0]]
+                return bl.Elements(pairs, square=(d ** 2).sum(axis=1))
+
+            def constraint(self, x, rest):  # x (n, k, 3) in m: corners of n elements
+                d = x[:, 1] - x[:, 0]
+                value = (d ** 2).sum(axis=1) - rest.square
+                return self.factor * value, self.factor * np.stack([-2 * d, 2 * d], axis=1)
+
+    It returns C, (n), and its gradient, (n, k, 3); the energy is ½ C² / α.
+
+    or, instead of `constraint`, `energy(self, x, rest)`: its energy is U / α. `rest` has the arrays that were
+    given to Elements, for these n elements. Values may not depend on where an element is. An element whose
+    value is NaN does not act. When the class is read, its gradient is compared with differences.
+    """
+
+    def __init_subclass__(cls, **arguments):
+        super().__init_subclass__(**arguments)
+        if "_tables" in vars(cls):
+            return  # a class of the program
+        if not hasattr(cls, "elements") or hasattr(cls, "constraint") == hasattr(cls, "energy"):
+            raise TypeError(f"{cls.__name__} needs elements(), and either constraint() or energy()")
+        _read_own(cls, _core.register_model, _core.models, [BENDING])
+        try:
+            own.check_gradient(cls())
+        except Exception:
+            _core.remove_model(cls._name)
+            raise
+
+    def _config(self):
+        _require_current(self)
+        own = self._stated(self._tables[0])
+        return {"model": self._name, **self._stated(self._tables[1]), **({self._name: own} if own else {})}
+
+
+class Method(Settings):
+    """A solver method: its own settings, and those that all methods share."""
+
+    def _config(self):
+        return {"method": self._name, **self._given}
+
+
+class Effect(Settings):
+    """What acts on the cloth besides its constraints.
+
+    An effect of one's own is a subclass, which Scene and run() know by its name in snake case:
+
+        class Trap(bl.Effect):
+            '''pulls every vertex to the origin'''
+            frequency = bl.Setting(1.0, unit="1/s", meaning="f of x'' = -(2 π f)² x", minimum=0)
+
+            def acceleration(self, x, v, t):        # (V, 3) in m and m/s, t in s
+                return -(2 * np.pi * self.frequency) ** 2 * x
+
+    or, instead of `acceleration` (m/s²), `force` (N). Both return (V, 3), or (3,) for all vertices, and are
+    asked at the start of every substep. Attributes of the class say what it is: `damps = True` if it only
+    slows, `keeps_momentum = True` if it does.
+    """
+
+    def __init_subclass__(cls, **arguments):
+        super().__init_subclass__(**arguments)
+        if "_tables" in vars(cls):
+            return  # a class of the program
+        if hasattr(cls, "acceleration") == hasattr(cls, "force"):
+            raise TypeError(f"{cls.__name__} needs either acceleration() or force()")
+        _read_own(cls, _core.register_effect, _core.effects, [])
+
+    def _config(self):
+        _require_current(self)
+        return {"type": self._name, **self._given}
+
+
+def _family(tables, base, *shared):
+    tables = [_Table(table) for table in tables]
+    classes = [make_class(class_name(table.name), [table, *(each.beside(table) for each in shared)], base)
+               for table in tables]
+    return {made.__name__: made for made in classes}
+
+
+MODELS = _family(_core.models(), Model, BENDING)
+METHODS = _family(_core.methods(), Method, SOLVER)
+EFFECTS = _family(_core.effects(), Effect)

@@ -1,0 +1,289 @@
+"""A cloth in Python: steps, arrays, pins, meshes from NumPy, threads, signals.
+
+    test_cloth.py PROGRAM
+"""
+import gc
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import bendlab as bl
+
+PROGRAM = sys.argv.pop(1)
+TWO = ["upper_left", "upper_right"]
+
+
+def hanging(cells=8, **settings):
+    return bl.Scene(mesh=bl.grid(1, 1, cells), pins=TWO, **settings)
+
+
+def square():
+    """(4, 3) and (2, 3): a square of 1 m."""
+    return np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]), np.array([[0, 1, 3], [0, 3, 2]])
+
+
+class Steps(unittest.TestCase):
+    def test_a_run_has_the_bits_of_the_programs(self):
+        with tempfile.TemporaryDirectory() as place:
+            for solver in (bl.QuasiNewton(), bl.Pbd(substeps=3), bl.Newton()):
+                scene = hanging(bending=bl.DiscreteShells(flexural_rigidity=1e-4), solver=solver,
+                                duration=0.2)
+                config = Path(place, f"{type(solver).__name__}.json")
+                config.write_text(json.dumps({"name": config.stem, "duration": 0.2, **scene.config()}))
+                subprocess.run([PROGRAM, "run", config, "--out", place], check=True, capture_output=True)
+                cloth = scene.simulate()
+                cloth.run(0.2)
+                run, = bl.load(Path(place, config.stem))
+                # A scene in single precision has frames of that in its file.
+                single = run.provenance["precision"] == "single"
+                now = cloth.positions.astype(np.float32) if single else cloth.positions
+                self.assertTrue((run.positions() == now).all())
+
+    def test_steps_one_by_one_are_those_of_a_run(self):
+        first, second = hanging().simulate(), hanging().simulate()
+        first.run(0.5)
+        for _ in range(30):
+            second.step()
+        self.assertEqual(first.time, second.time)
+        self.assertTrue((first.positions == second.positions).all())
+        self.assertTrue((first.velocities == second.velocities).all())
+
+    def test_a_free_cloth_falls_as_a_stone_does(self):
+        cloth = bl.Scene(mesh=bl.grid(1, 1, 4), pins=[], effects=[bl.Gravity()],
+                         solver=bl.Newton()).simulate()
+        cloth.run(0.5)
+        # BDF2's first substep is backward Euler's, which falls by another g h² / 2.
+        self.assertAlmostEqual(cloth.positions[:, 2].mean(), -9.81 * 0.125, delta=9.81 / 60 ** 2)
+
+    def test_seconds_have_to_be_a_time(self):
+        for seconds in (-1, float("nan"), float("inf")):
+            with self.assertRaisesRegex(ValueError, "seconds of at least 0"):
+                hanging().simulate().run(seconds)
+
+    def test_what_is_doubtful_is_a_warning(self):
+        vertices, triangles = square()
+        with self.assertWarnsRegex(UserWarning, "units"):
+            cloth = bl.Scene(mesh=bl.Mesh(100 * vertices, triangles), pins=[0]).simulate()
+        self.assertIn("units", [code for code, _ in cloth.warnings])
+
+    def test_progress(self):
+        seen = []
+        hanging(32).simulate().run(1.0, progress=seen.append)
+        self.assertEqual(seen, sorted(seen))
+        self.assertTrue(all(0 <= share <= 1 for share in seen))
+
+    def test_a_cloth_at_rest_stops(self):
+        cloth = hanging(solver=bl.Equilibrium()).simulate()
+        cloth.run(1e9)
+        self.assertTrue(cloth.settled)
+
+    def test_a_cloth_that_flies_apart_says_where(self):
+        scene = hanging(solver=bl.Pbd(), effects=[bl.Gravity(acceleration=(0, 0, -1e12))])
+        with self.assertRaisesRegex(RuntimeError, "diverged"):
+            scene.simulate().run(10)
+
+
+class Arrays(unittest.TestCase):
+    def test_shapes_and_that_they_cannot_be_written(self):
+        cloth = hanging(8).simulate()
+        self.assertEqual((cloth.positions.shape, cloth.velocities.shape, cloth.triangles.shape,
+                          cloth.pinned.shape), ((81, 3), (81, 3), (128, 3), (2,)))
+        for array in (cloth.positions, cloth.velocities, cloth.triangles, cloth.pinned):
+            with self.assertRaises(ValueError):
+                array[0] = 1
+        self.assertEqual(cloth.triangles.max(), 80)
+
+    def test_they_are_views_and_outlive_the_cloth(self):
+        cloth = hanging().simulate()
+        view = cloth.positions
+        self.assertTrue(np.shares_memory(view, cloth.positions))
+        cloth.step()
+        now = cloth.positions.copy()
+        self.assertTrue((view == now).all(), "the same memory has the state of the last call")
+        del cloth
+        gc.collect()
+        bl.Scene().simulate()  # memory that was given back would be taken again
+        self.assertTrue((view == now).all())
+
+    def test_energies_and_forces_are_those_of_one_another(self):
+        for bending, kind in ((bl.DiscreteShells(flexural_rigidity=1e-3), "hinge"),
+                              (bl.Crossover(), "distance")):
+            cloth = hanging(6, bending=bending, solver=bl.Newton(), initial=bl.Initial(tilt=20)).simulate()
+            cloth.run(0.2)
+            energies, forces = cloth.energies(), cloth.forces()
+            self.assertEqual(set(forces), {"strain", kind})
+            self.assertEqual(set(energies), {"strain", kind, "kinetic", "weight"})
+            masses = 0.2 / 49  # about
+            self.assertGreater(energies["kinetic"], 0.1 * masses * (cloth.velocities ** 2).sum())
+            for force in forces.values():  # internal forces have no sum, but for what pins hold
+                free = np.ones(49, bool)
+                free[cloth.pinned] = False
+                self.assertTrue((force[cloth.pinned] == 0).all())
+                self.assertGreater(np.abs(force[free]).max(), 0)
+
+
+class Pins(unittest.TestCase):
+    def test_pinned_vertices_go_where_they_are_put(self):
+        for solver in (bl.QuasiNewton(), bl.Newton(substeps=3), bl.Pbd(),
+                       bl.Pbd(precision="double", substeps=4), bl.Vbd()):
+            with self.subTest(repr(solver)):
+                cloth = hanging(solver=solver).simulate()
+                cloth.run(0.1)
+                self.assertEqual(cloth.pins.shape, (2, 3))
+                start = cloth.positions[cloth.pinned].copy()
+                self.assertLess(np.abs(cloth.pins - start).max(), 1e-6)
+                for step in range(1, 4):
+                    cloth.pins[:] = start + (0, 0, 0.01 * step)
+                    cloth.step()
+                    self.assertLess(np.abs(cloth.positions[cloth.pinned] - cloth.pins).max(), 1e-6)
+                cloth.run(2)
+                self.assertLess(cloth.positions[:, 2].max(), start[0, 2] + 0.05)
+
+    def test_asking_for_pins_changes_no_motion(self):
+        for solver in (bl.QuasiNewton(), bl.Newton(), bl.Pbd(precision="double")):
+            plain, asked = hanging(solver=solver).simulate(), hanging(solver=solver).simulate()
+            plain.run(0.3), asked.run(0.1)
+            self.assertEqual(asked.pins.shape, (2, 3))
+            asked.run(0.2)
+            self.assertLess(np.abs(plain.positions - asked.positions).max(), 1e-9)
+
+    def test_what_cannot_move_pins_says_so(self):
+        for solver in (bl.Equilibrium(), bl.KangCho()):
+            bending = bl.Crossover() if isinstance(solver, bl.KangCho) else bl.DiscreteShells()
+            with self.assertRaisesRegex(ValueError, "leaves pinned vertices where they are"):
+                hanging(solver=solver, bending=bending).simulate().pins
+        cloth = hanging().simulate()
+        cloth.pins = cloth.pins + 0.01
+        cloth.step()
+        self.assertAlmostEqual(cloth.positions[cloth.pinned][0, 2], 0.01, 6)
+        cloth.pins[0] = np.nan
+        with self.assertRaisesRegex(ValueError, "not finite"):
+            cloth.step()
+        self.assertTrue(np.isfinite(cloth.positions).all())
+
+    def test_a_cloth_without_pins_has_none(self):
+        self.assertEqual(bl.Scene(pins=[]).simulate().pins.shape, (0, 3))
+
+
+class MeshesFromArrays(unittest.TestCase):
+    def test_what_is_converted(self):
+        vertices, triangles = square()
+        expected = bl.Scene(mesh=bl.Mesh(vertices, triangles), pins=[0]).simulate()
+        expected.run(0.2)
+        read_only = vertices.copy()
+        read_only.flags.writeable = False
+        wide = np.zeros((4, 6))
+        wide[:, ::2] = vertices
+        for what, points, corners in (("lists", vertices.tolist(), triangles.tolist()),
+                                      ("Fortran order", np.asfortranarray(vertices),
+                                       np.asfortranarray(triangles)),
+                                      ("float32", vertices.astype(np.float32), triangles.astype(np.uint8)),
+                                      ("not contiguous", wide[:, ::2], triangles[:, :]),
+                                      ("read-only", read_only, triangles),
+                                      ("big-endian", vertices.astype(">f8"), triangles.astype(">i4"))):
+            with self.subTest(what):
+                cloth = bl.Scene(mesh=bl.Mesh(points, corners), pins=[0]).simulate()
+                cloth.run(0.2)
+                self.assertTrue((cloth.positions == expected.positions).all())
+
+    def test_a_mesh_file(self):
+        with tempfile.TemporaryDirectory() as place:
+            Path(place, "square.obj").write_text("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 4\nf 1 4 3\n")
+            cloth = bl.Scene(mesh=bl.Mesh(file="square.obj"), folder=place, pins=[0]).simulate()
+            self.assertEqual(cloth.positions.shape, (4, 3))
+
+    def test_a_mesh_from_arrays_has_no_other_shape_and_no_config(self):
+        with self.assertRaisesRegex(TypeError, "does not read cells"):
+            bl.Mesh(*square(), cells=4)
+        with self.assertRaisesRegex(ValueError, "no place in a config"):
+            bl.Scene(mesh=bl.Mesh(*square())).config()
+
+    def test_the_mesh_is_a_copy(self):
+        vertices, triangles = square()
+        mesh = bl.Mesh(vertices, triangles)
+        vertices[:] = 7
+        self.assertEqual(bl.Scene(mesh=mesh, pins=[0]).simulate().positions.max(), 1)
+
+    def test_what_is_refused_with_its_reason(self):
+        vertices, triangles = square()
+        bad = vertices.copy()
+        bad[2, 1] = np.nan
+        for points, corners, text in ((bad, triangles, "vertex 2 is not finite"),
+                                      (vertices[:, :2], triangles, r"vertices have the shape \(4, 2\)"),
+                                      (vertices, triangles.ravel(), r"triangles have the shape \(6,\)"),
+                                      (vertices, triangles.astype(float), "triangles are of dtype float64"),
+                                      (vertices.astype(complex), triangles,
+                                       "vertices are of dtype complex128"),
+                                      (vertices.astype(str), triangles, "vertices are of dtype"),
+                                      (vertices, triangles + 2, "triangle 0 is"),
+                                      (vertices, triangles - 1, "triangle 0 is")):
+            with self.subTest(text), self.assertRaisesRegex(ValueError, text):
+                bl.Mesh(points, corners)
+        with self.assertRaisesRegex(TypeError, "needs both"):
+            bl.Mesh(vertices)
+        with self.assertRaises(bl.MeshError):
+            bl.Scene(mesh=bl.Mesh(vertices, [[0, 1, 1]])).simulate()
+        with self.assertRaises((bl.MeshError, ValueError)):
+            bl.Scene(mesh=bl.Mesh(np.zeros((0, 3)), np.zeros((0, 3), int))).simulate()
+
+
+class ThreadsAndSignals(unittest.TestCase):
+    def test_two_threads_with_one_cloth_raise_and_do_not_race(self):
+        cloth = hanging(24, solver=bl.Newton()).simulate()
+        raised, started = [], threading.Event()
+
+        def run():
+            started.set()
+            cloth.run(0.5)
+
+        worker = threading.Thread(target=run)
+        worker.start()
+        started.wait()
+        while worker.is_alive():
+            for use in (cloth.step, lambda: cloth.positions, cloth.energies, lambda: cloth.pins):
+                try:
+                    use()
+                except RuntimeError as error:
+                    raised.append(str(error))
+        worker.join()
+        self.assertTrue(raised)
+        self.assertIn("give each thread a cloth of its own", raised[0])
+        cloth.step()
+
+    def test_threads_with_cloths_of_their_own_run_side_by_side(self):
+        cloths = [hanging(24).simulate() for _ in range(4)]
+        workers = [threading.Thread(target=cloth.run, args=(0.5,)) for cloth in cloths]
+        for worker in workers:
+            worker.start()
+        for worker in workers:
+            worker.join()
+        for cloth in cloths[1:]:
+            self.assertTrue((cloth.positions == cloths[0].positions).all())
+
+    def test_ctrl_c_in_the_middle_of_a_run_keeps_the_last_step(self):
+        cloth = hanging(24).simulate()
+        threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT)).start()
+        before = time.monotonic()
+        with self.assertRaises(KeyboardInterrupt):
+            cloth.run(1e6)
+        self.assertLess(time.monotonic() - before, 10)
+        steps = round(cloth.time * 60)
+        self.assertGreater(steps, 0)
+        again = hanging(24).simulate()
+        for _ in range(steps):
+            again.step()
+        self.assertTrue((again.positions == cloth.positions).all())
+        cloth.step()
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,107 @@
+"""Experiments from Python give what the command line gives.
+
+    test_runs.py PROGRAM
+"""
+import json
+import os
+import signal
+import subprocess
+import sys
+import tempfile
+import threading
+import unittest
+from pathlib import Path
+
+import numpy as np
+
+import bendlab as bl
+
+PROGRAM = sys.argv.pop(1)
+CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_left", "upper_right"]},
+          "duration": 0.2,
+          "sweep": {"/bending/model": ["crossover", "discrete_shells"], "/mesh/cells": [4, 6]}}
+
+
+class Runs(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.place = Path(folder.name)
+
+    def program(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], capture_output=True, text=True, check=False)
+
+    def test_files_have_the_bits_of_the_command_line(self):
+        config = self.place / "small.json"
+        config.write_text(json.dumps(CONFIG))
+        self.program("run", config, "--out", self.place / "program")
+        theirs = {run.id: run for run in bl.load(self.place / "program")}
+        for given in (config, str(config), CONFIG):
+            out = self.place / f"python{len(list(self.place.iterdir()))}"
+            table = bl.run(given, out=out, jobs=2)
+            ours = bl.load(out)
+            self.assertEqual({run.id for run in ours}, set(theirs))
+            for run in ours:
+                other = theirs[run.id]
+                self.assertTrue((run.trajectory() == other.trajectory()).all())
+                numbers = {name for name in run.summary if not name.endswith(("_s", "bytes"))}
+                for name in numbers:
+                    np.testing.assert_equal(run.summary[name], other.summary[name])
+            self.assertEqual(list(table["model"]), ["crossover"] * 2 + ["discrete_shells"] * 2)
+            self.assertEqual(list(table["cells"]), [4, 6, 4, 6])
+            for row in range(4):
+                self.assertEqual(table["drop"][row], bl.load(table["file"][row]).summary["drop"])
+
+    def test_a_sweep_by_keyword_is_that_of_a_config(self):
+        scene = bl.Scene(mesh=bl.grid(1, 1, 6), duration=0.2)
+        table = bl.run(scene, sweep={"mesh.cells": [4, 6], "/bending": [bl.Crossover(), bl.DiscreteShells()],
+                                     "/solver/dt": np.array([0.01, 0.02])}, out=self.place, jobs=2)
+        self.assertEqual(len(table), 8)
+        self.assertEqual(list(table["cells"]), [4] * 4 + [6] * 4)
+        self.assertEqual(json.loads(table["bending"][0]), {"model": "crossover"})
+        self.assertEqual(list(table["dt"][:2]), [0.01, 0.02])
+        again = bl.run(scene, sweep={"mesh.cells": [4]}, out=self.place)
+        self.assertEqual(list(again["status"]), ["complete"])
+
+    def test_a_scene_with_a_mesh_from_arrays(self):
+        vertices = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]]) / 3
+        scene = bl.Scene(mesh=bl.Mesh(vertices, [[0, 1, 3], [0, 3, 2]]), pins=[0], duration=0.1)
+        table = bl.run(scene, out=self.place, name="arrays")
+        run = bl.load(table["file"][0])
+        self.assertTrue((run.rest_positions == vertices).all())
+        cloth = scene.simulate()
+        cloth.run(0.1)
+        self.assertLess(np.abs(run.positions() - cloth.positions).max(), 1e-7)
+
+    def test_a_wrong_config_has_every_problem(self):
+        with self.assertRaises(bl.ConfigError) as caught:
+            bl.run({"name": "a", "mesh": {"cells": 0, "cels": 3}})
+        self.assertEqual({pointer for pointer, _ in caught.exception.problems}, {"/mesh/cells", "/mesh/cels"})
+        with self.assertRaises(FileNotFoundError):
+            bl.run(self.place / "no.json")
+        with self.assertRaisesRegex(bl.ConfigError, "/mesh/none"):
+            bl.run(bl.Scene(), sweep={"/mesh/none": [1]}, out=self.place)
+
+    def test_a_run_that_fails_has_its_reason_and_leaves_the_others(self):
+        table = bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), solver=bl.Pbd(), duration=0.1),
+                       sweep={"/effects": [[bl.Gravity()], [bl.Gravity(acceleration=(0, 0, -1e15))]]},
+                       out=self.place)
+        self.assertEqual(table["status"][0], "complete")
+        self.assertIn(table["status"][1], ("diverged", "implausible"))
+        self.assertTrue(table["message"][1])
+
+    def test_ctrl_c_ends_the_runs_and_the_same_call_goes_on(self):
+        scene = bl.Scene(mesh=bl.grid(1, 1, 24), solver=bl.Newton(), duration=0.5)
+        sweep = {"/initial/tilt": [0, 10, 20, 30]}
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            bl.run(scene, sweep=sweep, out=self.place, jobs=2)
+        table = bl.run(scene, sweep=sweep, out=self.place, jobs=2)
+        self.assertEqual(list(table["status"]), ["complete"] * 4)
+        whole = bl.run(scene, sweep=sweep, out=self.place / "whole", jobs=2)
+        for name in ("drop", "mean_strain"):
+            self.assertEqual(list(table[name]), list(whole[name]))
+
+
+if __name__ == "__main__":
+    unittest.main()
