@@ -1,311 +1,170 @@
-"""The language of the markers before measured numbers in the READMEs.
+"""The measured numbers in our READMEs: the words in which each stands, and its value.
 
-    <!--= EXPRESSION as FORMAT -->12.6     the text behind the marker is the expression's value
-    <!--= holds: EXPRESSION -->            the expression is true; no text
-    <!--: name = EXPRESSION -->            a name for a value, for the markers below it in the same file
-    <!--= measured: COMMAND, 2026-11-22 -->0.75    no committed data; how to repeat it, and the date
-    <!--= constant: FILE -->20             a number from the source
-
-EXPRESSION: numbers, places, + - * / with spaces around them, ( ), min(…), max(…), sum(…), count(…), and
-< <= > >= = in `holds`.
-A place is a file of results/ or a name, and steps, as in
-results/accuracy/summary.json#/[model=lod & cells>=32]/ms_per_frame:
-    key, 'a key with / or spaces'            a value of an object, or of every object in a list
-    number                                   an entry of a list
-    [key=value & settings/substeps>4]        entries of a list: = != < <= > >= ^= (begins with);
-                                             a value may be a name's place
-    least:key, most:key, sort:key            an entry of a list; the list in that order
-The content of a .csv file is a list of objects, that of an .html page is {caption: list of objects} of its
-tables.
-FORMAT: name (text), or as in Python: .3g, .1f, `,.0f` (16 641).
-A marker has no | (it would end a table's cell) and no -- (it would end the comment). It begins no line (it
-would end the paragraph).
+STATED: README → [(words, values)]. Braces in the words, as in `{:.1f}`, stand for a value, which comes from
+committed results. Words without braces have no such data: the text beside them says how to repeat the
+measurement, and when it was made; or it is the path, from the README, of the file that has the constant.
 """
-import csv
-import functools
+import html
 import json
-import operator
 import re
-from html.parser import HTMLParser
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-MARKER = re.compile(r"<!--(?P<kind>[=:])\s*(?P<body>.*?)\s*-->")
-NUMBER_TEXT = re.compile(r"[-−]?\d+(?: \d{3}(?!\d))*(?:\.\d+)?")
-NAME_TEXT = re.compile(r"\w+")
-MEASURED = re.compile(r"measured: .+, \d{4}-\d\d-\d\d$")
 
 
-# Data -----------------------------------------------------------------------------------------------------
-
-class Tables(HTMLParser):
-    """{caption: rows as {column: cell}} of a page; the first table of each caption."""
-
-    def __init__(self):
-        super().__init__()
-        self.found, self._caption, self._rows, self._into = {}, "", [], None
-
-    def handle_starttag(self, tag, attributes):
-        if tag == "table":
-            self._caption, self._rows = "", []
-        elif tag == "tr":
-            self._rows.append([])
-        elif tag in ("td", "th") and self._rows:
-            self._rows[-1].append("")
-        if tag in ("caption", "td", "th"):
-            self._into = tag
-
-    def handle_endtag(self, tag):
-        if tag in ("caption", "td", "th"):
-            self._into = None
-        elif tag == "table" and self._rows:
-            self.found.setdefault(self._caption, [dict(zip(self._rows[0], row)) for row in self._rows[1:]])
-
-    def handle_data(self, data):
-        if self._into == "caption":
-            self._caption += data
-        elif self._into and self._rows and self._rows[-1]:
-            self._rows[-1][-1] += data
+def read(path):
+    return (ROOT / "results" / path).read_text(encoding="utf-8")
 
 
-@functools.cache
-def data(file):
-    """The content of a file in results/."""
-    path = ROOT / file
-    if not path.is_file():
-        raise ValueError(f"there is no {file}")
-    text = path.read_text(encoding="utf-8")
-    if path.suffix == ".json":
-        return json.loads(text)
-    if path.suffix == ".csv":
-        return list(csv.DictReader(text.splitlines()))
-    tables = Tables()
-    tables.feed(text)
-    return tables.found
+def rows(page, **patterns):
+    """The rows of a page's summary whose values match these patterns."""
+    return [row for row in json.loads(read(f"{page}/summary.json"))
+            if all(re.fullmatch(pattern, str(row.get(key))) for key, pattern in patterns.items())]
 
 
-# The language ---------------------------------------------------------------------------------------------
-
-STEP = r"(?:/(?:\[[^\]]*\]|'[^']*'|[^\s/()',\[\]]+))"
-TOKEN = re.compile(rf"""\s*(?:(?P<function>(?:min|max|sum|count)\()
-    |(?P<place>(?:results/[\w./-]+\#|[a-z_]\w*){STEP}*)
-    |(?P<number>\d+(?:\.\d+)?(?:e-?\d+)?)
-    |(?P<operator><=|>=|[-+*/<>=(),]))""", re.VERBOSE)
-CONDITION = re.compile(r"(?P<key>.+?)\s*(?P<how>\^=|!=|<=|>=|=|<|>)\s*(?P<value>.*)")
-ARITHMETIC = {"+": operator.add, "-": operator.sub, "*": operator.mul, "/": operator.truediv}
-COMPARISONS = {"=": operator.eq, "!=": operator.ne, "<": operator.lt, "<=": operator.le, ">": operator.gt,
-               ">=": operator.ge}
-FUNCTIONS = {"min(": min, "max(": max, "sum(": sum, "count(": len}
+def table(page, caption):
+    """The rows of a page's table: heading → text."""
+    text = read(f"{page}/index.html").split(f"<caption>{caption}<")[1].split("</table>")[0]
+    lines = [[html.unescape(re.sub("<.*?>", "", cell)) for cell in re.findall("<t[hd].*?>(.*?)</t[hd]>", row)]
+             for row in text.split("<tr")[1:]]
+    return [dict(zip(lines[0], line)) for line in lines[1:]]
 
 
-def number(value):
-    """A value, or the text of a number, as float; None if it is no number."""
-    if isinstance(value, bool) or value is None:
-        return None
-    try:
-        return float(value)
-    except (TypeError, ValueError):
-        return None
+def measured(check, **patterns):
+    return [row["measured"] for row in rows("stiffness", check=check, **patterns)]
 
 
-class Expression:
-    """An expression, evaluated while it is read; `names` are known from earlier in its file."""
-
-    def __init__(self, text, names):
-        self.names, self.tokens, end = names, [], 0
-        while end < len(text.rstrip()):
-            match = TOKEN.match(text, end)
-            if not match:
-                raise ValueError(f"cannot read '{text[end:]}'")
-            self.tokens.append((match.lastgroup, match[match.lastgroup]))
-            end = match.end()
-        self.value = self._compared()
-        if self.tokens:
-            raise ValueError(f"'{self.tokens[0][1]}' is left over in '{text}'")
-
-    def _next(self, *texts):
-        found = self.tokens and self.tokens[0][0] == "operator" and self.tokens[0][1] in texts
-        return self.tokens.pop(0)[1] if found else None
-
-    def _compared(self):
-        left = self._sum()
-        how = self._next(*COMPARISONS)
-        return COMPARISONS[how](single(left), single(self._sum())) if how else left
-
-    def _sum(self):
-        return self._chain(self._product, "+", "-")
-
-    def _product(self):
-        return self._chain(self._atom, "*", "/")
-
-    def _chain(self, part, *operators):
-        value = part()
-        while how := self._next(*operators):
-            value = each(ARITHMETIC[how], value, part())
-        return value
-
-    def _atom(self):
-        if not self.tokens:
-            raise ValueError("something is missing at the end")
-        kind, text = self.tokens.pop(0)
-        if kind == "number":
-            return float(text)
-        if kind == "place":
-            return place(text, self.names)
-        if kind == "function":
-            values = self._arguments()
-            if not values and text != "count(":
-                raise ValueError(f"{text}…) of no value")
-            return FUNCTIONS[text](values if text == "count(" else [single(value) for value in values])
-        if text != "(":
-            raise ValueError(f"'{text}' where a value should be")
-        value = self._compared()
-        if not self._next(")"):
-            raise ValueError("a ) is missing")
-        return value
-
-    def _arguments(self):
-        values = []
-        while True:
-            value = self._sum()
-            values += value if isinstance(value, list) else [value]
-            if not self._next(","):
-                break
-        if not self._next(")"):
-            raise ValueError("a ) is missing")
-        return values
+def cost(name, *sizes, key="ns_per_constraint"):
+    """The cost of something: in single precision at these sizes, by the oracle, in double precision."""
+    single = [bench[f"{name}/{size}", "float", 1][key] for size in sizes]
+    return [*single, bench[f"{name}_oracle/128", "float", 1][key], bench[f"{name}/128", "double", 1][key]]
 
 
-def each(action, left, right):
-    """Applies an action to numbers, or to every entry of lists of equal length."""
-    if isinstance(left, list) and isinstance(right, list) and len(left) > 1 and len(left) == len(right):
-        return [action(single(a), single(b)) for a, b in zip(left, right)]
-    if isinstance(left, list) and len(left) > 1:
-        return [action(single(a), single(right)) for a in left]
-    return action(single(left), single(right))
+CORNER, ERROR, MS = "one corner, N = 128: stretch − 1 anywhere, at rest", "error_physical_rms", "ms_per_frame"
+promise, rigid = (row["numbers"] for row in rows("paper", claim="Cloth that does not .*"))
+strips = [run for run in rows("accuracy", experiment="accuracy_front_cantilever.*")
+          if run.get(ERROR, 1) <= 0.01]
+strip = min(strips, key=lambda run: run[MS])
+# (substeps, iterations, model) → error by the solver, of the curtain.
+curtain = {(run["settings"]["substeps"], run["settings"]["iterations"], run["model"]): run["error_solver_rms"]
+           for run in rows("accuracy", experiment="accuracy_front.*", cells="24")
+           if run["model"] != "choi_ko" and run.get("error_solver_rms", 0) > 0}
+# How many times smaller the error is with substeps than with as many iterations.
+gains = [curtain[1, substeps, model] / error for (substeps, iterations, model), error in curtain.items()
+         if substeps in (16, 64, 256) and iterations == 1]
+hinge = [100 * curtain[64, 4, "dihedral"], 100 * curtain[256, 1, "dihedral"]]
+paper = rows("accuracy", experiment="accuracy_paper_64", model="adaptive")[0]
+coarse = rows("accuracy", experiment="accuracy_paper_cells_slow", cells="8")[0]
+beat = rows("accuracy", experiment="accuracy_beat")
+nearest = min((run for run in beat if run[MS] <= paper[MS]), key=lambda run: run[ERROR])
+fastest = min((run for run in beat if run[ERROR] <= paper[ERROR]), key=lambda run: run[MS])
+ratio = {model: max(measured("largest ratio of stiffness between two resolutions", model=model))
+         for model in ("discrete_shells", "adaptive")}
+ruled = measured("largest ratio of B between two resolutions", model="adaptive")
+irregular = measured("stiffness, measured over stated", model="dihedral", mesh="delaunay.*")
+lost = [(100 * (1 - float(row["C from m(κ) over C of the springs"])), float(row["R⁴/(α C)"]))
+        for row in table("stiffness", "Ring springs") if (row["ring t"], row["cells"]) == ("2", "24")]
+pin = {row["remedy"]: (float(row["mean strain"]), float(row["CPU time relative to published"]))
+       for row in table("stability", "At the pin") if row["model"] == "none"}
+fails = {model: 100 * len(rows("stability", model=model, verdict="red")) / len(rows("stability", model=model))
+         for model in ("none", "adaptive", "dihedral")}
+cut, free = (rows("stability", case=f"{case}: 1 s", model="adaptive", precision="single")[0]["worst"]["value"]
+             for case in ("time_step_cut", "time_step"))
+minutes = {page: sum(row["seconds"] for row in rows(page)) / 60 for page in ("stability", "plain")}
+bench = {(row["name"], row["scalar"], row["threads"]): row
+         for row in json.loads(read("performance/bench.json"))["rows"]}
+large, step = bench["set_up/256", "float", 1], cost("step", 128, key="step_ms")
+orders = [row for row in bench.values() if row["name"].startswith("convergence")]
+# How many percent more strain error one order of constraints leaves than another.
+by_colour, from_pins, colour_from_pins = (
+    [100 * (row[f"strain_error_{one}"] / row[f"strain_error_{other}"] - 1) for row in orders]
+    for one, other in (("colour", "mesh"), ("from_pins", "mesh"), ("colour_from_pins", "colour")))
 
-
-def single(value):
-    """A value, or a list of one value, as float."""
-    if isinstance(value, list):
-        if len(value) != 1:
-            raise ValueError(f"{len(value)} values where one is expected")
-        value = value[0]
-    found = number(value)
-    if found is None:
-        raise ValueError(f"'{value}' is no number")
-    return found
-
-
-def place(text, names):
-    """The value at a place."""
-    root, *steps = re.findall(r"^(?:results/[\w./-]+#|\w+)|" + STEP, text)
-    if root not in names and not root.endswith("#"):
-        raise ValueError(f"no name '{root}' is known here")
-    value = data(root[:-1]) if root.endswith("#") else names[root]
-    for step in steps:
-        value = walk(value, step[1:], names)
-    return value
-
-
-def walk(value, step, names):
-    """The value after one step of a place."""
-    if step.startswith("["):
-        conditions = step[1:-1].split(" & ")
-        return [entry for entry in value if all(holds(entry, condition, names) for condition in conditions)]
-    how, _, key = step.strip("'").partition(":")
-    if how in ("least", "most", "sort") and key:
-        entries = [entry for entry in value if inside(entry, key) is not None]
-        ordered = sorted(entries, key=lambda entry: inside(entry, key))
-        if not ordered:
-            raise ValueError(f"no entry has '{key}'")
-        return ordered if how == "sort" else ordered[0 if how == "least" else -1]
-    key = step.strip("'")
-    if isinstance(value, list):
-        return value[int(key)] if key.isdigit() else [entry[key] for entry in value if key in entry]
-    if key not in value:
-        raise ValueError(f"there is no '{key}'")
-    return value[key]
-
-
-def inside(entry, key):
-    """The value in an object at key/key, as a number if it is one; None if there is none."""
-    for part in [key] if key in entry else key.split("/"):
-        entry = entry.get(part) if isinstance(entry, dict) else None
-    found = number(entry)
-    return entry if found is None else found
-
-
-def holds(entry, condition, names):
-    """Whether an entry of a list meets a condition."""
-    parts = CONDITION.fullmatch(condition.strip())
-    if not parts:
-        raise ValueError(f"'{condition}' is no condition")
-    have, want = inside(entry, parts["key"]), parts["value"]
-    if want.split("/")[0] in names:
-        want = single(place(want, names))
-    if parts["how"] == "^=":
-        return str(have).startswith(want)
-    if have is None or (isinstance(have, str) and number(want) is not None):
-        return parts["how"] == "!="
-    return COMPARISONS[parts["how"]](have, number(want) if isinstance(have, float) else want)
-
-
-def written(value, how):
-    """A value as text: '16 641', '−0.6', '0.33'."""
-    if how == "name":
-        found = value[0] if isinstance(value, list) and value else value
-        return str(found)
-    text = format(single(value), how)
-    if "e" in text:
-        text = format(float(text), ".0f")
-    return text.replace(",", " ").replace("-", "−")
-
-
-# The READMEs ----------------------------------------------------------------------------------------------
-
-def rewritten(path):
-    """(the file's text with the right numbers, list of errors 'file:line: …')."""
-    name, names, lines, wrong = path.relative_to(ROOT), {}, [], []
-    for at, line in enumerate(path.read_text(encoding="utf-8").split("\n"), 1):
-        done, end = "", 0
-        for marker in MARKER.finditer(line):
-            try:
-                text, old = stated(marker, line, names)
-            except (ValueError, KeyError, TypeError, IndexError, ZeroDivisionError) as error:
-                text = old = ""
-                wrong.append(f"{name}:{at}: {marker['body']}: {error}")
-            if text != old:
-                wrong.append(f"{name}:{at}: says {old or 'nothing'}, should be {text} ({marker['body']})")
-            begin = marker.end() + (line[marker.end():marker.end() + 1] == "`" and bool(text))
-            done, end = done + line[end:begin] + text, begin + len(old)
-        lines.append(done + line[end:])
-    return "\n".join(lines), wrong
-
-
-def stated(marker, line, names):
-    """(right text, text behind the marker); both empty if the marker has no text or cannot be checked."""
-    body = marker["body"]
-    if "|" in body or "--" in body:
-        raise ValueError("| ends a table's cell, and -- a comment")
-    if marker["kind"] == ":":
-        name, _, expression = body.partition(" = ")
-        names[name] = Expression(expression, names).value
-        return "", ""
-    if body.startswith("constant: "):
-        if not (ROOT / body.split(": ")[1]).is_file():
-            raise ValueError("there is no such file")
-        return "", ""
-    if body.startswith("measured: "):
-        if not MEASURED.match(body):
-            raise ValueError("should be 'measured: command, yyyy-mm-dd'")
-        return "", ""
-    if body.startswith("holds: "):
-        if Expression(body.removeprefix("holds: "), names).value is not True:
-            raise ValueError("does not hold")
-        return "", ""
-    expression, _, how = body.rpartition(" as ")
-    value = Expression(expression, names).value
-    behind = line[marker.end():].removeprefix("`")
-    old = (NAME_TEXT if how == "name" else NUMBER_TEXT).match(behind)
-    return written(value, how), old[0] if old else ""
+SMALL = "./bendlab run configs/stiffness/small_deflection.json, 2026-11-22"
+CUT = "./bendlab run configs/stability/time_step_cut_slow.json, 2026-11-22"
+REPRODUCE = "time ./bendlab reproduce, 2026-11-22"
+CLONE = " in a new clone without object cache, 2026-11-25"
+STATED = {}
+STATED["README.md"] = [
+    ("the worst triangle is {:.0f} times as long as unstretched", promise[f"crossover, {CORNER}"] + 1),
+    ("neighbours pinned, it is {:.1f} times as long", promise[f"adaptive, {CORNER}"] + 1),
+    ("is ever more than {:.2f} times as long",
+     promise["stretch − 1 anywhere, at any time, largest of all scenes and N"] + 1),
+    ("varies by at most {:.0f} % from 12 to 96",
+     100 * (rigid["largest rigidity over smallest, the defaults"] - 1)),
+    ("2.7 minutes to the first figure", "time to the first figure" + CLONE),
+    ("takes 8 minutes more, and everything 7 more", REPRODUCE),
+    ("14 minutes, most of it the build", "time ./bendlab test" + CLONE),
+    ("varies by at most {:.1f} % from 12 to 96 cells (irregular", 100 * (ratio["discrete_shells"] - 1)),
+    ("On a cantilever of {:.0f} cells hinges with `pbd` have an error of 0.01 sizes in {:.2f} ms per frame",
+     strip["cells"], strip[MS]),
+    ("`adaptive` fails in {:.0f} %, and `dihedral` in {:.0f} %", fails["adaptive"], fails["dihedral"]),
+    ("varies by a factor of {:.0f} to {:.0f} over these", min(ruled), max(ruled)),
+    ("(`pin_zone`), by at most {:.0f} %", 100 * (ratio["adaptive"] - 1))]
+STATED["lib/bendlab/bending/README.md"] = [
+    ("It then has 0.75 of the stated", SMALL), ("and 0.93 on irregular meshes", SMALL),
+    ("are 4 times as stiff", SMALL + ": model_large_deflection_most over _least"),
+    ("differ by 1.4 times there",
+     "configs/models/k_ring.json, physical, ring 2 alone: model_quartic_anisotropy"),
+    ("`dihedral` by {:.0f} to {:.0f} %", 100 * (1 - max(irregular)), 100 * (1 - min(irregular))),
+    ("has lost {:.0f} % of its C at {:,.0f}, and {:.0f} % at {:,.0f}",
+     *min(pair for pair in lost if pair[0] > 10), *min(pair for pair in lost if pair[0] > 28))]
+STATED["lib/bendlab/solver/README.md"] = [
+    ("hung 14 % of its size too high", "quasi_newton 1 × 10, two corners, against equilibrium, 2026-11-23"),
+    ("at 985 degrees per second",
+     "no effects, membrane k, 6 cells, scale 0.9, 1.1, 128 substeps, 2026-11-24"),
+    ("the motion 16 % off", "quasi_newton 1 × 60, 3 cells, density_ratio 20, against newton, 2026-11-24"),
+    ("a mean strain of {:.1f} with the published shear", pin["as published"][0]),
+    ("With the angle it has {:.2f}, in {:.2f} times the CPU time", *pin["shear as an angle"]),
+    ("the published shear at {:.0f} (`configs/one_pin`)", pin["40 iterations"][0]),
+    ("it ends {:.0f} of its sizes away", free), ("its reach stays at {:.2f} sizes", cut),
+    ("a mean strain of 387", "./bendlab run configs/stability/time_step.json, 2026-11-22"),
+    ("its mean strain at 0.05", CUT), ("into 134 parts", CUT)]
+STATED["lib/python/README.md"] = [
+    ("`quasi_newton` 4.1 times, one of `pbd` 24 times", "tests/python/cost.py, 2026-11-26")]
+STATED["experiments/README.md"] = [
+    ("writes one every 10 s", "run/run_control.hpp"), ("than 1 % of its time", "run/checkpoint.cpp"),
+    ("reach about 90 %", "measures/effective_stiffness.hpp"), ("than 50 ms are repeated", "advise/runs.cpp"),
+    ("a mean strain up to 1 %", "measures/effective_stiffness.cpp"),
+    ("an error above 20 %, 10 % more strain", "advise/trial.hpp"),
+    ("stretched to 1.5 times the", "advise/trial.hpp")]
+STATED["experiments/bench/README.md"] = [
+    ("about 30 minutes", "./bendlab bench, 2026-11-22"),
+    ("(xx, yy, xy) | {:.1f} ns | {:.1f} ns | {:.0f} ns | {:.1f} ns", *cost("strain", 128, 1024)),
+    ("| crossover spring | {:.1f} ns | {:.1f} ns | {:.0f} ns | {:.1f} ns", *cost("crossover", 128, 1024)),
+    ("(`adaptive`) | {:.1f} ns | | {:.0f} ns | {:.1f} ns", *cost("dense", 128)),
+    ("| {:.1f} ms (two threads: {:.1f} ms) | | {:.0f} ms | {:.1f} ms",
+     step[0], bench["step/128", "float", 2]["step_ms"], *step[1:]),
+    ("adds {:.0f} % of wall time", 100 * (bench["recording/128", "float", 2]["wall_ratio"] - 1)),
+    ("side by side** are {:.1f} times as fast", bench["sweep/64", "float", 2]["speed_up"]),
+    ("the {:.1f} million springs", large["constraints"] / 1e6),
+    ("takes {:.1f} s and {:.0f} bytes of memory", large["set_up_s"], large["peak_bytes_per_spring"]),
+    ("By colour it changes by {:.1f} to {:.0f} %", min(by_colour), max(by_colour)),
+    ("leaves up to {:.0f} % less", -min(from_pins)),
+    ("they leave {:.0f} to {:.0f} % more", min(colour_from_pins), max(colour_from_pins))]
+STATED["analysis/README.md"] = [
+    ("takes about 24 minutes", REPRODUCE), ("takes about 28 minutes", REPRODUCE),
+    ("to 20, 5 and 1 %", "accuracy.py"), ("ten minutes at rest", "../configs/stability/rest_slow.json"),
+    ("in all of {:.0f} comparisons, by {:.1f} to {:.0f} times", len(gains), min(gains), max(gains)),
+    ("`dihedral` is {:.2f} % off in 64 substeps and {:.2f} % in 256", *hinge),
+    ("On 64² cells it is {:.1f} % off", 100 * paper[ERROR]), ("A mesh of {:.0f}² cells", fastest["cells"]),
+    ("error in {:.2f} % of the time", 100 * fastest[MS] / paper[MS]),
+    ("it is then {:.1f} % off, in {:.1f} % of the time", 100 * coarse[ERROR], 100 * coarse[MS] / paper[MS]),
+    ("can be cut to {:.1f} % of what it was: with `" + nearest["model"] + "` springs",
+     100 * nearest[ERROR] / paper[ERROR]),
+    ("on {:.0f}² cells in {:.0f} substeps", nearest["cells"], nearest["settings"]["substeps"]),
+    ("{:,.0f} runs, {:.0f} minutes of", len(rows("stability")), minutes["stability"]),
+    ("judges {:,.0f} plain runs", len(rows("plain"))),
+    ("in {:.0f} minutes of processor time. One", minutes["plain"]),
+    ("the program said nothing: {:.0f}", len(rows("plain", verdict="silent")))]
+STATED["tests/mutants/README.md"] = [("(93.3 %)", "mutate.py with seed 1 and 190 mutants, 2026-11-22")]
+# What our READMEs say without a number.
+HOLDS = {
+    "no model of springs does":
+        {run["model"] for run in strips} <= {"isometric", "discrete_shells", "dihedral", "bridson"},
+    "as often as no bending at all": fails["dihedral"] == fails["none"] > fails["adaptive"],
+    "More iterations are no remedy": pin["40 iterations"][0] > pin["shear as an angle"][0],
+    "Colours found in that order gain nothing": sum(row["strain_error_colour_from_pins"] for row in orders)
+    > 0.99 * sum(row["strain_error_colour"] for row in orders),
+    "Single precision can follow": hinge[1] < hinge[0] and min(gains) > 1,
+}
