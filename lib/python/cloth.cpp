@@ -45,7 +45,7 @@ void fill(Positions& numbers, const Positions& now) {
   std::copy_n(now.data(), now.size(), numbers.data());
 }
 
-// The input with one list of constraints.
+// A copy of the input without its constraints; the caller puts a list back.
 SimulationInput bare(const SimulationInput& input) {
   SimulationInput one = input;
   one.strain = {}, one.edges = {}, one.distance = {}, one.elements = {}, one.own = {};

@@ -22,8 +22,9 @@ class PythonCloth {
   /// do.
   PythonCloth(const std::string& scene, const std::string& folder, std::optional<TriangleMesh> mesh);
 
-  /// One time step, without the GIL. Throws std::runtime_error if the cloth diverged, or if somebody uses it
-  /// already; and what a model or an effect of Python raises: the cloth then is as it was before the step.
+  /// One time step, without the GIL. Throws std::runtime_error if the cloth diverged, or if another call is
+  /// using the cloth. Passes on an exception that a Python model or effect raises; the cloth is then as it
+  /// was before the step.
   void step();
   /// Steps until that many seconds are over. Between steps signals are handled, and `progress` (None: no
   /// call) is called a few times per second with the share that is done.
@@ -31,15 +32,15 @@ class PythonCloth {
 
   double time() const { return cloth_.time(); }  ///< s
   bool settled() { return cloth_.simulation().settled(); }
-  /// (V, 3), m and m/s: read-only views of the same memory at each call, which has the state of that call.
-  /// They keep that memory alive.
+  /// (V, 3), m and m/s: read-only views. Every call returns the same memory, filled with the state at that
+  /// call. The views keep that memory alive.
   pybind11::array positions();
   pybind11::array velocities();
   pybind11::array triangles() const;  ///< (T, 3)
   pybind11::array masses() const;     ///< (V), kg
   pybind11::array pinned() const;     ///< (P): which vertices are pinned
-  /// (P, 3), m: where these are at the end of the next step. Always the same memory, which may be written.
-  /// Throws std::invalid_argument for a method that does not move pins.
+  /// (P, 3), m: where the pinned vertices are at the end of the next step. Always the same memory, which may
+  /// be written. Throws std::invalid_argument for a method that does not move pins.
   pybind11::array pins();
   /// (code, message) of what is doubtful about the scene, as `bendlab run` prints it.
   std::vector<std::pair<std::string, std::string>> warnings() const { return warnings_; }

@@ -156,7 +156,8 @@ PYBIND11_MODULE(_core, module) {
       .def("run", &PythonCloth::run, "seconds"_a, "progress"_a = py::none())
       .def_property_readonly("time", &PythonCloth::time, "Simulated time, s.")
       .def_property_readonly("settled", &PythonCloth::settled,
-                             "Whether further steps would change nothing; False for methods that move on.")
+                             "Whether further steps would change nothing; always False for methods that "
+                             "move on in time.")
       .def_property_readonly("positions", &PythonCloth::positions,
                              "(V, 3), m. A read-only view, whose numbers change when positions are asked for "
                              "again: copy() keeps them.")

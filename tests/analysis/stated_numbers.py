@@ -121,7 +121,7 @@ STATED["lib/bendlab/solver/README.md"] = [
     ("a mean strain of 387", "./bendlab run configs/stability/time_step.json, 2026-11-22"),
     ("its mean strain at 0.05", CUT), ("into 134 parts", CUT)]
 STATED["lib/python/README.md"] = [
-    ("`quasi_newton` 4.1 times, one of `pbd` 24 times", "tests/python/cost.py, 2026-11-26")]
+    ("`quasi_newton` 4.1 times as long, and a step of `pbd` 24 times", "tests/python/cost.py, 2026-11-26")]
 STATED["experiments/README.md"] = [
     ("writes one every 10 s", "run/run_control.hpp"), ("than 1 % of its time", "run/checkpoint.cpp"),
     ("reach about 90 %", "measures/effective_stiffness.hpp"), ("than 50 ms are repeated", "advise/runs.cpp"),

@@ -55,7 +55,7 @@ template <class Real>
 struct OwnBatch {
   OwnElements list;
   BatchOrder order;
-  std::vector<std::vector<int>> groups;  ///< which are evaluated and projected together, in their order
+  std::vector<std::vector<int>> groups;  ///< elements that are projected together, group after group
   std::vector<double> multiplier;        ///< λ, #C, XPBD only, else empty
   StiffnessKind kind = StiffnessKind::k;
   double k = 1;           ///< fraction per projection
@@ -67,7 +67,7 @@ struct OwnBatch {
 template <class Real>
 OwnBatch<Real> make_own_batch(OwnElements list, BatchOrder order);
 
-/// Projects all once; an energy as the constraint √(2 U).
+/// Projects every element once; an energy U is projected as the constraint √(2 U).
 template <class Real>
 void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bool backwards);
 
@@ -75,7 +75,7 @@ void project(const Places<Real>& places, OwnBatch<Real>& batch, Real substep, bo
 template <class Real>
 void add_forces(const Point<Real>* points, Point<Real>* forces, const OwnBatch<Real>& batch);
 
-/// Removes the fraction `k` of each one's rate of change from the velocities.
+/// Removes the fraction `k` of each element's rate of change from the velocities.
 template <class Real>
 void damp_by_oracle(const Point<Real>* points, Point<Real>* velocities, const OwnBatch<Real>& batch, Real k);
 

@@ -43,7 +43,7 @@ class Chosen {
   std::string_view name() const { return kind_->name; }
   const void* settings() const { return settings_.get(); }
 
-  /// The settings as the struct they are; null if they are another's.
+  /// The settings as a `Settings`; null if they belong to another kind.
   template <class Settings>
   const Settings* as() const {
     return kind_ == &Settings::kind ? static_cast<const Settings*>(settings_.get()) : nullptr;
@@ -85,8 +85,8 @@ const auto& made_of_kinds() {
   return found != made.end() ? found->second : made.emplace(now, make()).first->second;
 }
 
-/// The kinds of a family: those listed, and then those that the program registers. For one thread, while no
-/// other reads configs.
+/// The kinds of a family: those listed, and then those that the program registers. Only one thread may change
+/// a registry, and only while no other thread reads configs.
 template <class Kind>
 class Registry {
  public:
@@ -107,7 +107,7 @@ class Registry {
     kinds_.push_back(&kind);
     ++detail::registered;
   }
-  /// Takes a kind out that was added.
+  /// Removes a kind that add() added.
   void remove(std::string_view name) {
     const auto added = std::ranges::find(kinds_.begin() + listed_, kinds_.end(), name, &Kind::name);
     if (added == kinds_.end()) return;

@@ -89,9 +89,9 @@ class Rest:
 
 
 class Elements:
-    """What a model makes of a mesh: `vertices` (E, k) of each element; `softness` (E), which is times the
-    scene's compliance, or for a stated flexural_rigidity B times 1/B; and arrays of the model's own, with E
-    rows each, which `constraint` or `energy` gets back as members of `rest`."""
+    """What a model makes of a mesh: `vertices` (E, k) of each element; `softness` (E), which is multiplied by
+    the scene's compliance, or by 1/B where the scene states a flexural_rigidity B; and arrays of the model's
+    own, with E rows each, which `constraint` or `energy` gets back as members of `rest`."""
 
     def __init__(self, vertices, softness=1.0, **rest):
         self.vertices = np.ascontiguousarray(vertices)
@@ -252,7 +252,7 @@ class Measure:
         super().__init_subclass__(**arguments)
         for names, method in ((cls.columns, "frame"), (cls.numbers, "finish")):
             if names and not hasattr(cls, method):
-                raise TypeError(f"{cls.__name__} has names of numbers for {method}(), and no {method}()")
+                raise TypeError(f"{cls.__name__} names numbers of {method}(), and has no method {method}()")
         cls.name = snake_name(cls.__name__)
         rows = [[(name, *texts) for name, texts in names.items()] for names in (cls.columns, cls.numbers)]
         _core.register_measure(cls, about(cls), *rows)

@@ -64,7 +64,8 @@ def _settings_of(config, name, out):
 
 
 def _written(vertices, triangles, folder):
-    """The path of a mesh file, which a run can be repeated from. Texts of 17 digits are the numbers again."""
+    """The path of a mesh file, which a run can be repeated from. Coordinates have enough digits to be read
+    back as the same numbers."""
     lines = [*("v " + " ".join(map(repr, row)) for row in vertices.tolist()),
              *("f " + " ".join(str(corner + 1) for corner in row) for row in triangles.tolist())]
     text = "\n".join(lines) + "\n"

@@ -155,8 +155,8 @@ _effect = _instance(Effect, f"an effect: {', '.join(EFFECTS)}")
 
 
 class Cloth(_core.Cloth):
-    """A cloth that moves. Its arrays are views of memory, which is filled anew when they are asked for again:
-    copy() keeps a state. They stay valid after the cloth is gone."""
+    """A cloth that moves. The cloth's arrays are views of memory that is filled anew whenever the array is
+    read from the cloth again: copy() keeps a state. They stay valid after the cloth is gone."""
 
     def __init__(self, scene):
         if not isinstance(scene, Scene):

@@ -119,8 +119,8 @@ class Part:
 
 
 class _Table:
-    """A table of the program, with the defaults by name. A name that is in `taken` gets the table's before
-    it: bending_k is k of /bending, where a model has a k of its own."""
+    """A table of the program, with the defaults by name. A field whose name is in `taken` gets the
+    table's name as a prefix: if a model has a setting k of its own, the k of /bending is called bending_k."""
 
     def __init__(self, table, taken=()):
         self.name, self.pointer, self.meaning, self._program = table.name, table.pointer, table.meaning, table
@@ -177,7 +177,8 @@ def base_of(cls):
 
 
 def _require_current(member):
-    """A class that was defined again is another one to the program, which knows classes by their names."""
+    """The program knows classes by their names: when a class is defined again, the new class takes the place
+    of the old class."""
     current = _CURRENT.get((base_of(type(member)), member._name), type(member))
     if current is not type(member):
         raise TypeError(f"{type(member).__name__} was defined again after this scene was made: make the "
@@ -224,7 +225,8 @@ class Model(Settings):
 
     It returns C, (n), and its gradient, (n, k, 3); the energy is ½ C² / α.
 
-    or, instead of `constraint`, `energy(self, x, rest)`: its energy is U / α. `rest` has the arrays that were
+    Instead of `constraint`, a model may have `energy(self, x, rest)`, which returns U and its gradient; the
+    energy of an element is then U / α. `rest` has the arrays that were
     given to Elements, for these n elements. Values may not depend on where an element is. An element whose
     value is NaN does not act. When the class is read, its gradient is compared with differences.
     """
@@ -267,9 +269,10 @@ class Effect(Settings):
             def acceleration(self, x, v, t):        # (V, 3) in m and m/s, t in s
                 return -(2 * np.pi * self.frequency) ** 2 * x
 
-    or, instead of `acceleration` (m/s²), `force` (N). Both return (V, 3), or (3,) for all vertices, and are
-    asked at the start of every substep. Attributes of the class say what it is: `damps = True` if it only
-    slows, `keeps_momentum = True` if it does.
+    Instead of `acceleration` (m/s²) an effect may have `force` (N). Both return (V, 3), or (3,) for all
+    vertices, and are asked at the start of every substep. Attributes of the class say what it is: `damps =
+    True` if the effect only slows the cloth, `keeps_momentum = True` if it leaves the cloth's linear momentum
+    unchanged.
     """
 
     def __init_subclass__(cls, **arguments):
