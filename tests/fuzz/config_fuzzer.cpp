@@ -46,7 +46,8 @@ bool is_small(const RunConfig& run) {
                           : cells * mesh.height / mesh.width;
   const bool collides = std::ranges::any_of(
       run.scene().effects, [](const Effect& effect) { return effect.as<SelfCollision>() != nullptr; });
-  return cells * std::max(1.0, rows) < (collides ? most_that_collide : most_vertices) &&
+  const double finer = std::pow(4.0, mesh.refine.value_or(0));
+  return finer * cells * std::max(1.0, rows) < (collides ? most_that_collide : most_vertices) &&
          solver.threads <= 2 && substeps_of(solver) * iterations_of(solver) <= 64;
 }
 

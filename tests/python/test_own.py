@@ -306,7 +306,7 @@ class Measures(unittest.TestCase):
     def test_a_number_that_the_program_has_is_refused(self):
         with self.assertRaisesRegex(ValueError, "number 'drop'"):
             type("Taken", (bl.Measure,), {"numbers": {"drop": ("m", "")}, "finish": lambda self, x: {}})
-        with self.assertRaisesRegex(TypeError, "no finish"):
+        with self.assertRaisesRegex(TypeError, "no method finish"):
             type("Unfinished", (bl.Measure,), {"numbers": {"a": ("m", "")}})
 
     def test_a_measure_that_gives_other_numbers_fails_its_run(self):
