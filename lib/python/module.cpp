@@ -7,6 +7,7 @@
 #include "bendlab/scene/scene_tables.hpp"
 #include "cloth.hpp"
 #include "own_parts.hpp"
+#include "readers.hpp"
 #include "runs.hpp"
 #include "values.hpp"
 
@@ -148,6 +149,7 @@ PYBIND11_MODULE(_core, module) {
       .def(py::init([](const std::string& scene, const std::string& folder, const py::object& vertices,
                        const py::object& triangles) {
              std::optional<TriangleMesh> mesh = mesh_of(vertices, triangles);
+             const RegistryReader reader;
              const py::gil_scoped_release without_gil;
              return std::make_unique<PythonCloth>(scene, folder, std::move(mesh));
            }),

@@ -13,6 +13,7 @@
 #include "bendlab/effects/effects.hpp"
 #include "bendlab/scene/fields_json.hpp"
 #include "experiments/measures/measure.hpp"
+#include "readers.hpp"
 #include "values.hpp"
 
 namespace py = pybind11;
@@ -89,6 +90,7 @@ FieldTable table_of(OwnPart& part, const py::list& rows) {
 }
 
 OwnPart& new_part(const py::object& type, const py::dict& about) {
+  RegistryReader::require_none();
   auto* const part = new OwnPart{type, {}, {}, {}, {}, {}, {}, {}};
   part->name = py::cast<std::string>(about["name"]), part->label = py::cast<std::string>(about["label"]);
   part->summary = py::cast<std::string>(about["summary"]);

@@ -10,6 +10,7 @@
 
 #include "experiments/campaign/campaign.hpp"
 #include "experiments/campaign/sweep_file.hpp"
+#include "readers.hpp"
 
 namespace py = pybind11;
 
@@ -87,6 +88,7 @@ class Watched {
 // `source`: the config's file, from which relative paths start; empty: the working directory.
 py::list run(const std::string& config, const std::string& source, const std::string& out, int jobs,
              bool force, const py::object& progress) {
+  const RegistryReader reader;
   std::vector<Experiment> experiments;
   {
     const py::gil_scoped_release without_gil;

@@ -22,6 +22,15 @@ CONFIG = {"name": "small", "mesh": {"cells": 6}, "pins": {"vertices": ["upper_le
           "sweep": {"/bending/model": ["crossover", "discrete_shells"], "/mesh/cells": [4, 6]}}
 
 
+class Height(bl.Measure):
+    """where the cloth is"""
+
+    numbers = {"height": ("m", "mean z of the vertices")}
+
+    def finish(self, x):
+        return {"height": x[:, 2].mean()}
+
+
 class Runs(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()
@@ -72,6 +81,35 @@ class Runs(unittest.TestCase):
         cloth = scene.simulate()
         cloth.run(0.1)
         self.assertLess(np.abs(run.positions() - cloth.positions).max(), 1e-7)
+
+    def test_the_config_stays_as_it_is(self):
+        config = {"name": "same", "mesh": {"cells": 4}, "duration": 0.05, "output": {"constraints": True}}
+        before = json.dumps(config)
+        bl.run(config, sweep={"/mesh/cells": [3]}, out=self.place)
+        bl.run(config, measures=[Height], out=self.place)
+        self.assertEqual(json.dumps(config), before)
+
+    def test_a_class_cannot_be_defined_while_runs_are_computed(self):
+        def define():
+            class Meanwhile(bl.Effect):
+                def acceleration(self, x, v, t):
+                    return np.zeros(3)
+
+        seen = []
+
+        class Defining(bl.Measure):
+            numbers = {"defined": ("1", "whether a class was defined in the middle of a run")}
+
+            def finish(self, x):
+                try:
+                    define()
+                except RuntimeError as error:
+                    seen.append(str(error))
+                return {"defined": len(seen)}
+
+        bl.run(bl.Scene(mesh=bl.grid(1, 1, 4), duration=0.05), measures=[Defining], out=self.place)
+        self.assertIn("while", seen[0])
+        define()
 
     def test_a_wrong_config_has_every_problem(self):
         with self.assertRaises(bl.ConfigError) as caught:

@@ -118,9 +118,11 @@ TEST_CASE("own elements: an energy ½ C² is projected as C", "[own]") {
 }
 
 TEST_CASE("own elements: single precision moves the sheet as double precision does", "[own]") {
-  Scene single = sheet(Pbd{}, Own{}), known = sheet(Pbd{}, Kernels{});
+  const Scene exact = sheet(Pbd{}, Kernels{});
+  Scene single = sheet(Pbd{}, Own{}), known = exact;
   for (Scene* scene : {&single, &known}) scene->solver.precision = ChosenPrecision::single_precision;
-  CHECK(difference(single, known, 20) < 1e-4);
+  // Two ways to round differ by as much as rounding itself does, but for a factor.
+  CHECK(difference(single, known, 20) < 10 * difference(known, exact, 20));
 }
 
 TEST_CASE("own elements: implicit methods find the minimum that they find with kernels", "[own]") {

@@ -37,7 +37,7 @@ def run(config, sweep=None, jobs=0, out="results", force=False, name=None, measu
         settings["sweep"] = {**settings.get("sweep", {}),
                              **{_pointer(key): values for key, values in sweep.items()}}
     if measures:
-        output = settings.setdefault("output", {})
+        output = settings["output"] = dict(settings.get("output", {}))  # the caller's stays as it is
         listed = [measures] if isinstance(measures, str) or not hasattr(measures, "__iter__") else measures
         output["measures"] = [*output.get("measures", []), *map(_measure_name, listed)]
     rows = _core.run(json.dumps(settings, default=plain), str(source), str(out), jobs, force,
