@@ -4,7 +4,7 @@
     same_as.py OLD NEW [--bits]
 
 Compares what `plan --json` says of every config in configs/, under every choice of /defaults: the settings
-of all runs, defaults filled in. --bits also runs 26 small scenes with both programs (every bending model,
+of all runs, defaults filled in. --bits also runs 28 small scenes with both programs (every bending model,
 every method, both precisions, obstacles, folds) and compares the positions in all frames, bit by bit.
 Run by hand, not by ctest, because it needs a program of before. Prints what differs, and exits with 1 then.
 """
@@ -57,6 +57,14 @@ SCENES = {
                                           "offsets": [0, 0, 0, 0.1, 0, 0.1]}]},
     "folded": {"initial": {"folds": 2, "fold_gap": 0.02, "perturbation": 1e-3},
                "effects": [GRAVITY, {"type": "self_collision"}], **solved("pbd", substeps=4)},
+    "damping, mesh": {"effects": [GRAVITY, {"type": "constraint_damping", "rate": 4},
+                                  {"type": "mesh_obstacle", "file": str(root / "configs/scenes/chair.obj"),
+                                   "offset": [0.5, 0.5, -0.6]}, {"type": "friction"}],
+                      "mesh": {"width": 1.5, "height": 1.5, "cells": 60}, "initial": {"perturbation": 1e-4}, "pins": {"vertices": []}},
+    "damping, disc": {"effects": [GRAVITY, {"type": "constraint_damping", "rate": 4}, {"type": "friction"},
+                                  {"type": "disc", "centre": [0.5, 0.5, -0.05], "radius": 0.3},
+                                  {"type": "self_collision"}],
+                      "mesh": {"cells": 40}, "initial": {"perturbation": 1e-4}, "pins": {"vertices": []}},
     "tube": {"mesh": {"generator": "tube", "radius": 0.2, "height": 0.5, "cells": 16},
              "pins": {"vertices": ["top_rim"]}},
 }

@@ -96,7 +96,8 @@ Positions initial_positions(const Initial& initial, const RestMesh& rest, const 
     if (box > 0)
       positions.row(v) = rest.centre() + 0.5 * box * random;
     else
-      positions.row(v) += amplitude * random.transpose();
+      // Fused by name: a compiler that may choose would make another pose, by a rounding.
+      for (int i = 0; i < 3; ++i) positions(v, i) = std::fma(amplitude, random[i], positions(v, i));
   }
   return positions;
 }
