@@ -23,7 +23,7 @@ constexpr std::array<const char*, 13> decisive = {
     "compiler_flags", "build_type", "vector_bits", "processor",   "libraries",   "blas_kernels"};
 
 // The run's settings, with its input files beside them under names of their own.
-Experiment experiment_of(const RunRecord& run, const fs::path& folder) {
+Experiment repeated(const RunRecord& run, const fs::path& folder) {
   Json settings = parse_strict_json(run.config, run.file.string());
   settings["name"] = run.name;
   const std::vector<InputFile> inputs = read_inputs(run.file);
@@ -33,14 +33,14 @@ Experiment experiment_of(const RunRecord& run, const fs::path& folder) {
     replace_file(file, inputs[k].bytes);
     set_at(settings, inputs[k].pointer, file.string());
   }
-  return parse_experiment(settings.dump(), run.file.string());
+  return experiment_of(settings, run.file.string());
 }
 
 }  // namespace
 
 Repetition repeat(const RunRecord& run, const fs::path& folder, const RunControl& control) {
   make_folder(folder);
-  Experiment experiment = experiment_of(run, folder);
+  Experiment experiment = repeated(run, folder);
   experiment.settings = {{"name", run.name}};  // nobody stated the others: no warning is due for them
   RunConfig& config = experiment.runs.front();
   const Json point = provenance_json(run, "point");

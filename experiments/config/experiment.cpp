@@ -176,4 +176,16 @@ Experiment parse_config(std::string_view text, const std::filesystem::path& sour
   return parse(text, source.string(), source, overrides);
 }
 
+Experiment experiment_of(const Json& resolved, std::string_view source_name) {
+  ConfigProblems problems;
+  Experiment experiment;
+  experiment.runs = expand_sweep(resolved, {}, {}, problems);
+  if (!problems.empty()) throw ConfigError(std::string(source_name), std::move(problems));
+  check_earlier_scenes(experiment.runs, source_name);
+  const RunSettings& run = experiment.runs.front().settings();
+  experiment.name = run.name, experiment.description = run.description, experiment.allow = run.allow;
+  experiment.settings = resolved;
+  return experiment;
+}
+
 }  // namespace bendlab

@@ -44,4 +44,8 @@ Experiment parse_experiment(std::string_view text, std::string_view source_name,
 Experiment parse_config(std::string_view text, const std::filesystem::path& source,
                         std::span<const std::string> overrides = {});
 
+/// The experiment of one run whose resolved settings a run file holds. A reference may be the run itself here:
+/// it may differ from other runs of the sweep that the run belongs to. Throws ConfigError.
+Experiment experiment_of(const Json& resolved, std::string_view source_name);
+
 }  // namespace bendlab

@@ -341,6 +341,17 @@ TEST_CASE("trust: a run is repeated from its file alone, files that it was made 
   CHECK(place.run("rerun alone.vtkhdf --out kept") == 0);
   CHECK_THAT(place.out(), ContainsSubstring("the same bits") && ContainsSubstring("by the same program"));
   CHECK(fs::exists(place.folder / "kept" / "on"));
+  SECTION("although its reference differs in another run of its sweep alone") {
+    place.write("models.json", R"({"name": "models", "mesh": {"cells": 3}, "duration": 0.1,
+        "sweep": {"/bending/model": ["isometric", "choi_ko"]},
+        "accuracy": {"solver": ["/bending/choi_ko/force=\"polynomial\""]}})");
+    place.run("run models.json --json");
+    REQUIRE(place.out_lines().size() == 2);
+    for (const json& run : place.out_lines()) {
+      CHECK(place.run("rerun " + run.at("id").get<std::string>() + " --json") == 0);
+      CHECK(place.out_lines().at(0).at("same_bits") == true);
+    }
+  }
   SECTION("at the same point of its sweep, without warnings of its own, and never in its place") {
     place.write("tiny.json", tiny);
     REQUIRE(place.run("run tiny.json --sweep /bending/k=0.5,0.25 --set /bending/stiffness=k --json") == 0);

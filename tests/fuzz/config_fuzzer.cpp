@@ -54,7 +54,7 @@ bool is_small(const RunConfig& run) {
 void check_round_trip(const RunConfig& run) {
   Json settings = run.resolved();
   settings["name"] = "again";
-  const Experiment again = parse_experiment(settings.dump(), "resolved settings");
+  const Experiment again = experiment_of(settings, "resolved settings");
   require(again.runs.size() == 1, "resolved settings are one run");
   require(again.runs.front().resolved() == run.resolved(), "resolved settings resolve to themselves");
   require(identity_text(again.runs.front().resolved()) == identity_text(run.resolved()),
