@@ -5,10 +5,12 @@ A sweep has its axes from the file that `bendlab run` wrote, else from what the 
 import json
 import sys
 from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 
 from bendlab.results import registry
 from bendlab.results.load import Indices, Run, group, load_run
+from bendlab.results.meanings import Meanings
 from sweeps import file_in, point_key, settings_at
 
 
@@ -25,6 +27,11 @@ class Sweep:
     overrides: list = field(default_factory=list)  # what `--set` and `--sweep` changed in it
     notes: list = field(default_factory=list)  # sentences on what was left out
     files: dict = field(default_factory=dict)  # run id → its file, where it was read from a copy
+
+    @cached_property
+    def meanings(self):
+        """Units and meanings of its numbers and settings."""
+        return Meanings(self.runs)
 
     @property
     def description(self):

@@ -21,7 +21,6 @@ import numpy as np
 import browser
 from collected import Sweep, tell
 from bendlab.results.load import load_run
-from meanings import Meanings
 from sweep_page import WATCHED_LIMIT, Report
 
 POLL_S = 1.0  # the page asks so often
@@ -33,8 +32,8 @@ FEWEST, MOST = 30, 240  # frames, whatever the mesh
 class LiveRun:
     """A run as far as it is now. Its file is copied before it is read: who writes it holds a lock."""
 
-    def __init__(self, place, meanings, command):
-        self._place, self._meanings, self._command = Path(place), meanings, command
+    def __init__(self, place, command):
+        self._place, self._command = Path(place), command
         self._seen, self._report, self._turn, self._not_before = None, None, threading.Lock(), 0.0
 
     def file(self):
@@ -75,7 +74,7 @@ class LiveRun:
                 return
             run.status = "running" if file.suffix == ".part" else run.status
             sweep = Sweep(run.name, self._place, [run], files={run.id: file})
-            report = Report([sweep], self._meanings, self._command, (), WATCHED_LIMIT, most_frames(run))
+            report = Report([sweep], self._command, (), WATCHED_LIMIT, most_frames(run))
             report.live_page = report.html(live={"every": POLL_S, "frames": run.frames})
             report.news = self._news(report, run)
         self._report, self._seen = report, seen
@@ -147,12 +146,11 @@ def handler_of(live, token):
 def main():
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("run", type=Path, help="the run's folder or its unfinished file")
-    parser.add_argument("--program", help="bendlab, which tells units and meanings")
     parser.add_argument("--command", default="", help="the command that the page names as its own")
     parser.add_argument("--open", action="store_true", help="open the page in the browser")
     parser.add_argument("--play", action="append", default=[], help=argparse.SUPPRESS)
     arguments = parser.parse_args()
-    live = LiveRun(arguments.run, Meanings(arguments.program), arguments.command)
+    live = LiveRun(arguments.run, arguments.command)
     if live.file() is None:
         tell(f"there is no run in {arguments.run}: start it first, then watch it")
         return 2

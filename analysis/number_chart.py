@@ -45,7 +45,7 @@ def scale_of(values):
     return "log" if known and min(known) > 0 and max(known) >= DECADE * min(known) else "linear"
 
 
-def number_chart(sweep, axes, x, y, meanings, command, name):
+def number_chart(sweep, axes, x, y, command, name):
     """The chart of y against x: a point per place on the sweep, its median over seeds; a curve joins points
     that differ only along the axis of most numbers. None if no run has both; ValueError for unknown ones."""
     runs = [run for run in sweep.runs if run.summary]
@@ -63,12 +63,13 @@ def number_chart(sweep, axes, x, y, meanings, command, name):
             series.append(_series(label, _look(others, places, some, len(series)), points, y))
     if not series:
         return None
-    about_x = about(x, meanings)
+    about_y = about(y, sweep.meanings)
+    about_x = about(x, sweep.meanings)
     every_x = [value for each in series for value in each["x"]]
-    return {"id": name, "kind": "lines", "title": f"{about(y, meanings)['label']} against {about_x['label']}",
+    return {"id": name, "kind": "lines", "title": f"{about_y['label']} against {about_x['label']}",
             "note": f"A curve joins runs that differ in {along.label}." if along else "",
             "texts": along.label if along else "",
-            "x": about_x | {"scale": scale_of(every_x)}, "ys": [about(y, meanings)], "choice": 0,
+            "x": about_x | {"scale": scale_of(every_x)}, "ys": [about_y], "choice": 0,
             "series": series, "command": command, "held": [], "limits": [], "dodge": False}
 
 

@@ -72,9 +72,9 @@ class Axis:
         return "" if place is None else self.texts[place]
 
 
-def axes_of(sweep, meanings):
+def axes_of(sweep):
     """The axes of a sweep with more than one value, and those that have one only."""
-    axes = [_axis(pointer, values, sweep, meanings) for pointer, values in sweep.axes.items() if values]
+    axes = [_axis(pointer, values, sweep) for pointer, values in sweep.axes.items() if values]
     return [axis for axis in axes if len(axis.values) > 1], [axis for axis in axes if len(axis.values) == 1]
 
 
@@ -91,8 +91,8 @@ def by_vertices(sweep, axis):
                 meaning=f"of the meshes of {axis.pointer}", places=axis.places, counts=True)
 
 
-def _axis(pointer, values, sweep, meanings):
-    unit, meaning = meanings.setting(pointer)
+def _axis(pointer, values, sweep):
+    unit, meaning = sweep.meanings.setting(pointer)
     places = {point_key({pointer: value}): i for i, value in enumerate(values)}
     label = "cells along the width" if pointer == CELLS else _name(pointer, sweep.axes)
     return Axis(pointer, values, _texts(values), label, unit, meaning, places)

@@ -39,7 +39,7 @@ def number_of(run, name):
     return run.summary.get(name, math.inf if run.status == "diverged" else math.nan)
 
 
-def numbers_of(sweep, meanings):
+def numbers_of(sweep):
     """[{name, label, unit, meaning}] of the numbers that vary in a sweep, first those that it expects."""
     names = {name for run in sweep.runs for name in run.summary}
     expected = [each.metric for each in expected_of(sweep.settings)]
@@ -48,8 +48,8 @@ def numbers_of(sweep, meanings):
     last = {name.removesuffix("_last") for name in ordered if name.endswith("_last")}
     wanted = [name for name in ordered if name in names and (name in expected or _varies(sweep.runs, name))
               and not (name.endswith("_last") and name.removesuffix("_last") in last & names)]
-    told = [about_number(name, meanings) for name in wanted[:MOST_NUMBERS]]
-    return [*told, about_number(CPU, meanings)] if any(cpu_ms(run) > 0 for run in sweep.runs) else told
+    told = [about_number(name, sweep.meanings) for name in wanted[:MOST_NUMBERS]]
+    return [*told, about_number(CPU, sweep.meanings)] if any(cpu_ms(run) > 0 for run in sweep.runs) else told
 
 
 def about_number(name, meanings):

@@ -17,7 +17,6 @@ import sweep_charts
 import sweep_figures
 from collected import collect, tell
 from html_parts import Part, escape, number_text, page
-from meanings import Meanings
 from number_chart import number_chart
 from origin import made_of
 from page_answer import status_html, top_html
@@ -34,14 +33,14 @@ ASKED = "asked"  # the end of the id of a chart that was asked for
 class Report:
     """Everything that a page says of some sweeps."""
 
-    def __init__(self, sweeps, meanings, command, play=(), limit=FRAMES_LIMIT, most_frames=None, asked=None):
-        self.sweeps, self.meanings, self.command, self.limit = sweeps, meanings, command, limit
+    def __init__(self, sweeps, command, play=(), limit=FRAMES_LIMIT, most_frames=None, asked=None):
+        self.sweeps, self.command, self.limit = sweeps, command, limit
         self.asked = asked  # (x, y) of a chart of two numbers, or None
-        self.axes = [axes_of(sweep, meanings) for sweep in sweeps]
+        self.axes = [axes_of(sweep) for sweep in sweeps]
         self.runs = list({run.id: run for sweep in sweeps for run in sweep.runs}.values())
         self.sweep_of = {run.id: i for i, sweep in reversed(list(enumerate(sweeps))) for run in sweep.runs}
         self.labels = self._labels()
-        self.numbers = [sweep_charts.numbers_of(sweep, meanings) for sweep in sweeps]
+        self.numbers = [sweep_charts.numbers_of(sweep) for sweep in sweeps]
         self.played, self.why_these = chosen_runs.choose(sweeps, [varied for varied, _ in self.axes], play)
         self.short = self._short_labels()
         self.settings = run_facts.Settings(self.runs)
@@ -117,7 +116,7 @@ class Report:
             varied, fixed = self.axes[i]
             charts = sweep_charts.axis_charts(sweep, varied, self.numbers[i], self.command,
                                               f"s{i + 1}-")[:MOST_CHARTS]
-            asked = self.asked and number_chart(sweep, varied, *self.asked, self.meanings, self.command,
+            asked = self.asked and number_chart(sweep, varied, *self.asked, self.command,
                                                 f"s{i + 1}-{ASKED}")
             charts = [asked, *charts] if asked else charts
             if not varied and not asked:
@@ -252,14 +251,13 @@ def main():
                         help="write the charts as files beside the page, too: %(choices)s")
     parser.add_argument("--x", help="with --y: a chart against this number")
     parser.add_argument("--y", help="with --x: a chart of this number")
-    parser.add_argument("--program", help="bendlab, which tells units and meanings")
     parser.add_argument("--command", default="", help="the command that the page names as its own")
     arguments = parser.parse_args()
     command = arguments.command or shlex.join(["./bendlab", "report", *map(str, arguments.results)])
     out = arguments.out or browser.cached_page(arguments.results)
     limit = WATCHED_LIMIT if arguments.cached else FRAMES_LIMIT
     try:
-        report = Report(collect(arguments.results), Meanings(arguments.program), command, arguments.play,
+        report = Report(collect(arguments.results), command, arguments.play,
                         limit, asked=arguments.x and (arguments.x, arguments.y))
         write_page(out, report.html())
         files = written_figures(report, out.parent / "figures", arguments)

@@ -122,8 +122,8 @@ std::vector<std::string> script_call(const char* script, const char* command, co
         fmt::format("{} needs the scripts of the checkout that this program was built from, and "
                     "'{}' is not there: run ./bendlab {} in a checkout",
                     command, path.string(), command));
-  std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--program",
-                                   own_program(),  "--command",   told_command(command, arguments)};
+  std::vector<std::string> call = {BENDLAB_PYTHON, path.string(), "--command",
+                                   told_command(command, arguments)};
   for (const std::string& run : arguments.play) call.push_back("--play=" + run);
   if (!arguments.figures.empty()) call.push_back("--figures=" + arguments.figures);
   if (!arguments.x.empty()) call.insert(call.end(), {"--x=" + arguments.x, "--y=" + arguments.y});

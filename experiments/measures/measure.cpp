@@ -34,10 +34,27 @@ std::size_t index_of(std::span<const Column> columns, std::string_view name) {
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-constexpr std::array facts = std::to_array<std::string_view>(
-    {"size", "edge_length", "vertices", "triangles", "springs", "bending_constraints",
-     "springs_beyond_ring_1", "pinned_vertices", "projections", "substeps", "memory_bytes", "unbalanced",
-     "membrane_softness", "settled_at"});
+const std::vector<Column>& facts() {
+  static const std::vector<Column> rows = {
+      {"size", "m", "diagonal of the box around the rest shape"},
+      {"edge_length", "m", "mean length of an edge at rest"},
+      {"vertices", "1", "of the mesh"},
+      {"triangles", "1", "of the mesh"},
+      {"springs", "1", "springs that resist bending"},
+      {"bending_constraints", "1", "springs and other elements that resist bending"},
+      {"springs_beyond_ring_1", "1", "springs between vertices that no edge joins"},
+      {"pinned_vertices", "1", "vertices that are pinned, rings around pins included"},
+      {"projections", "1", "how many constraints the solver projected"},
+      {"substeps", "1", "how many substeps the solver made"},
+      {"memory_bytes", "B",
+       "what the solver's arrays hold: points, constraints, multipliers, matrix and factor"},
+      {"unbalanced", "1",
+       "forces that nothing balances at the end, over the loads; of methods that find an equilibrium"},
+      {"membrane_softness", "1",
+       "how many times the stated compliance the membrane has, if the method softened it"},
+      {"settled_at", "s", "time at which the cloth was slower than /settled_speed, so that the run ended"}};
+  return rows;
+}
 
 Registry<Measure>& registry() {
   static Registry<Measure> all("measure", listed);
@@ -46,8 +63,8 @@ Registry<Measure>& registry() {
 
 // A name has one meaning in a summary, in a frame, on a triangle. `rows`: the member that lists them.
 void check_names(const Measure& measure, std::function<std::vector<Column>()> Measure::*rows) {
-  std::set<std::string, std::less<>> taken(facts.begin(), facts.end());
-  taken.emplace("time");  // of a frame
+  std::set<std::string, std::less<>> taken = {"time"};  // of a frame
+  for (const Column& fact : facts()) taken.insert(fact.name);
   for (const Measure* other : registry().all())
     for (const Column& row : (other->*rows)()) taken.insert(row.name);
   for (const Column& row : (measure.*rows)())
@@ -133,8 +150,8 @@ std::span<const std::string_view> measures_on_request() {
   return made_of_kinds<names_on_request>();
 }
 
-std::span<const std::string_view> names_of_facts() {
-  return facts;
+std::span<const Column> numbers_of_scene() {
+  return facts();
 }
 
 bool is_asked_for(const Measure& measure, const RunConfig& config) {

@@ -171,7 +171,7 @@ void remove_measure(std::string_view name);
 std::span<const Measure* const> added_measures();
 
 /// Numbers of the scene and of the solver, which no measure gives: those of facts_of() and of the stepping.
-std::span<const std::string_view> names_of_facts();
+std::span<const Column> numbers_of_scene();
 
 /// Whether /output/measures names the measure.
 bool is_asked_for(const Measure& measure, const RunConfig& config);

@@ -41,7 +41,8 @@ const Measure* measure_of(const std::string& metric) {
 }
 
 std::vector<std::string> known_metrics() {
-  std::vector<std::string> names(names_of_facts().begin(), names_of_facts().end());
+  std::vector<std::string> names;
+  for (const Column& number : numbers_of_scene()) names.push_back(number.name);
   for (const Measure* measure : measures())
     for (const Quantity& quantity : measure->gives()) names.push_back(quantity.name);
   return names;
@@ -50,11 +51,12 @@ std::vector<std::string> known_metrics() {
 }  // namespace
 
 std::string measures_text() {
-  std::string text;
+  const auto scene = numbers_of_scene();
+  std::string text = "scene and solver: what every run says of them\n" +
+                     rows_text("numbers of a run", {scene.begin(), scene.end()});
   for (const Measure* measure : measures())
-    text += fmt::format("{}{}: {}\n  a run has it {}; it costs {}\n{}{}{}", text.empty() ? "" : "\n",
-                        measure->name, measure->summary, when(*measure), measure->cost,
-                        rows_text("numbers of a run", measure->gives()),
+    text += fmt::format("\n{}: {}\n  a run has it {}; it costs {}\n{}{}{}", measure->name, measure->summary,
+                        when(*measure), measure->cost, rows_text("numbers of a run", measure->gives()),
                         rows_text("numbers of every frame", measure->columns()),
                         rows_text("numbers of every triangle in every frame", measure->fields()));
   return text;
@@ -75,7 +77,8 @@ Json measures_json() {
 
 std::optional<std::string> problem_with_metric(const Experiment& experiment, const std::string& metric) {
   // Bending models choose these names themselves.
-  if (metric.starts_with("model_") || std::ranges::find(names_of_facts(), metric) != names_of_facts().end())
+  if (metric.starts_with("model_") ||
+      std::ranges::find(numbers_of_scene(), metric, &Column::name) != numbers_of_scene().end())
     return std::nullopt;
   const Measure* measure = measure_of(metric);
   if (!measure)

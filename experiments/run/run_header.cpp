@@ -13,8 +13,10 @@
 #include "bendlab/parameters/input_file.hpp"
 #include "bendlab/parameters/names.hpp"
 #include "bendlab/solver/colouring.hpp"
+#include "experiments/config/config_tables.hpp"
 #include "experiments/config/schema.hpp"
 #include "experiments/config/settings_by_pointer.hpp"
+#include "experiments/measures/measure.hpp"
 #include "experiments/run/machine.hpp"
 #include "experiments/run/run_id.hpp"
 #include "experiments/run/version.hpp"
@@ -98,6 +100,25 @@ std::vector<ObstacleRecord> obstacles_of(const BuiltScene& scene) {
   return records;
 }
 
+// Units and meanings of the numbers that the run may have in its summary and in its settings.
+Json about(const RunConfig& config, const BuiltScene& scene) {
+  Json summary = Json::object(), settings = Json::object();
+  const auto add = [&](const Column& number) { summary[number.name] = {number.unit, number.meaning}; };
+  std::ranges::for_each(numbers_of_scene(), add);
+  for (const Measure* measure : measures())
+    if (applies(*measure, config, scene)) std::ranges::for_each(measure->gives(), add);
+  for (const BendingFact& fact : scene.bending_facts) add({"model_" + fact.name, fact.unit, fact.meaning});
+  const Json resolved = config.resolved();
+  for (const auto& [pointer, value] : flattened(resolved))
+    if (const Field* field = find_setting(resolved, pointer); field != nullptr && !field->unit.empty())
+      settings[pointer] = {field->unit, field->meaning};
+  for (std::size_t i = 0; i < scene.effects.size(); ++i)
+    for (const Field& field : scene.effects[i].kind().settings.fields)
+      if (!field.unit.empty())
+        settings[fmt::format("/effects/{}/{}", i, field.name)] = {field.unit, field.meaning};
+  return {{"summary", std::move(summary)}, {"settings", std::move(settings)}};
+}
+
 }  // namespace
 
 RunHeader header_of(const Experiment& experiment, const RunConfig& config, const std::string& id,
@@ -161,6 +182,7 @@ RunHeader header_of(const Experiment& experiment, const RunConfig& config, const
   if (!build.changes_id.empty()) header.provenance["git_changes"] = changes_file_name();
   if (const std::string own = own_code_hash(config); !own.empty()) header.provenance["own_code"] = own;
   header.config = config.resolved().dump(2);
+  header.about = about(config, scene).dump();
   for (const NamedFile& file : input_files(config))
     header.inputs.push_back({file.pointer, file.name, read_input_file(file.path)});
   header.double_positions =

@@ -60,6 +60,32 @@ RunHeader header_of(const Experiment& experiment) {
 
 }  // namespace
 
+TEST_CASE("a run file says of every number of its summary and its settings in which unit it is", "[io]") {
+  const Experiment experiment = parse_experiment(
+      R"({"name": "t", "mesh": {"cells": 12},
+          "bending": {"model": "discrete_shells", "stiffness": "physical", "flexural_rigidity": 1e-4},
+          "effects": [{"type": "gravity"}, {"type": "sphere"}]})",
+      "test");
+  const RunConfig& config = experiment.runs.front();
+  const BuiltScene scene = build_scene(config.scene());
+  const auto simulation = simulation_of(scene);
+  const RunHeader header = header_of(experiment, config, "id", scene, *simulation, Recorder(config, scene));
+  const Json about = Json::parse(header.about);
+  const auto unit = [&](const char* part, const std::string& name) {
+    return about.at(part).at(name).at(0).get<std::string>();
+  };
+  CHECK(unit("summary", "edge_length") == "m");           // of the scene
+  CHECK(unit("summary", "kinetic_energy") == "J");        // of a measure
+  CHECK(unit("summary", "model_small_deflection_ends") == "√(N/m)/m");  // of the bending model
+  CHECK(unit("settings", "/duration") == "s");
+  CHECK(unit("settings", "/material/density") == "kg/m²");
+  CHECK(unit("settings", "/effects/0/acceleration") == "m/s²");
+  CHECK(unit("settings", "/effects/1/radius") == "m");
+  CHECK(!about.at("settings").contains("/bending/model"));  // no number
+  for (const auto& [name, entry] : about.at("summary").items())
+    CHECK(!entry.at(1).get<std::string>().empty());
+}
+
 TEST_CASE("run header: the surface of each obstacle is recorded, by its index among the effects", "[run]") {
   const RunHeader header = header_of(parse_experiment(
       R"({"name": "t", "mesh": {"cells": 3}, "effects": [{"type": "gravity"},

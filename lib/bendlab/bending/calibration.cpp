@@ -90,8 +90,9 @@ class Calibration {
     if (membrane_)
       constraints_.facts.push_back(
           {"membrane_quartic", *membrane_,
-           "m⁴; C of the bent sheet's membrane per N/m of its stiffness, because this "
-           "mesh cannot bend without strain"});
+           "C of the bent sheet's membrane per N/m of its stiffness, because this mesh cannot bend without "
+           "strain",
+           "m⁴"});
   }
 
  private:
@@ -257,8 +258,9 @@ class Calibration {
         "ratio)");
     facts.push_back(
         {"small_deflection_ends", 4 * std::sqrt(rigidity()) / square(rest_.mean_edge_length()),
-         "√(N/m)/m; over the square root of the membrane's stiffness in N/m: about the curvature in 1/m "
-         "above which it holds the sheet to a cylinder"});
+         "over the square root of the membrane's stiffness in N/m: about the curvature in 1/m above which it "
+         "holds the sheet to a cylinder",
+         "√(N/m)/m"});
     return facts;
   }
 

@@ -23,6 +23,7 @@ struct BendingFact {
   std::string name;
   double value = 0;
   std::string meaning;
+  std::string unit = "1";
 };
 
 struct BendingConstraints {

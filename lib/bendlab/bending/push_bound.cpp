@@ -81,7 +81,7 @@ std::optional<PushBound> bound_push(DistanceConstraints& springs, const RestMesh
 
 std::vector<BendingFact> facts_of(const PushBound& bound) {
   return {
-      {"push_tension", bound.tension, "N/m; tension with which the springs stretch the flat sheet"},
+      {"push_tension", bound.tension, "tension with which the springs stretch the flat sheet", "N/m"},
       {"push_growth", bound.expected,
        "about the share by which the sheet would grow with the stated excess, because the solver cannot hold "
        "it"},

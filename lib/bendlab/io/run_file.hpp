@@ -8,6 +8,8 @@
 //   /constraints/<kind>     vertices, rest values and softness, only on request
 //   /obstacles/<k>          the surface of effect k at time 0: positions (n, 3) m, triangles (m, 3) with
 //                           normals outward, velocity (3) m/s; positions in the precision of Points
+//   /about                  units and meanings, as a compressed JSON text: {"summary": {name: [unit, meaning]},
+//                           "settings": {pointer: [unit, meaning]}}, of every number that the program knows
 //   /provenance/inputs/<k>  the bytes of the k-th file that the config names
 //   /facts                  everything else, as a compressed JSON text; how it is when the run begins in a
 //                           file that grows with its run, which has the end's in /outcome
@@ -108,6 +110,7 @@ struct RunHeader {
   std::map<std::string, std::string> provenance;  ///< attribute → text
   std::vector<InputFile> inputs;
   std::string config;             ///< resolved config as JSON text
+  std::string about;              ///< units and meanings as JSON text, see above; may be empty
   bool double_positions = false;  ///< store positions as float64 instead of float32
 };
 

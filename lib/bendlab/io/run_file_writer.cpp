@@ -66,6 +66,8 @@ void write_header(hid_t file, const RunHeader& header) {
       hdf5::write_array(obstacle, "velocity", record.velocity);
     }
   }
+  if (!header.about.empty())
+    hdf5::write_array(file, "about", std::vector<std::uint8_t>(header.about.begin(), header.about.end()));
   if (header.inputs.empty()) return;
   const Handle inputs = hdf5::create_group(hdf5::create_group(file, "provenance"), "inputs");
   for (std::size_t k = 0; k < header.inputs.size(); ++k) {

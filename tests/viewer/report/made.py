@@ -6,7 +6,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[3] / "analysis"))
 
 from collected import Sweep  # noqa: E402
 from bendlab.results.load import Run  # noqa: E402
-from meanings import Meanings  # noqa: E402
 from sweep_page import Report  # noqa: E402
 
 
@@ -30,4 +29,4 @@ def sweep_of(runs, axes, settings=None, **more):
 
 
 def report_of(*sweeps, command="./bendlab report results/made"):
-    return Report(list(sweeps), Meanings(), command)
+    return Report(list(sweeps), command)

@@ -27,7 +27,6 @@ import style
 import sweep_charts
 from html_parts import VIEWER, json_text
 from bendlab.results.load import group
-from meanings import Meanings
 from sweep_axes import axes_of, label_of
 
 MARKUP = "<script>alert(1)</script>\"'</script><!--<img src=x onerror=alert(2)>&amp;\u2028"
@@ -44,37 +43,36 @@ def sweep_over_seeds():
 
 
 def charts_of(sweep):
-    varied, _ = axes_of(sweep, Meanings())
-    return sweep_charts.axis_charts(sweep, varied, sweep_charts.numbers_of(sweep, Meanings()), "make it",
+    varied, _ = axes_of(sweep)
+    return sweep_charts.axis_charts(sweep, varied, sweep_charts.numbers_of(sweep), "make it",
                                     "s1-")
 
 
 class Axes(unittest.TestCase):
     def test_cells_have_powers_of_two_at_equal_distances(self):
-        varied, _ = axes_of(sweep_over_seeds(), Meanings())
+        varied, _ = axes_of(sweep_over_seeds())
         self.assertEqual([axis.scale for axis in varied][:2], ["band", "log2"])
         self.assertEqual([axis.is_seed for axis in varied], [False, False, True])
 
     def test_a_number_that_grows_eightfold_has_a_logarithmic_axis_unless_it_is_zero_somewhere(self):
-        scale = lambda values: axes_of(sweep_of([], {"/a": values}), Meanings())[0][0].scale
+        scale = lambda values: axes_of(sweep_of([], {"/a": values}))[0][0].scale
         self.assertEqual([scale([1, 8]), scale([1, 7]), scale([0, 100]), scale([True, False]),
                           scale([1, 2, 4])],
                          ["log", "linear", "linear", "band", "log"])
 
     def test_objects_are_told_by_what_differs(self):
         axis = axes_of(sweep_of([], {"/bending": [{"model": "lod", "k": 0.5, "lod": {"radius": 1}},
-                                                  {"model": "lod", "k": 0.5, "lod": {"radius": 2}}]}),
-                       Meanings())[0][0]
+                                                  {"model": "lod", "k": 0.5, "lod": {"radius": 2}}]}))[0][0]
         self.assertEqual(axis.texts, ["radius 1", "radius 2"])
         self.assertEqual(axis.models, ["lod", "lod"])
 
     def test_axes_with_one_last_part_are_told_apart(self):
-        varied, _ = axes_of(sweep_of([], {"/a/stiffness": [1, 2], "/b/stiffness": [1, 2]}), Meanings())
+        varied, _ = axes_of(sweep_of([], {"/a/stiffness": [1, 2], "/b/stiffness": [1, 2]}))
         self.assertEqual([axis.label for axis in varied], ["a stiffness", "b stiffness"])
 
     def test_a_setting_of_another_model_is_no_part_of_a_label(self):
         sweep = sweep_of([], {MODEL: ["none", "k_ring"], "/bending/k_ring/rings": [2, 3]})
-        varied, _ = axes_of(sweep, Meanings())
+        varied, _ = axes_of(sweep)
         self.assertEqual(label_of(run_at({MODEL: "none"}), varied), "none")
 
 
@@ -175,7 +173,7 @@ class Chosen(unittest.TestCase):
         return sweep_of(runs, axes)
 
     def choose(self, sweep, **how):
-        return chosen_runs.choose([sweep], [axes_of(sweep, Meanings())[0]], **how)
+        return chosen_runs.choose([sweep], [axes_of(sweep)[0]], **how)
 
     def test_few_runs_are_all_played(self):
         runs, why = self.choose(self.runs(8))

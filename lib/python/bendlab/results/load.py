@@ -188,6 +188,16 @@ class Run:
                                  group["velocity"][()])
                     for index, group in file.get("obstacles", {}).items()}
 
+    @cached_property
+    def about(self):
+        """{"summary": {name: [unit, meaning]}, "settings": {pointer: [unit, meaning]}}; {}
+        without a file that states them."""
+        try:
+            with _opened(self.file) as file:
+                return json.loads(file["about"][()].tobytes()) if "about" in file else {}
+        except OSError:
+            return {}
+
     def constraints(self, kind):
         """(C, n) vertices of every constraint of a kind. KeyError if the run did not record them."""
         with _opened(self.file) as file:
